@@ -14,10 +14,10 @@ from benchmarks.harness.reference import Reference
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.tolerance_runs import KEPT, Case
 from benchmarks.harness.trial import Trial
+from benchmarks.scenes.hard_suite import CASES, HardCase
 from runtime.contract.model import Model
 from runtime.running.ladder import Method
 from runtime.studies.advice.methods import stiff_methods
-from symgen.scenes.hard_suite import CASES, HardCase
 
 TOLERANCE, MOST = 1e-3, 200_000
 TURNS = 4  # further timings of each method's best run: another program's burst hits one of them

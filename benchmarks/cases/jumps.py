@@ -10,11 +10,11 @@ from benchmarks.harness.fewest import Timed, fewest
 from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.reference import Reference
 from benchmarks.harness.result import Line, Result
+from benchmarks.scenes.hard_suite import HARD_SUITE
 from runtime import simulate
 from runtime.contract.model import Model
 from runtime.running.ladder import Method
 from symgen.scene import Scene, SceneRecord
-from symgen.scenes.hard_suite import HARD_SUITE
 
 NAMES = ("slider_crank_torque", "f2_heavy_hub", "f2_light_hub")
 METHODS = (

@@ -28,13 +28,13 @@ from benchmarks.harness.reference import Reference
 from benchmarks.harness.result import Line, Result, Skipped
 from benchmarks.harness.timing import interleave
 from benchmarks.harness.trial import Trial
+from benchmarks.scenes.hard_suite import CASES, HardCase
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import SymgenError
 from runtime.contract.model import Model
 from runtime.running.ladder import Method
 from runtime.schemes.stage_equations import StageEquations
 from runtime.studies.advice.methods import stiff_methods
-from symgen.scenes.hard_suite import CASES, HardCase
 
 SHORTER = {"oscillators_10000": 1.0, "arm_40": 0.25}  # s of motion, where all of it takes SUNDIALS many seconds
 LONG_ARM, EXUDYN_SAMPLES = "arm_20", 50

@@ -17,9 +17,9 @@ import numpy as np
 from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.tolerance_runs import Case, cheapest, runs_of_an_oracle
+from benchmarks.scenes.hard_suite import CASES
 from runtime.running.ladder import Ladder, Rung, chosen_method
 from runtime.running.run import Further
-from symgen.scenes.hard_suite import CASES
 
 TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
 REMARK = (

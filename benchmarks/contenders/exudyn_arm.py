@@ -1,4 +1,4 @@
-"""The hanging arm of symgen/scenes/arm.py in Exudyn: rigid links, the last one of ANCF cable elements."""
+"""The hanging arm of benchmarks/scenes/arm.py in Exudyn: rigid links, the last one of ANCF cable elements."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks.contenders.exudyn_models import exudyn
-from symgen.scenes.arm import LENGTH, MASS
+from benchmarks.scenes.arm import LENGTH, MASS
 
 GRAVITY = 9.81
 DENSITY, AREA, SECOND_MOMENT, MODULUS = 7800.0, 2e-5, 1e-11, 2e11  # of the last link

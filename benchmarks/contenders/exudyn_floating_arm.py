@@ -14,8 +14,8 @@ import numpy as np
 from scipy.sparse import csr_matrix, diags
 
 from benchmarks.contenders.exudyn_arm import AREA, DENSITY, GRAVITY, MODULUS, SECOND_MOMENT, ExudynArm
+from benchmarks.scenes.arm import LENGTH
 from symgen.modes.exact import exact_bending
-from symgen.scenes.arm import LENGTH
 
 OUT_OF_PLANE = (2, 3, 4)  # z and the first two angles of a frame at Rx Ry Rz
 NODE = "NodeType.RotationRxyz"

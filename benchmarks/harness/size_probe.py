@@ -9,9 +9,9 @@ import sys
 import tempfile
 import time
 
+from benchmarks.scenes.arm import arm
 from runtime import simulate
 from symgen.generate import model_of
-from symgen.scenes.arm import arm
 from symgen.scenes.chain import chain
 
 SCENES = {"chain": chain, "arm": arm}

@@ -8,6 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
+from benchmarks.scenes.hard_suite import HardCase
 from runtime.contract.coordinates import followed, independent, loop_part, whole
 from runtime.contract.model import Model
 from runtime.engine.rows import evaluate
@@ -20,7 +21,6 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.times import SwitchTime, switching_times
-from symgen.scenes.hard_suite import HardCase
 
 KEPT = 4000  # states of a reference
 REACH, LEAST_STEPS = 0.75, 20_000  # h w of a reference, and how many steps it takes at least

@@ -20,13 +20,13 @@ import numpy as np
 from hypothesis import HealthCheck, Phase, given, seed, settings
 from scipy.integrate import solve_ivp
 
+from benchmarks.scenes.hard_suite import HARD_SUITE
 from runtime import Solution, SymgenError, reference_solution, simulate
 from runtime.contract.coordinates import followed
 from runtime.contract.model import Model
 from runtime.results.motion_error import amplitudes, floored
 from symgen.generate import model_of
 from symgen.scene import Scene, SceneRecord
-from symgen.scenes.hard_suite import HARD_SUITE
 from tests.support.modes import modes_at
 from tests.support.random_mechanisms import four_bars, trees
 

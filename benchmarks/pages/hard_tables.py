@@ -11,12 +11,12 @@ from pathlib import Path
 
 import numpy as np
 
+from benchmarks.scenes.hard_suite import HARD_SUITE, HardCase
 from runtime import load_model
 from runtime.baselines.scipy_methods import reference_solution
 from runtime.contract.model import Model
 from runtime.results.solution import Solution
 from symgen.generate import generate
-from symgen.scenes.hard_suite import HARD_SUITE, HardCase
 from tests.support.modes import modes_at
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "evidence" / "hard-suite.md"
@@ -38,7 +38,7 @@ GRADED = 5  # graded coordinates told of
 INTRODUCTION = """# Hard suite
 
 Written by `python -m benchmarks.pages.hard_tables --publish`; every number is computed. The cases are `HARD_SUITE` in
-`symgen/scenes/hard_suite.py`; `test_hard_suite_schemes_agree` runs each of them for a short time.
+`benchmarks/scenes/hard_suite.py`; `test_hard_suite_schemes_agree` runs each of them for a short time.
 
 A scheme is judged on the graded coordinates: the rigid and lateral ones of q_i. Axial coordinates are not graded, and
 of the two oscillators only the slow one is.

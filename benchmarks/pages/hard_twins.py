@@ -20,9 +20,9 @@ import numpy as np
 
 from benchmarks.cases.hard_by_points import BY_POINTS
 from benchmarks.harness import figures
+from benchmarks.scenes.hard_suite import HARD_SUITE, HardCase
 from runtime import Model, Solution, SymgenError, load_model, reference_solution
 from symgen.generate import generate
-from symgen.scenes.hard_suite import HARD_SUITE, HardCase
 from tests.support.augmented import augmented_run
 
 SAMPLES = 41

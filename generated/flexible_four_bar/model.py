@@ -1534,7 +1534,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w118 = (w40 * w108 + w62 * w115) / w67
     w119 = w57 + (w55 + w58) - w29 * w88
     w120 = w99 * w100 - (w65 + w101 * w116) - w117 * w118 + w98 * w119
-    w121 = 2 * w60 + w19 * w62
+    w121 = w19 * w62 + 2 * w60
     w122 = w62 * w68 + (w41 + (w38 - w34))
     w123 = 2 * -w56 - w42 * w54
     w124 = w54 * w88 + (w52 + (w50 - w46))
@@ -2135,7 +2135,7 @@ def residual_jacobian() -> ca.Function:
     w142 = (w47 * w135 + w69 * w138) / w72
     w143 = w82 * rocker_q1_ddot - w36 * w117 + w85 * rocker_q2_ddot + (w64 + (w62 + w65))
     w144 = w29 - w132 * w139 + w73 * w140 - w141 * w142 + w111 * w143
-    w145 = 2 * w67 + w23 * w69
+    w145 = w23 * w69 + 2 * w67
     w146 = w74 * coupler_q1_ddot + w69 * w87 + w77 * coupler_q2_ddot + (w48 + (w45 - w41))
     w147 = 2 * -w63 - w49 * w61
     w148 = w61 * w117 + w81 * rocker_q1_ddot + w84 * rocker_q2_ddot + (w59 + (w57 - w53))

@@ -21,8 +21,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 19) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
-    119 operations.
+    gives c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    89 operations.
     """
     p = ca.SX.sym("p", 19)
     gravity_z = p[0]
@@ -43,7 +43,7 @@ def constants() -> ca.Function:
     link3_inertia_zz = p[15]
     link1_end_x = p[16]
     link2_end_x = p[17]
-    # intermediate terms (38)
+    # intermediate terms (41)
     w0 = (link1_inertia_xx + link1_inertia_yy + link1_inertia_zz) / 2.0
     w1 = w0 - link1_inertia_yy
     w2 = w0 - link1_inertia_zz
@@ -74,14 +74,17 @@ def constants() -> ca.Function:
     w27 = w19 - w16
     w28 = w2 + w4
     w29 = w1 + w4
-    w30 = -4.0 * w29
-    w31 = -4.0 * w28
-    w32 = w11 + w13
-    w33 = w10 + w13
-    w34 = -4.0 * w33
-    w35 = -4.0 * w32
-    w36 = -4.0 * w21
-    w37 = -4.0 * w20
+    w30 = 4.0 * w28
+    w31 = 4.0 * w29
+    w32 = 4.0 * w3
+    w33 = w11 + w13
+    w34 = w10 + w13
+    w35 = 4.0 * w33
+    w36 = 4.0 * w34
+    w37 = 4.0 * w12
+    w38 = 4.0 * w20
+    w39 = 4.0 * w21
+    w40 = 4.0 * w18
     # outputs
     c = ca.vertcat(
         w3,  # c0
@@ -124,37 +127,28 @@ def constants() -> ca.Function:
         w23,  # c37
         w28,  # c38
         w29,  # c39
-        4.0 * w28 + w30,  # c40
-        4.0 * w29 + -4.0 * w3,  # c41
-        4.0 * w3 + w31,  # c42
-        w31 + 4.0 * w3,  # c43
-        4.0 * w29 + -4.0 * w3,  # c44
-        w30 + 4.0 * w28,  # c45
-        w32,  # c46
-        w33,  # c47
-        4.0 * w32 + w34,  # c48
-        4.0 * w33 + -4.0 * w12,  # c49
-        4.0 * w12 + w35,  # c50
-        w35 + 4.0 * w12,  # c51
-        4.0 * w33 + -4.0 * w12,  # c52
-        w34 + 4.0 * w32,  # c53
-        4.0 * w20 + w36,  # c54
-        4.0 * w21 + -4.0 * w18,  # c55
-        4.0 * w18 + w37,  # c56
-        w37 + 4.0 * w18,  # c57
-        4.0 * w21 + -4.0 * w18,  # c58
-        w36 + 4.0 * w20,  # c59
-        link1_mass * gravity_z,  # c60
-        link2_mass * gravity_z,  # c61
-        link3_mass * gravity_z,  # c62
-        -gravity_z,  # c63
-        w6,  # c64
-        w14,  # c65
-        w22,  # c66
-        w24,  # c67
-        w26,  # c68
-        w25,  # c69
-        w27,  # c70
+        w30 - w31,  # c40
+        w31 - w32,  # c41
+        w32 - w30,  # c42
+        w33,  # c43
+        w34,  # c44
+        w35 - w36,  # c45
+        w36 - w37,  # c46
+        w37 - w35,  # c47
+        w38 - w39,  # c48
+        w39 - w40,  # c49
+        w40 - w38,  # c50
+        link1_mass * gravity_z,  # c51
+        link2_mass * gravity_z,  # c52
+        link3_mass * gravity_z,  # c53
+        -gravity_z,  # c54
+        w6,  # c55
+        w14,  # c56
+        w22,  # c57
+        w24,  # c58
+        w26,  # c59
+        w25,  # c60
+        w27,  # c61
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -165,14 +159,14 @@ def condensed() -> ca.Function:
 
     takes q_d (n_d = 21) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 9 x 9) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 9) [N, N m]: condensed force S^T (Q* - M s)
     302 operations.
     """
     q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 71)
+    c = ca.SX.sym("c", 62)
     link1_e0 = q_d[3]
     link1_e1 = q_d[4]
     link1_e2 = q_d[5]
@@ -400,13 +394,13 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes chart (4 x orientations = 12) [1]: unit quaternions from which the turns in q_i are rotation vectors
-    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 21) [mixed]: dependent coordinates after one Newton step
-    166 operations.
+    164 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     chart = ca.SX.sym("chart", 12)
-    c = ca.SX.sym("c", 71)
+    c = ca.SX.sym("c", 62)
     link1_turn_x = q_i[0]
     link1_turn_y = q_i[1]
     link1_turn_z = q_i[2]
@@ -430,7 +424,7 @@ def closure() -> ca.Function:
     link3_chart_3 = chart[11]
     link1_end_x = c[1]
     link2_end_x = c[3]
-    # intermediate terms (33)
+    # intermediate terms (35)
     w0 = ca.sqrt((link1_turn_x**2 + link1_turn_y**2 + link1_turn_z**2) / 4.0 + 1e-300)
     w1 = ca.cos(w0)
     w2 = ca.sin(w0) / w0 / 2.0
@@ -441,29 +435,31 @@ def closure() -> ca.Function:
     w7 = link1_chart_0 * w3 + w1 * link1_chart_1 + (link1_chart_2 * w5 - w4 * link1_chart_3)
     w8 = link1_chart_0 * w4 + w1 * link1_chart_2 + (w3 * link1_chart_3 - link1_chart_1 * w5)
     w9 = link1_chart_0 * w5 + w1 * link1_chart_3 + (link1_chart_1 * w4 - w3 * link1_chart_2)
-    w10 = (1.0 - 2 * w8**2 - 2 * w9**2) * link1_end_x
-    w11 = 2 * w6
-    w12 = 2 * w7
-    w13 = (w9 * w11 + w8 * w12) * link1_end_x
-    w14 = (w9 * w12 - w8 * w11) * link1_end_x
-    w15 = ca.sqrt(1e-300 + (link2_turn_x**2 + link2_turn_y**2 + link2_turn_z**2) / 4.0)
-    w16 = ca.cos(w15)
-    w17 = ca.sin(w15) / w15 / 2.0
-    w18 = link2_turn_x * w17
-    w19 = link2_turn_y * w17
-    w20 = link2_turn_z * w17
-    w21 = link2_chart_0 * w16 - (link2_chart_1 * w18 + link2_chart_2 * w19 + link2_chart_3 * w20)
-    w22 = link2_chart_0 * w18 + w16 * link2_chart_1 + (link2_chart_2 * w20 - w19 * link2_chart_3)
-    w23 = link2_chart_0 * w19 + w16 * link2_chart_2 + (w18 * link2_chart_3 - link2_chart_1 * w20)
-    w24 = link2_chart_0 * w20 + w16 * link2_chart_3 + (link2_chart_1 * w19 - w18 * link2_chart_2)
-    w25 = 2 * w21
-    w26 = 2 * w22
-    w27 = ca.sqrt(1e-300 + (link3_turn_x**2 + link3_turn_y**2 + link3_turn_z**2) / 4.0)
-    w28 = ca.cos(w27)
-    w29 = ca.sin(w27) / w27 / 2.0
-    w30 = link3_turn_x * w29
-    w31 = link3_turn_y * w29
-    w32 = link3_turn_z * w29
+    w10 = 2 * w8
+    w11 = 2 * w9
+    w12 = (1.0 - (w8 * w10 + w9 * w11)) * link1_end_x
+    w13 = 2 * w7
+    w14 = (w8 * w13 + w6 * w11) * link1_end_x
+    w15 = (w9 * w13 - w6 * w10) * link1_end_x
+    w16 = ca.sqrt(1e-300 + (link2_turn_x**2 + link2_turn_y**2 + link2_turn_z**2) / 4.0)
+    w17 = ca.cos(w16)
+    w18 = ca.sin(w16) / w16 / 2.0
+    w19 = link2_turn_x * w18
+    w20 = link2_turn_y * w18
+    w21 = link2_turn_z * w18
+    w22 = link2_chart_0 * w17 - (link2_chart_1 * w19 + link2_chart_2 * w20 + link2_chart_3 * w21)
+    w23 = link2_chart_0 * w19 + w17 * link2_chart_1 + (link2_chart_2 * w21 - w20 * link2_chart_3)
+    w24 = link2_chart_0 * w20 + w17 * link2_chart_2 + (w19 * link2_chart_3 - link2_chart_1 * w21)
+    w25 = link2_chart_0 * w21 + w17 * link2_chart_3 + (link2_chart_1 * w20 - w19 * link2_chart_2)
+    w26 = 2 * w24
+    w27 = 2 * w25
+    w28 = 2 * w23
+    w29 = ca.sqrt(1e-300 + (link3_turn_x**2 + link3_turn_y**2 + link3_turn_z**2) / 4.0)
+    w30 = ca.cos(w29)
+    w31 = ca.sin(w29) / w29 / 2.0
+    w32 = link3_turn_x * w31
+    w33 = link3_turn_y * w31
+    w34 = link3_turn_z * w31
     # outputs
     q_d_next = ca.vertcat(
         0.0,  # link1.x
@@ -473,20 +469,20 @@ def closure() -> ca.Function:
         w7,  # link1.e1
         w8,  # link1.e2
         w9,  # link1.e3
-        w10,  # link2.x
-        w13,  # link2.y
-        w14,  # link2.z
-        w21,  # link2.e0
-        w22,  # link2.e1
-        w23,  # link2.e2
-        w24,  # link2.e3
-        w10 + (1.0 - 2 * w23**2 - 2 * w24**2) * link2_end_x,  # link3.x
-        w13 + (w24 * w25 + w23 * w26) * link2_end_x,  # link3.y
-        w14 + (w24 * w26 - w23 * w25) * link2_end_x,  # link3.z
-        link3_chart_0 * w28 - (link3_chart_1 * w30 + link3_chart_2 * w31 + link3_chart_3 * w32),  # link3.e0
-        link3_chart_0 * w30 + w28 * link3_chart_1 + (link3_chart_2 * w32 - w31 * link3_chart_3),  # link3.e1
-        link3_chart_0 * w31 + w28 * link3_chart_2 + (w30 * link3_chart_3 - link3_chart_1 * w32),  # link3.e2
-        link3_chart_0 * w32 + w28 * link3_chart_3 + (link3_chart_1 * w31 - w30 * link3_chart_2),  # link3.e3
+        w12,  # link2.x
+        w14,  # link2.y
+        w15,  # link2.z
+        w22,  # link2.e0
+        w23,  # link2.e1
+        w24,  # link2.e2
+        w25,  # link2.e3
+        w12 + (1.0 - (w24 * w26 + w25 * w27)) * link2_end_x,  # link3.x
+        w14 + (w24 * w28 + w22 * w27) * link2_end_x,  # link3.y
+        w15 + (w25 * w28 - w22 * w26) * link2_end_x,  # link3.z
+        link3_chart_0 * w30 - (link3_chart_1 * w32 + link3_chart_2 * w33 + link3_chart_3 * w34),  # link3.e0
+        link3_chart_0 * w32 + w30 * link3_chart_1 + (link3_chart_2 * w34 - w33 * link3_chart_3),  # link3.e1
+        link3_chart_0 * w33 + w30 * link3_chart_2 + (w32 * link3_chart_3 - link3_chart_1 * w34),  # link3.e2
+        link3_chart_0 * w34 + w30 * link3_chart_3 + (link3_chart_1 * w33 - w32 * link3_chart_2),  # link3.e3
     )
     inputs, outputs = [q_i, chart, c], [ca.densify(q_d_next)]
     return ca.Function("closure", inputs, outputs, ["q_i", "chart", "c"], ["q_d_next"])
@@ -497,13 +493,13 @@ def velocities() -> ca.Function:
 
     takes q_d (n_d = 21) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 21) [mixed]: rates of the dependent coordinates
-    224 operations.
+    226 operations.
     """
     q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 71)
+    c = ca.SX.sym("c", 62)
     link1_e0 = q_d[3]
     link1_e1 = q_d[4]
     link1_e2 = q_d[5]
@@ -538,23 +534,23 @@ def velocities() -> ca.Function:
     w7 = w0 * link1_omega_y - link1_omega_x * w1 + link1_omega_z * w4
     w8 = 2 * link1_e3
     w9 = 2 * link1_e1
-    w10 = 2 * link1_e0
-    w11 = (link1_e3 * w9 - link1_e2 * w10) * link1_end_x
-    w12 = link1_e2 * -2.0
-    w13 = (link1_e3 * w10 + link1_e2 * w9) * link1_end_x
-    w14 = link1_e3 * -2.0
+    w10 = 2 * link1_e2
+    w11 = (link1_e3 * w9 - link1_e0 * w10) * link1_end_x
+    w12 = 2 * -link1_e2
+    w13 = (link1_e2 * w9 + link1_e0 * w8) * link1_end_x
+    w14 = 2 * -link1_e3
     w15 = w13 * w14
-    w16 = w10 * w11
-    w17 = link1_e1 * -2.0
-    w18 = w11 * w17
-    w19 = w10 * w13
-    w20 = w5 * (w8 * w11 - w12 * w13) - w3 * (w11 * w12 - w15) + w6 * (w16 - w9 * w13) + w7 * (w18 - w19)
-    w21 = (1.0 - 2 * link1_e2**2 - 2 * link1_e3**2) * link1_end_x
-    w22 = w12 * w21
-    w23 = w10 * w21
-    w24 = 2 * link1_e2
-    w25 = w5 * (w22 - w16) - w3 * (w14 * w21 - w18) + w6 * (w9 * w21 - w11 * w14) + w7 * (w23 - w11 * w24)
-    w26 = w5 * (w19 - w8 * w21) - w3 * (w13 * w17 - w22) + w6 * (w15 - w23) + w7 * (w13 * w24 - w17 * w21)
+    w16 = 2 * link1_e0
+    w17 = w11 * w16
+    w18 = 2 * -link1_e1
+    w19 = w11 * w18
+    w20 = w13 * w16
+    w21 = w5 * (w8 * w11 - w12 * w13) - w3 * (w11 * w12 - w15) + w6 * (w17 - w9 * w13) + w7 * (w19 - w20)
+    w22 = (1.0 - (link1_e2 * w10 + link1_e3 * w8)) * link1_end_x
+    w23 = w12 * w22
+    w24 = w16 * w22
+    w25 = w5 * (w23 - w17) - w3 * (w14 * w22 - w19) + w6 * (w9 * w22 - w11 * w14) + w7 * (w24 - w10 * w11)
+    w26 = w5 * (w20 - w8 * w22) - w3 * (w13 * w18 - w23) + w6 * (w15 - w24) + w7 * (w10 * w13 - w18 * w22)
     w27 = link2_e1 * 0.5
     w28 = link2_e2 * 0.5
     w29 = link2_e3 * 0.5
@@ -563,25 +559,25 @@ def velocities() -> ca.Function:
     w32 = link2_omega_x * w31 - link2_omega_y * w29 + w28 * link2_omega_z
     w33 = link2_omega_x * w29 + link2_omega_y * w31 - w27 * link2_omega_z
     w34 = w27 * link2_omega_y - link2_omega_x * w28 + link2_omega_z * w31
-    w35 = link2_e2 * -2.0
+    w35 = 2 * -link2_e2
     w36 = 2 * link2_e1
-    w37 = 2 * link2_e0
-    w38 = (link2_e3 * w36 - link2_e2 * w37) * link2_end_x
-    w39 = link2_e3 * -2.0
-    w40 = (link2_e3 * w37 + link2_e2 * w36) * link2_end_x
-    w41 = w39 * w40
-    w42 = 2 * link2_e3
-    w43 = w37 * w38
-    w44 = link2_e1 * -2.0
-    w45 = w38 * w44
-    w46 = w37 * w40
-    w47 = w20 - w30 * (w35 * w38 - w41) + w32 * (w38 * w42 - w35 * w40) + w33 * (w43 - w36 * w40) + w34 * (w45 - w46)
-    w48 = (1.0 - 2 * link2_e2**2 - 2 * link2_e3**2) * link2_end_x
-    w49 = w35 * w48
-    w50 = w37 * w48
-    w51 = 2 * link2_e2
-    w52 = w25 - w30 * (w39 * w48 - w45) + w32 * (w49 - w43) + w33 * (w36 * w48 - w38 * w39) + w34 * (w50 - w38 * w51)
-    w53 = w26 - w30 * (w40 * w44 - w49) + w32 * (w46 - w42 * w48) + w33 * (w41 - w50) + w34 * (w40 * w51 - w44 * w48)
+    w37 = 2 * link2_e2
+    w38 = (link2_e3 * w36 - link2_e0 * w37) * link2_end_x
+    w39 = 2 * -link2_e3
+    w40 = 2 * link2_e3
+    w41 = (link2_e2 * w36 + link2_e0 * w40) * link2_end_x
+    w42 = w39 * w41
+    w43 = 2 * link2_e0
+    w44 = w38 * w43
+    w45 = 2 * -link2_e1
+    w46 = w38 * w45
+    w47 = w41 * w43
+    w48 = w21 - w30 * (w35 * w38 - w42) + w32 * (w38 * w40 - w35 * w41) + w33 * (w44 - w36 * w41) + w34 * (w46 - w47)
+    w49 = (1.0 - (link2_e2 * w37 + link2_e3 * w40)) * link2_end_x
+    w50 = w35 * w49
+    w51 = w43 * w49
+    w52 = w25 - w30 * (w39 * w49 - w46) + w32 * (w50 - w44) + w33 * (w36 * w49 - w38 * w39) + w34 * (w51 - w37 * w38)
+    w53 = w26 - w30 * (w41 * w45 - w50) + w32 * (w47 - w40 * w49) + w33 * (w42 - w51) + w34 * (w37 * w41 - w45 * w49)
     w54 = link3_e1 * 0.5
     w55 = link3_e2 * 0.5
     w56 = link3_e3 * 0.5
@@ -595,14 +591,14 @@ def velocities() -> ca.Function:
         w5,  # link1.e1
         w6,  # link1.e2
         w7,  # link1.e3
-        w20,  # link2.x
+        w21,  # link2.x
         w25,  # link2.y
         w26,  # link2.z
         -w30,  # link2.e0
         w32,  # link2.e1
         w33,  # link2.e2
         w34,  # link2.e3
-        w47,  # link3.x
+        w48,  # link3.x
         w52,  # link3.y
         w53,  # link3.z
         -(w54 * link3_omega_x + w55 * link3_omega_y + w56 * link3_omega_z),  # link3.e0
@@ -621,15 +617,15 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 21) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 21) [mixed]: accelerations of the dependent coordinates
-    350 operations.
+    352 operations.
     """
     q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
     q_d_dot = ca.SX.sym("q_d_dot", 21)
     q_i_ddot = ca.SX.sym("q_i_ddot", 9)
-    c = ca.SX.sym("c", 71)
+    c = ca.SX.sym("c", 62)
     link1_e0 = q_d[3]
     link1_e1 = q_d[4]
     link1_e2 = q_d[5]
@@ -680,20 +676,20 @@ def accelerations() -> ca.Function:
     w6 = link1_turn_x_ddot * w5 - w0 * link1_e1 - link1_turn_y_ddot * w3 + w2 * link1_turn_z_ddot
     w7 = link1_turn_x_ddot * w3 - w0 * link1_e2 + link1_turn_y_ddot * w5 - w1 * link1_turn_z_ddot
     w8 = w1 * link1_turn_y_ddot - (w0 * link1_e3 + link1_turn_x_ddot * w2) + link1_turn_z_ddot * w5
-    w9 = link1_e2 * -2.0
+    w9 = 2 * -link1_e2
     w10 = 2 * link1_e3
     w11 = 2 * link1_e0
-    w12 = link1_e1 * -2.0
+    w12 = 2 * -link1_e1
     w13 = link1_e0_dot * w9 + link1_e1_dot * w10 + link1_e2_dot * w11 + link1_e3_dot * w12
-    w14 = link1_e3 * -2.0
+    w14 = 2 * -link1_e3
     w15 = 2 * link1_e2
     w16 = link1_e0_dot * w12 + link1_e1_dot * w11 + link1_e2_dot * w14 + link1_e3_dot * w15
     w17 = 2 * link1_e1
-    w18 = (link1_e3 * w11 + link1_e2 * w17) * link1_end_x
-    w19 = (1.0 - 2 * link1_e2**2 - 2 * link1_e3**2) * link1_end_x
+    w18 = (link1_e2 * w17 + link1_e0 * w10) * link1_end_x
+    w19 = (1.0 - (link1_e2 * w15 + link1_e3 * w10)) * link1_end_x
     w20 = w16 * w18 - w13 * w19
     w21 = link1_e0_dot * w14 + w9 * link1_e1_dot + link1_e2_dot * w17 + w11 * link1_e3_dot
-    w22 = (link1_e3 * w17 - link1_e2 * w11) * link1_end_x
+    w22 = (link1_e3 * w17 - link1_e0 * w15) * link1_end_x
     w23 = w19 * w21 - w16 * w22
     w24 = w14 * w18
     w25 = w11 * w22
@@ -715,20 +711,20 @@ def accelerations() -> ca.Function:
     w41 = link2_turn_x_ddot * w40 - w35 * link2_e1 - link2_turn_y_ddot * w38 + w37 * link2_turn_z_ddot
     w42 = link2_turn_x_ddot * w38 - w35 * link2_e2 + link2_turn_y_ddot * w40 - w36 * link2_turn_z_ddot
     w43 = w36 * link2_turn_y_ddot - (w35 * link2_e3 + link2_turn_x_ddot * w37) + link2_turn_z_ddot * w40
-    w44 = link2_e2 * -2.0
+    w44 = 2 * -link2_e2
     w45 = 2 * link2_e3
     w46 = 2 * link2_e0
-    w47 = link2_e1 * -2.0
+    w47 = 2 * -link2_e1
     w48 = link2_e0_dot * w44 + link2_e1_dot * w45 + link2_e2_dot * w46 + link2_e3_dot * w47
-    w49 = link2_e3 * -2.0
+    w49 = 2 * -link2_e3
     w50 = 2 * link2_e2
     w51 = link2_e0_dot * w47 + link2_e1_dot * w46 + link2_e2_dot * w49 + link2_e3_dot * w50
     w52 = 2 * link2_e1
-    w53 = (link2_e3 * w46 + link2_e2 * w52) * link2_end_x
-    w54 = (1.0 - 2 * link2_e2**2 - 2 * link2_e3**2) * link2_end_x
+    w53 = (link2_e2 * w52 + link2_e0 * w45) * link2_end_x
+    w54 = (1.0 - (link2_e2 * w50 + link2_e3 * w45)) * link2_end_x
     w55 = w51 * w53 - w48 * w54
     w56 = link2_e0_dot * w49 + w44 * link2_e1_dot + link2_e2_dot * w52 + w46 * link2_e3_dot
-    w57 = (link2_e3 * w52 - link2_e2 * w46) * link2_end_x
+    w57 = (link2_e3 * w52 - link2_e0 * w50) * link2_end_x
     w58 = w54 * w56 - w51 * w57
     w59 = w49 * w53
     w60 = w46 * w57
@@ -778,17 +774,17 @@ def constraints() -> ca.Function:
 
     takes q (n = 21) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 21) [mixed]: rates of all coordinates
-    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 12) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 12 x 21) [SI]: constraint Jacobian
     gives C_t (n_c = 12) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 12) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 12) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    241 operations.
+    247 operations.
     """
     q = ca.SX.sym("q", 21)
     q_dot = ca.SX.sym("q_dot", 21)
-    c = ca.SX.sym("c", 71)
+    c = ca.SX.sym("c", 62)
     link1_x = q[0]
     link1_y = q[1]
     link1_z = q[2]
@@ -824,68 +820,64 @@ def constraints() -> ca.Function:
     link3_e3_dot = q_dot[20]
     link1_end_x = c[1]
     link2_end_x = c[3]
-    # intermediate terms (48)
-    w0 = link1_e2**2
-    w1 = link1_e3**2
-    w2 = (1.0 - 2 * w0 - 2 * w1) * link1_end_x
-    w3 = 2 * link1_e0
-    w4 = 2 * link1_e1
-    w5 = (link1_e3 * w3 + link1_e2 * w4) * link1_end_x
-    w6 = (link1_e3 * w4 - link1_e2 * w3) * link1_end_x
-    w7 = link2_e2**2
-    w8 = link2_e3**2
-    w9 = (1.0 - 2 * w7 - 2 * w8) * link2_end_x
-    w10 = 2 * link2_e0
-    w11 = 2 * link2_e1
-    w12 = (link2_e3 * w10 + link2_e2 * w11) * link2_end_x
-    w13 = (link2_e3 * w11 - link2_e2 * w10) * link2_end_x
-    w14 = link1_e2 * -2.0
-    w15 = link1_e3 * -2.0
+    # intermediate terms (44)
+    w0 = 2 * link1_e2
+    w1 = 2 * link1_e3
+    w2 = (1.0 - (link1_e2 * w0 + link1_e3 * w1)) * link1_end_x
+    w3 = 2 * link1_e1
+    w4 = (link1_e2 * w3 + w1 * link1_e0) * link1_end_x
+    w5 = (link1_e3 * w3 - w0 * link1_e0) * link1_end_x
+    w6 = 2 * link2_e2
+    w7 = 2 * link2_e3
+    w8 = (1.0 - (link2_e2 * w6 + link2_e3 * w7)) * link2_end_x
+    w9 = 2 * link2_e1
+    w10 = (link2_e2 * w9 + w7 * link2_e0) * link2_end_x
+    w11 = (link2_e3 * w9 - w6 * link2_e0) * link2_end_x
+    w12 = 2 * -link1_e2
+    w13 = 2 * -link1_e3
+    w14 = w4 * w13
+    w15 = 2 * -link1_e1
     w16 = w5 * w15
-    w17 = link1_e1 * -2.0
-    w18 = w6 * w17
-    w19 = w2 * w14
-    w20 = 2 * link1_e3
-    w21 = w3 * w6
-    w22 = w3 * w5
-    w23 = w2 * w3
-    w24 = 2 * link1_e2
-    w25 = link2_e2 * -2.0
-    w26 = link2_e3 * -2.0
-    w27 = w12 * w26
-    w28 = link2_e1 * -2.0
-    w29 = w13 * w28
-    w30 = w9 * w25
-    w31 = 2 * link2_e3
-    w32 = w10 * w13
-    w33 = w10 * w12
-    w34 = w9 * w10
-    w35 = 2 * link2_e2
-    w36 = w14 * link1_e0_dot + w20 * link1_e1_dot + w3 * link1_e2_dot + w17 * link1_e3_dot
-    w37 = w17 * link1_e0_dot + w3 * link1_e1_dot + w15 * link1_e2_dot + w24 * link1_e3_dot
-    w38 = w5 * w37 - w2 * w36
-    w39 = w15 * link1_e0_dot + w14 * link1_e1_dot + w4 * link1_e2_dot + w3 * link1_e3_dot
-    w40 = w2 * w39 - w6 * w37
-    w41 = w6 * w36 - w5 * w39
-    w42 = w25 * link2_e0_dot + w31 * link2_e1_dot + w10 * link2_e2_dot + w28 * link2_e3_dot
-    w43 = w28 * link2_e0_dot + w10 * link2_e1_dot + w26 * link2_e2_dot + w35 * link2_e3_dot
-    w44 = w12 * w43 - w9 * w42
-    w45 = w26 * link2_e0_dot + w25 * link2_e1_dot + w11 * link2_e2_dot + w10 * link2_e3_dot
-    w46 = w9 * w45 - w13 * w43
-    w47 = w13 * w42 - w12 * w45
+    w17 = w2 * w12
+    w18 = 2 * link1_e0
+    w19 = w5 * w18
+    w20 = w4 * w18
+    w21 = w2 * w18
+    w22 = 2 * -link2_e2
+    w23 = 2 * -link2_e3
+    w24 = w10 * w23
+    w25 = 2 * -link2_e1
+    w26 = w11 * w25
+    w27 = w8 * w22
+    w28 = 2 * link2_e0
+    w29 = w11 * w28
+    w30 = w10 * w28
+    w31 = w8 * w28
+    w32 = w12 * link1_e0_dot + w1 * link1_e1_dot + w18 * link1_e2_dot + w15 * link1_e3_dot
+    w33 = w15 * link1_e0_dot + w18 * link1_e1_dot + w13 * link1_e2_dot + w0 * link1_e3_dot
+    w34 = w4 * w33 - w2 * w32
+    w35 = w13 * link1_e0_dot + w12 * link1_e1_dot + w3 * link1_e2_dot + w18 * link1_e3_dot
+    w36 = w2 * w35 - w5 * w33
+    w37 = w5 * w32 - w4 * w35
+    w38 = w22 * link2_e0_dot + w7 * link2_e1_dot + w28 * link2_e2_dot + w25 * link2_e3_dot
+    w39 = w25 * link2_e0_dot + w28 * link2_e1_dot + w23 * link2_e2_dot + w6 * link2_e3_dot
+    w40 = w10 * w39 - w8 * w38
+    w41 = w23 * link2_e0_dot + w22 * link2_e1_dot + w9 * link2_e2_dot + w28 * link2_e3_dot
+    w42 = w8 * w41 - w11 * w39
+    w43 = w11 * w38 - w10 * w41
     # outputs
     C = ca.vertcat(
         link1_x,  # joint1.x
         link1_y,  # joint1.y
         link1_z,  # joint1.z
         link2_x - (link1_x + w2),  # joint2.x
-        link2_y - (link1_y + w5),  # joint2.y
-        link2_z - (link1_z + w6),  # joint2.z
-        link3_x - (link2_x + w9),  # joint3.x
-        link3_y - (link2_y + w12),  # joint3.y
-        link3_z - (link2_z + w13),  # joint3.z
-        (w1 + (w0 + (link1_e0**2 + link1_e1**2)) - 1.0) / 2.0,  # link1.norm
-        (w8 + (w7 + (link2_e0**2 + link2_e1**2)) - 1.0) / 2.0,  # link2.norm
+        link2_y - (link1_y + w4),  # joint2.y
+        link2_z - (link1_z + w5),  # joint2.z
+        link3_x - (link2_x + w8),  # joint3.x
+        link3_y - (link2_y + w10),  # joint3.y
+        link3_z - (link2_z + w11),  # joint3.z
+        (link1_e0**2 + link1_e1**2 + link1_e2**2 + link1_e3**2 - 1.0) / 2.0,  # link1.norm
+        (link2_e0**2 + link2_e1**2 + link2_e2**2 + link2_e3**2 - 1.0) / 2.0,  # link2.norm
         (link3_e0**2 + link3_e1**2 + link3_e2**2 + link3_e3**2 - 1.0) / 2.0,  # link3.norm
     )
     C_q = ca.SX(12, 21)
@@ -897,45 +889,45 @@ def constraints() -> ca.Function:
     C_q[2, 2] = 1.0
     # joint2.x
     C_q[3, 0] = -1.0
-    C_q[3, 3] = w16 - w6 * w14
-    C_q[3, 4] = w5 * w14 - w6 * w20
-    C_q[3, 5] = w4 * w5 - w21
-    C_q[3, 6] = w22 - w18
+    C_q[3, 3] = w14 - w5 * w12
+    C_q[3, 4] = w4 * w12 - w1 * w5
+    C_q[3, 5] = w3 * w4 - w19
+    C_q[3, 6] = w20 - w16
     C_q[3, 7] = 1.0
     # joint2.y
     C_q[4, 1] = -1.0
-    C_q[4, 3] = w18 - w2 * w15
-    C_q[4, 4] = w21 - w19
-    C_q[4, 5] = w6 * w15 - w2 * w4
-    C_q[4, 6] = w6 * w24 - w23
+    C_q[4, 3] = w16 - w2 * w13
+    C_q[4, 4] = w19 - w17
+    C_q[4, 5] = w5 * w13 - w2 * w3
+    C_q[4, 6] = w0 * w5 - w21
     C_q[4, 8] = 1.0
     # joint2.z
     C_q[5, 2] = -1.0
-    C_q[5, 3] = w19 - w5 * w17
-    C_q[5, 4] = w2 * w20 - w22
-    C_q[5, 5] = w23 - w16
-    C_q[5, 6] = w2 * w17 - w5 * w24
+    C_q[5, 3] = w17 - w4 * w15
+    C_q[5, 4] = w1 * w2 - w20
+    C_q[5, 5] = w21 - w14
+    C_q[5, 6] = w2 * w15 - w0 * w4
     C_q[5, 9] = 1.0
     # joint3.x
     C_q[6, 7] = -1.0
-    C_q[6, 10] = w27 - w13 * w25
-    C_q[6, 11] = w12 * w25 - w13 * w31
-    C_q[6, 12] = w11 * w12 - w32
-    C_q[6, 13] = w33 - w29
+    C_q[6, 10] = w24 - w11 * w22
+    C_q[6, 11] = w10 * w22 - w7 * w11
+    C_q[6, 12] = w9 * w10 - w29
+    C_q[6, 13] = w30 - w26
     C_q[6, 14] = 1.0
     # joint3.y
     C_q[7, 8] = -1.0
-    C_q[7, 10] = w29 - w9 * w26
-    C_q[7, 11] = w32 - w30
-    C_q[7, 12] = w13 * w26 - w9 * w11
-    C_q[7, 13] = w13 * w35 - w34
+    C_q[7, 10] = w26 - w8 * w23
+    C_q[7, 11] = w29 - w27
+    C_q[7, 12] = w11 * w23 - w8 * w9
+    C_q[7, 13] = w6 * w11 - w31
     C_q[7, 15] = 1.0
     # joint3.z
     C_q[8, 9] = -1.0
-    C_q[8, 10] = w30 - w12 * w28
-    C_q[8, 11] = w9 * w31 - w33
-    C_q[8, 12] = w34 - w27
-    C_q[8, 13] = w9 * w28 - w12 * w35
+    C_q[8, 10] = w27 - w10 * w25
+    C_q[8, 11] = w7 * w8 - w30
+    C_q[8, 12] = w31 - w24
+    C_q[8, 13] = w8 * w25 - w6 * w10
     C_q[8, 16] = 1.0
     # link1.norm
     C_q[9, 3] = link1_e0
@@ -958,12 +950,12 @@ def constraints() -> ca.Function:
         0.0,  # joint1.x
         0.0,  # joint1.y
         0.0,  # joint1.z
-        w36 * w38 - w39 * w40,  # joint2.x
-        w39 * w41 - w37 * w38,  # joint2.y
-        w37 * w40 - w36 * w41,  # joint2.z
-        w42 * w44 - w45 * w46,  # joint3.x
-        w45 * w47 - w43 * w44,  # joint3.y
-        w43 * w46 - w42 * w47,  # joint3.z
+        w32 * w34 - w35 * w36,  # joint2.x
+        w35 * w37 - w33 * w34,  # joint2.y
+        w33 * w36 - w32 * w37,  # joint2.z
+        w38 * w40 - w41 * w42,  # joint3.x
+        w41 * w43 - w39 * w40,  # joint3.y
+        w39 * w42 - w38 * w43,  # joint3.z
         -(link1_e0_dot**2 + link1_e1_dot**2 + link1_e2_dot**2 + link1_e3_dot**2),  # link1.norm
         -(link2_e0_dot**2 + link2_e1_dot**2 + link2_e2_dot**2 + link2_e3_dot**2),  # link2.norm
         -(link3_e0_dot**2 + link3_e1_dot**2 + link3_e2_dot**2 + link3_e3_dot**2),  # link3.norm
@@ -977,7 +969,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 21) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 21) [mixed]: rates of all coordinates
-    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 21 x 21) [SI]: mass matrix in all coordinates
     gives K (n x n = 21 x 21) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 21) [N, N m]: quadratic velocity force in all coordinates
@@ -985,11 +977,11 @@ def augmented() -> ca.Function:
     gives Q_star (n = 21) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 12 x 21) [SI]: constraint Jacobian
     gives gamma (n_c = 12) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    763 operations.
+    766 operations.
     """
     q = ca.SX.sym("q", 21)
     q_dot = ca.SX.sym("q_dot", 21)
-    c = ca.SX.sym("c", 71)
+    c = ca.SX.sym("c", 62)
     link1_e0 = q[3]
     link1_e1 = q[4]
     link1_e2 = q[5]
@@ -1053,245 +1045,236 @@ def augmented() -> ca.Function:
     c51 = c[51]
     c52 = c[52]
     c53 = c[53]
-    c54 = c[54]
-    c55 = c[55]
-    c56 = c[56]
-    c57 = c[57]
-    c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
-    c61 = c[61]
-    c62 = c[62]
     # intermediate terms (271)
-    w0 = link1_e2 * -2.0
+    w0 = 2 * -link1_e2
     w1 = 2 * link1_e1
     w2 = w1 * link1_e3
-    w3 = 2 * link1_e0
-    w4 = link1_e2 * w3
+    w3 = 2 * link1_e2
+    w4 = w3 * link1_e0
     w5 = w2 - w4
     w6 = w5 * c37
-    w7 = link1_e3 * -2.0
-    w8 = link1_e3 * w3
-    w9 = link1_e2 * w1
-    w10 = w8 + w9
-    w11 = w10 * c37
-    w12 = w7 * w11
-    w13 = w0 * w6 - w12
-    w14 = 2 * link1_e3
-    w15 = w6 * w14 - w0 * w11
-    w16 = w3 * w6
-    w17 = w16 - w1 * w11
-    w18 = link1_e1 * -2.0
-    w19 = w6 * w18
-    w20 = w3 * w11
-    w21 = w19 - w20
-    w22 = 2 * link1_e2**2
-    w23 = 2 * link1_e3**2
-    w24 = 1.0 - w22 - w23
-    w25 = w24 * c37
-    w26 = w7 * w25 - w19
-    w27 = w0 * w25
-    w28 = w27 - w16
-    w29 = w1 * w25 - w6 * w7
-    w30 = w3 * w25
-    w31 = 2 * link1_e2
-    w32 = w30 - w6 * w31
-    w33 = w11 * w18 - w27
-    w34 = w20 - w14 * w25
-    w35 = w12 - w30
-    w36 = w11 * w31 - w18 * w25
-    w37 = w3 * c0
-    w38 = w18 * w37 + link1_e2 * link1_e3 * c40
-    w39 = w3 * c38
-    w40 = w18 * c39
+    w7 = 2 * -link1_e3
+    w8 = link1_e2 * w1
+    w9 = 2 * link1_e3
+    w10 = link1_e0 * w9
+    w11 = w8 + w10
+    w12 = w11 * c37
+    w13 = w7 * w12
+    w14 = w0 * w6 - w13
+    w15 = w6 * w9 - w0 * w12
+    w16 = 2 * link1_e0
+    w17 = w6 * w16
+    w18 = w17 - w1 * w12
+    w19 = 2 * -link1_e1
+    w20 = w6 * w19
+    w21 = w12 * w16
+    w22 = w20 - w21
+    w23 = link1_e2 * w3
+    w24 = link1_e3 * w9
+    w25 = 1.0 - (w23 + w24)
+    w26 = w25 * c37
+    w27 = w7 * w26 - w20
+    w28 = w0 * w26
+    w29 = w28 - w17
+    w30 = w1 * w26 - w6 * w7
+    w31 = w16 * w26
+    w32 = w31 - w3 * w6
+    w33 = w12 * w19 - w28
+    w34 = w21 - w9 * w26
+    w35 = w13 - w31
+    w36 = w3 * w12 - w19 * w26
+    w37 = w16 * c0
+    w38 = w19 * w37 + link1_e2 * link1_e3 * c40
+    w39 = w16 * c38
+    w40 = w19 * c39
     w41 = w0 * w39 + link1_e1 * link1_e3 * c41
     w42 = w0 * c0
     w43 = w1 * c38
-    w44 = w3 * c39
+    w44 = w16 * c39
     w45 = link1_e2 * link1_e1 * c42 + w7 * w44
-    w46 = link1_e3 * link1_e0 * c43 + w31 * w40
-    w47 = w7 * w43 + link1_e2 * link1_e0 * c44
-    w48 = w14 * w42 + link1_e1 * link1_e0 * c45
-    w49 = link2_e2 * -2.0
+    w46 = link1_e3 * link1_e0 * c42 + w3 * w40
+    w47 = w7 * w43 + link1_e2 * link1_e0 * c41
+    w48 = w9 * w42 + link1_e1 * link1_e0 * c40
+    w49 = 2 * -link2_e2
     w50 = 2 * link2_e1
     w51 = w50 * link2_e3
-    w52 = 2 * link2_e0
-    w53 = link2_e2 * w52
+    w52 = 2 * link2_e2
+    w53 = w52 * link2_e0
     w54 = w51 - w53
     w55 = w54 * c30
-    w56 = link2_e3 * -2.0
-    w57 = link2_e3 * w52
-    w58 = link2_e2 * w50
-    w59 = w57 + w58
-    w60 = w59 * c30
-    w61 = w56 * w60
-    w62 = w49 * w55 - w61
-    w63 = 2 * link2_e3
-    w64 = w55 * w63 - w49 * w60
-    w65 = w52 * w55
-    w66 = w65 - w50 * w60
-    w67 = link2_e1 * -2.0
-    w68 = w55 * w67
-    w69 = w52 * w60
-    w70 = w68 - w69
-    w71 = 2 * link2_e2**2
-    w72 = 2 * link2_e3**2
-    w73 = 1.0 - w71 - w72
-    w74 = w73 * c30
-    w75 = w56 * w74 - w68
-    w76 = w49 * w74
-    w77 = w76 - w65
-    w78 = w50 * w74 - w55 * w56
-    w79 = w52 * w74
-    w80 = 2 * link2_e2
-    w81 = w79 - w55 * w80
-    w82 = w60 * w67 - w76
-    w83 = w69 - w63 * w74
-    w84 = w61 - w79
-    w85 = w60 * w80 - w67 * w74
-    w86 = w52 * c7
-    w87 = w67 * w86 + link2_e2 * link2_e3 * c48
-    w88 = w52 * c46
-    w89 = w67 * c47
-    w90 = w49 * w88 + link2_e1 * link2_e3 * c49
+    w56 = 2 * -link2_e3
+    w57 = link2_e2 * w50
+    w58 = 2 * link2_e3
+    w59 = link2_e0 * w58
+    w60 = w57 + w59
+    w61 = w60 * c30
+    w62 = w56 * w61
+    w63 = w49 * w55 - w62
+    w64 = w55 * w58 - w49 * w61
+    w65 = 2 * link2_e0
+    w66 = w55 * w65
+    w67 = w66 - w50 * w61
+    w68 = 2 * -link2_e1
+    w69 = w55 * w68
+    w70 = w61 * w65
+    w71 = w69 - w70
+    w72 = link2_e2 * w52
+    w73 = link2_e3 * w58
+    w74 = 1.0 - (w72 + w73)
+    w75 = w74 * c30
+    w76 = w56 * w75 - w69
+    w77 = w49 * w75
+    w78 = w77 - w66
+    w79 = w50 * w75 - w55 * w56
+    w80 = w65 * w75
+    w81 = w80 - w52 * w55
+    w82 = w61 * w68 - w77
+    w83 = w70 - w58 * w75
+    w84 = w62 - w80
+    w85 = w52 * w61 - w68 * w75
+    w86 = w65 * c7
+    w87 = w68 * w86 + link2_e2 * link2_e3 * c45
+    w88 = w65 * c43
+    w89 = w68 * c44
+    w90 = w49 * w88 + link2_e1 * link2_e3 * c46
     w91 = w49 * c7
-    w92 = w50 * c46
-    w93 = w52 * c47
-    w94 = link2_e2 * link2_e1 * c50 + w56 * w93
-    w95 = link2_e3 * link2_e0 * c51 + w80 * w89
-    w96 = w56 * w92 + link2_e2 * link2_e0 * c52
-    w97 = w63 * w91 + link2_e1 * link2_e0 * c53
-    w98 = link3_e2 * -2.0
+    w92 = w50 * c43
+    w93 = w65 * c44
+    w94 = link2_e2 * link2_e1 * c47 + w56 * w93
+    w95 = link2_e3 * link2_e0 * c47 + w52 * w89
+    w96 = w56 * w92 + link2_e2 * link2_e0 * c46
+    w97 = w58 * w91 + link2_e1 * link2_e0 * c45
+    w98 = 2 * -link3_e2
     w99 = 2 * link3_e1
     w100 = w99 * link3_e3
-    w101 = 2 * link3_e0
-    w102 = link3_e2 * w101
+    w101 = 2 * link3_e2
+    w102 = w101 * link3_e0
     w103 = w100 - w102
     w104 = w103 * c5
-    w105 = link3_e3 * -2.0
-    w106 = link3_e3 * w101
-    w107 = link3_e2 * w99
-    w108 = w106 + w107
-    w109 = w108 * c5
-    w110 = w105 * w109
-    w111 = w98 * w104 - w110
-    w112 = 2 * link3_e3
-    w113 = w104 * w112 - w98 * w109
-    w114 = w101 * w104
-    w115 = w114 - w99 * w109
-    w116 = link3_e1 * -2.0
-    w117 = w104 * w116
-    w118 = w101 * w109
-    w119 = w117 - w118
-    w120 = 2 * link3_e2**2
-    w121 = 2 * link3_e3**2
-    w122 = 1.0 - w120 - w121
-    w123 = w122 * c5
-    w124 = w105 * w123 - w117
-    w125 = w98 * w123
-    w126 = w125 - w114
-    w127 = w99 * w123 - w104 * w105
-    w128 = w101 * w123
-    w129 = 2 * link3_e2
-    w130 = w128 - w104 * w129
-    w131 = w109 * w116 - w125
-    w132 = w118 - w112 * w123
-    w133 = w110 - w128
-    w134 = w109 * w129 - w116 * w123
-    w135 = w101 * c10
-    w136 = w116 * w135 + link3_e2 * link3_e3 * c54
-    w137 = w101 * c11
-    w138 = w116 * c12
-    w139 = w98 * w137 + link3_e1 * link3_e3 * c55
+    w105 = 2 * -link3_e3
+    w106 = link3_e2 * w99
+    w107 = 2 * link3_e3
+    w108 = link3_e0 * w107
+    w109 = w106 + w108
+    w110 = w109 * c5
+    w111 = w105 * w110
+    w112 = w98 * w104 - w111
+    w113 = w104 * w107 - w98 * w110
+    w114 = 2 * link3_e0
+    w115 = w104 * w114
+    w116 = w115 - w99 * w110
+    w117 = 2 * -link3_e1
+    w118 = w104 * w117
+    w119 = w110 * w114
+    w120 = w118 - w119
+    w121 = link3_e2 * w101
+    w122 = link3_e3 * w107
+    w123 = 1.0 - (w121 + w122)
+    w124 = w123 * c5
+    w125 = w105 * w124 - w118
+    w126 = w98 * w124
+    w127 = w126 - w115
+    w128 = w99 * w124 - w104 * w105
+    w129 = w114 * w124
+    w130 = w129 - w101 * w104
+    w131 = w110 * w117 - w126
+    w132 = w119 - w107 * w124
+    w133 = w111 - w129
+    w134 = w101 * w110 - w117 * w124
+    w135 = w114 * c10
+    w136 = w117 * w135 + link3_e2 * link3_e3 * c48
+    w137 = w114 * c11
+    w138 = w117 * c12
+    w139 = w98 * w137 + link3_e1 * link3_e3 * c49
     w140 = w98 * c10
     w141 = w99 * c11
-    w142 = w101 * c12
-    w143 = link3_e2 * link3_e1 * c56 + w105 * w142
-    w144 = link3_e3 * link3_e0 * c57 + w129 * w138
-    w145 = w105 * w141 + link3_e2 * link3_e0 * c58
-    w146 = w112 * w140 + link3_e1 * link3_e0 * c59
+    w142 = w114 * c12
+    w143 = link3_e2 * link3_e1 * c50 + w105 * w142
+    w144 = link3_e3 * link3_e0 * c50 + w101 * w138
+    w145 = w105 * w141 + link3_e2 * link3_e0 * c49
+    w146 = w107 * w140 + link3_e1 * link3_e0 * c48
     w147 = w7 * link1_e0_dot
-    w148 = w3 * link1_e3_dot
-    w149 = w147 + w31 * link1_e1_dot + w18 * link1_e2_dot + w148
+    w148 = w16 * link1_e3_dot
+    w149 = w147 + w3 * link1_e1_dot + w19 * link1_e2_dot + w148
     w150 = w149 * c37
     w151 = w0 * link1_e0_dot
-    w152 = w3 * link1_e2_dot
+    w152 = w16 * link1_e2_dot
     w153 = w151 + w7 * link1_e1_dot + w152 + w1 * link1_e3_dot
     w154 = w153 * c37
     w155 = w149 * w150 + w153 * w154
-    w156 = w18 * link1_e0_dot + w3 * link1_e1_dot
-    w157 = w156 + w14 * link1_e2_dot + w0 * link1_e3_dot
+    w156 = w19 * link1_e0_dot + w16 * link1_e1_dot
+    w157 = w156 + w9 * link1_e2_dot + w0 * link1_e3_dot
     w158 = w154 * w157
     w159 = w150 * w157
-    w160 = w24 * w155 - (w9 - w8) * w158 - (w2 + w4) * w159
-    w161 = 1.0 - 2 * link1_e1**2
-    w162 = link1_e3 * w31
-    w163 = link1_e1 * w3
-    w164 = w10 * w155 - w158 * (w161 - w23) - w159 * (w162 - w163)
-    w165 = w5 * w155 - w158 * (w162 + w163) - w159 * (w161 - w22)
+    w160 = w25 * w155 - (w8 - w10) * w158 - (w2 + w4) * w159
+    w161 = link1_e1 * w1
+    w162 = link1_e3 * w3
+    w163 = w1 * link1_e0
+    w164 = w11 * w155 - w158 * (1.0 - (w24 + w161)) - w159 * (w162 - w163)
+    w165 = w5 * w155 - w158 * (w162 + w163) - w159 * (1.0 - (w23 + w161))
     w166 = w149 * c25
     w167 = w153 * c24
     w168 = w153 * w166 - w149 * w167
     w169 = w157 * c27
     w170 = w149 * w169 - w157 * w166
     w171 = w157 * w167 - w153 * w169
-    w172 = w18 * w168 + w0 * w170 + w7 * w171
-    w173 = w3 * w168 + w7 * w170 + w31 * w171
-    w174 = w14 * w168 + w3 * w170 + w18 * w171
-    w175 = w0 * w168 + w1 * w170 + w3 * w171
+    w172 = w19 * w168 + w0 * w170 + w7 * w171
+    w173 = w16 * w168 + w7 * w170 + w3 * w171
+    w174 = w9 * w168 + w16 * w170 + w19 * w171
+    w175 = w0 * w168 + w1 * w170 + w16 * w171
     w176 = w56 * link2_e0_dot
-    w177 = w52 * link2_e3_dot
-    w178 = w176 + w80 * link2_e1_dot + w67 * link2_e2_dot + w177
+    w177 = w65 * link2_e3_dot
+    w178 = w176 + w52 * link2_e1_dot + w68 * link2_e2_dot + w177
     w179 = w178 * c30
     w180 = w49 * link2_e0_dot
-    w181 = w52 * link2_e2_dot
+    w181 = w65 * link2_e2_dot
     w182 = w180 + w56 * link2_e1_dot + w181 + w50 * link2_e3_dot
     w183 = w182 * c30
     w184 = w178 * w179 + w182 * w183
-    w185 = w67 * link2_e0_dot + w52 * link2_e1_dot
-    w186 = w185 + w63 * link2_e2_dot + w49 * link2_e3_dot
+    w185 = w68 * link2_e0_dot + w65 * link2_e1_dot
+    w186 = w185 + w58 * link2_e2_dot + w49 * link2_e3_dot
     w187 = w183 * w186
     w188 = w179 * w186
-    w189 = w73 * w184 - (w58 - w57) * w187 - (w51 + w53) * w188
-    w190 = 1.0 - 2 * link2_e1**2
-    w191 = link2_e3 * w80
-    w192 = link2_e1 * w52
-    w193 = w59 * w184 - w187 * (w190 - w72) - w188 * (w191 - w192)
-    w194 = w54 * w184 - w187 * (w191 + w192) - w188 * (w190 - w71)
+    w189 = w74 * w184 - (w57 - w59) * w187 - (w51 + w53) * w188
+    w190 = link2_e1 * w50
+    w191 = link2_e3 * w52
+    w192 = w50 * link2_e0
+    w193 = w60 * w184 - w187 * (1.0 - (w73 + w190)) - w188 * (w191 - w192)
+    w194 = w54 * w184 - w187 * (w191 + w192) - w188 * (1.0 - (w72 + w190))
     w195 = w178 * c32
     w196 = w182 * c31
     w197 = w182 * w195 - w178 * w196
     w198 = w186 * c33
     w199 = w178 * w198 - w186 * w195
     w200 = w186 * w196 - w182 * w198
-    w201 = w67 * w197 + w49 * w199 + w56 * w200
-    w202 = w52 * w197 + w56 * w199 + w80 * w200
-    w203 = w63 * w197 + w52 * w199 + w67 * w200
-    w204 = w49 * w197 + w50 * w199 + w52 * w200
-    w205 = w105 * link3_e0_dot + w129 * link3_e1_dot + w116 * link3_e2_dot + w101 * link3_e3_dot
+    w201 = w68 * w197 + w49 * w199 + w56 * w200
+    w202 = w65 * w197 + w56 * w199 + w52 * w200
+    w203 = w58 * w197 + w65 * w199 + w68 * w200
+    w204 = w49 * w197 + w50 * w199 + w65 * w200
+    w205 = w105 * link3_e0_dot + w101 * link3_e1_dot + w117 * link3_e2_dot + w114 * link3_e3_dot
     w206 = w205 * c5
-    w207 = w98 * link3_e0_dot + w105 * link3_e1_dot + w101 * link3_e2_dot + w99 * link3_e3_dot
+    w207 = w98 * link3_e0_dot + w105 * link3_e1_dot + w114 * link3_e2_dot + w99 * link3_e3_dot
     w208 = w207 * c5
     w209 = w205 * w206 + w207 * w208
-    w210 = w116 * link3_e0_dot + w101 * link3_e1_dot + w112 * link3_e2_dot + w98 * link3_e3_dot
+    w210 = w117 * link3_e0_dot + w114 * link3_e1_dot + w107 * link3_e2_dot + w98 * link3_e3_dot
     w211 = w208 * w210
     w212 = w206 * w210
-    w213 = w122 * w209 - (w107 - w106) * w211 - (w100 + w102) * w212
-    w214 = 1.0 - 2 * link3_e1**2
-    w215 = link3_e3 * w129
-    w216 = link3_e1 * w101
-    w217 = w108 * w209 - w211 * (w214 - w121) - w212 * (w215 - w216)
-    w218 = w103 * w209 - w211 * (w215 + w216) - w212 * (w214 - w120)
+    w213 = w123 * w209 - (w106 - w108) * w211 - (w100 + w102) * w212
+    w214 = link3_e1 * w99
+    w215 = link3_e3 * w101
+    w216 = w99 * link3_e0
+    w217 = w109 * w209 - w211 * (1.0 - (w122 + w214)) - w212 * (w215 - w216)
+    w218 = w103 * w209 - w211 * (w215 + w216) - w212 * (1.0 - (w121 + w214))
     w219 = w205 * c35
     w220 = w207 * c34
     w221 = w207 * w219 - w205 * w220
     w222 = w210 * c36
     w223 = w205 * w222 - w210 * w219
     w224 = w210 * w220 - w207 * w222
-    w225 = w116 * w221 + w98 * w223 + w105 * w224
-    w226 = w101 * w221 + w105 * w223 + w129 * w224
-    w227 = w112 * w221 + w101 * w223 + w116 * w224
-    w228 = w98 * w221 + w99 * w223 + w101 * w224
+    w225 = w117 * w221 + w98 * w223 + w105 * w224
+    w226 = w114 * w221 + w105 * w223 + w101 * w224
+    w227 = w107 * w221 + w114 * w223 + w117 * w224
+    w228 = w98 * w221 + w99 * w223 + w114 * w224
     w229 = w33 * gravity_z
     w230 = w34 * gravity_z
     w231 = w35 * gravity_z
@@ -1305,31 +1288,31 @@ def augmented() -> ca.Function:
     w239 = w133 * gravity_z
     w240 = w134 * gravity_z
     w241 = w5 * link1_end_x
-    w242 = w10 * link1_end_x
+    w242 = w11 * link1_end_x
     w243 = w7 * w242
-    w244 = w24 * link1_end_x
-    w245 = w18 * w241
+    w244 = w25 * link1_end_x
+    w245 = w19 * w241
     w246 = w0 * w244
-    w247 = w3 * w241
-    w248 = w3 * w242
-    w249 = w3 * w244
+    w247 = w16 * w241
+    w248 = w16 * w242
+    w249 = w16 * w244
     w250 = w54 * link2_end_x
-    w251 = w59 * link2_end_x
+    w251 = w60 * link2_end_x
     w252 = w56 * w251
-    w253 = w73 * link2_end_x
-    w254 = w67 * w250
+    w253 = w74 * link2_end_x
+    w254 = w68 * w250
     w255 = w49 * w253
-    w256 = w52 * w250
-    w257 = w52 * w251
-    w258 = w52 * w253
-    w259 = w152 + (w151 + w14 * link1_e1_dot) + w18 * link1_e3_dot
-    w260 = w156 + w7 * link1_e2_dot + w31 * link1_e3_dot
+    w256 = w65 * w250
+    w257 = w65 * w251
+    w258 = w65 * w253
+    w259 = w152 + (w151 + w9 * link1_e1_dot) + w19 * link1_e3_dot
+    w260 = w156 + w7 * link1_e2_dot + w3 * link1_e3_dot
     w261 = w242 * w260 - w244 * w259
     w262 = w148 + (w147 + w0 * link1_e1_dot + w1 * link1_e2_dot)
     w263 = w244 * w262 - w241 * w260
     w264 = w241 * w259 - w242 * w262
-    w265 = w181 + (w180 + w63 * link2_e1_dot) + w67 * link2_e3_dot
-    w266 = w185 + w56 * link2_e2_dot + w80 * link2_e3_dot
+    w265 = w181 + (w180 + w58 * link2_e1_dot) + w68 * link2_e3_dot
+    w266 = w185 + w56 * link2_e2_dot + w52 * link2_e3_dot
     w267 = w251 * w266 - w253 * w265
     w268 = w177 + (w176 + w49 * link2_e1_dot + w50 * link2_e2_dot)
     w269 = w253 * w268 - w250 * w266
@@ -1338,15 +1321,15 @@ def augmented() -> ca.Function:
     M = ca.SX(21, 21)
     # link1.x
     M[0, 0] = link1_mass
-    M[0, 3] = w13
+    M[0, 3] = w14
     M[0, 4] = w15
-    M[0, 5] = w17
-    M[0, 6] = w21
+    M[0, 5] = w18
+    M[0, 6] = w22
     # link1.y
     M[1, 1] = link1_mass
-    M[1, 3] = w26
-    M[1, 4] = w28
-    M[1, 5] = w29
+    M[1, 3] = w27
+    M[1, 4] = w29
+    M[1, 5] = w30
     M[1, 6] = w32
     # link1.z
     M[2, 2] = link1_mass
@@ -1355,48 +1338,48 @@ def augmented() -> ca.Function:
     M[2, 5] = w35
     M[2, 6] = w36
     # link1.e0
-    M[3, 0] = w13
-    M[3, 1] = w26
+    M[3, 0] = w14
+    M[3, 1] = w27
     M[3, 2] = w33
-    M[3, 3] = w18 * (w18 * c0) + w0 * (w0 * c38) + w7 * (w7 * c39)
+    M[3, 3] = w19 * (w19 * c0) + w0 * (w0 * c38) + w7 * (w7 * c39)
     M[3, 4] = w38
     M[3, 5] = w41
     M[3, 6] = w45
     # link1.e1
     M[4, 0] = w15
-    M[4, 1] = w28
+    M[4, 1] = w29
     M[4, 2] = w34
     M[4, 3] = w38
-    M[4, 4] = w3 * w37 + w7 * (w7 * c38) + w31 * (w31 * c39)
+    M[4, 4] = w16 * w37 + w7 * (w7 * c38) + w3 * (w3 * c39)
     M[4, 5] = w46
     M[4, 6] = w47
     # link1.e2
-    M[5, 0] = w17
-    M[5, 1] = w29
+    M[5, 0] = w18
+    M[5, 1] = w30
     M[5, 2] = w35
     M[5, 3] = w41
     M[5, 4] = w46
-    M[5, 5] = w14 * (w14 * c0) + w3 * w39 + w18 * w40
+    M[5, 5] = w9 * (w9 * c0) + w16 * w39 + w19 * w40
     M[5, 6] = w48
     # link1.e3
-    M[6, 0] = w21
+    M[6, 0] = w22
     M[6, 1] = w32
     M[6, 2] = w36
     M[6, 3] = w45
     M[6, 4] = w47
     M[6, 5] = w48
-    M[6, 6] = w0 * w42 + w1 * w43 + w3 * w44
+    M[6, 6] = w0 * w42 + w1 * w43 + w16 * w44
     # link2.x
     M[7, 7] = link2_mass
-    M[7, 10] = w62
+    M[7, 10] = w63
     M[7, 11] = w64
-    M[7, 12] = w66
-    M[7, 13] = w70
+    M[7, 12] = w67
+    M[7, 13] = w71
     # link2.y
     M[8, 8] = link2_mass
-    M[8, 10] = w75
-    M[8, 11] = w77
-    M[8, 12] = w78
+    M[8, 10] = w76
+    M[8, 11] = w78
+    M[8, 12] = w79
     M[8, 13] = w81
     # link2.z
     M[9, 9] = link2_mass
@@ -1405,48 +1388,48 @@ def augmented() -> ca.Function:
     M[9, 12] = w84
     M[9, 13] = w85
     # link2.e0
-    M[10, 7] = w62
-    M[10, 8] = w75
+    M[10, 7] = w63
+    M[10, 8] = w76
     M[10, 9] = w82
-    M[10, 10] = w67 * (w67 * c7) + w49 * (w49 * c46) + w56 * (w56 * c47)
+    M[10, 10] = w68 * (w68 * c7) + w49 * (w49 * c43) + w56 * (w56 * c44)
     M[10, 11] = w87
     M[10, 12] = w90
     M[10, 13] = w94
     # link2.e1
     M[11, 7] = w64
-    M[11, 8] = w77
+    M[11, 8] = w78
     M[11, 9] = w83
     M[11, 10] = w87
-    M[11, 11] = w52 * w86 + w56 * (w56 * c46) + w80 * (w80 * c47)
+    M[11, 11] = w65 * w86 + w56 * (w56 * c43) + w52 * (w52 * c44)
     M[11, 12] = w95
     M[11, 13] = w96
     # link2.e2
-    M[12, 7] = w66
-    M[12, 8] = w78
+    M[12, 7] = w67
+    M[12, 8] = w79
     M[12, 9] = w84
     M[12, 10] = w90
     M[12, 11] = w95
-    M[12, 12] = w63 * (w63 * c7) + w52 * w88 + w67 * w89
+    M[12, 12] = w58 * (w58 * c7) + w65 * w88 + w68 * w89
     M[12, 13] = w97
     # link2.e3
-    M[13, 7] = w70
+    M[13, 7] = w71
     M[13, 8] = w81
     M[13, 9] = w85
     M[13, 10] = w94
     M[13, 11] = w96
     M[13, 12] = w97
-    M[13, 13] = w49 * w91 + w50 * w92 + w52 * w93
+    M[13, 13] = w49 * w91 + w50 * w92 + w65 * w93
     # link3.x
     M[14, 14] = link3_mass
-    M[14, 17] = w111
+    M[14, 17] = w112
     M[14, 18] = w113
-    M[14, 19] = w115
-    M[14, 20] = w119
+    M[14, 19] = w116
+    M[14, 20] = w120
     # link3.y
     M[15, 15] = link3_mass
-    M[15, 17] = w124
-    M[15, 18] = w126
-    M[15, 19] = w127
+    M[15, 17] = w125
+    M[15, 18] = w127
+    M[15, 19] = w128
     M[15, 20] = w130
     # link3.z
     M[16, 16] = link3_mass
@@ -1455,37 +1438,37 @@ def augmented() -> ca.Function:
     M[16, 19] = w133
     M[16, 20] = w134
     # link3.e0
-    M[17, 14] = w111
-    M[17, 15] = w124
+    M[17, 14] = w112
+    M[17, 15] = w125
     M[17, 16] = w131
-    M[17, 17] = w116 * (w116 * c10) + w98 * (w98 * c11) + w105 * (w105 * c12)
+    M[17, 17] = w117 * (w117 * c10) + w98 * (w98 * c11) + w105 * (w105 * c12)
     M[17, 18] = w136
     M[17, 19] = w139
     M[17, 20] = w143
     # link3.e1
     M[18, 14] = w113
-    M[18, 15] = w126
+    M[18, 15] = w127
     M[18, 16] = w132
     M[18, 17] = w136
-    M[18, 18] = w101 * w135 + w105 * (w105 * c11) + w129 * (w129 * c12)
+    M[18, 18] = w114 * w135 + w105 * (w105 * c11) + w101 * (w101 * c12)
     M[18, 19] = w144
     M[18, 20] = w145
     # link3.e2
-    M[19, 14] = w115
-    M[19, 15] = w127
+    M[19, 14] = w116
+    M[19, 15] = w128
     M[19, 16] = w133
     M[19, 17] = w139
     M[19, 18] = w144
-    M[19, 19] = w112 * (w112 * c10) + w101 * w137 + w116 * w138
+    M[19, 19] = w107 * (w107 * c10) + w114 * w137 + w117 * w138
     M[19, 20] = w146
     # link3.e3
-    M[20, 14] = w119
+    M[20, 14] = w120
     M[20, 15] = w130
     M[20, 16] = w134
     M[20, 17] = w143
     M[20, 18] = w145
     M[20, 19] = w146
-    M[20, 20] = w98 * w140 + w99 * w141 + w101 * w142
+    M[20, 20] = w98 * w140 + w99 * w141 + w114 * w142
     K = ca.SX(21, 21)
     Q_v = ca.vertcat(
         w160,  # link1.x
@@ -1513,21 +1496,21 @@ def augmented() -> ca.Function:
     Q_F = ca.vertcat(
         0.0,  # link1.x
         0.0,  # link1.y
-        c60,  # link1.z
+        c51,  # link1.z
         w229,  # link1.e0
         w230,  # link1.e1
         w231,  # link1.e2
         w232,  # link1.e3
         0.0,  # link2.x
         0.0,  # link2.y
-        c61,  # link2.z
+        c52,  # link2.z
         w233,  # link2.e0
         w234,  # link2.e1
         w235,  # link2.e2
         w236,  # link2.e3
         0.0,  # link3.x
         0.0,  # link3.y
-        c62,  # link3.z
+        c53,  # link3.z
         w237,  # link3.e0
         w238,  # link3.e1
         w239,  # link3.e2
@@ -1536,21 +1519,21 @@ def augmented() -> ca.Function:
     Q_star = ca.vertcat(
         w160,  # link1.x
         w164,  # link1.y
-        w165 + c60,  # link1.z
+        w165 + c51,  # link1.z
         w172 + w229,  # link1.e0
         w173 + w230,  # link1.e1
         w174 + w231,  # link1.e2
         w175 + w232,  # link1.e3
         w189,  # link2.x
         w193,  # link2.y
-        w194 + c61,  # link2.z
+        w194 + c52,  # link2.z
         w201 + w233,  # link2.e0
         w202 + w234,  # link2.e1
         w203 + w235,  # link2.e2
         w204 + w236,  # link2.e3
         w213,  # link3.x
         w217,  # link3.y
-        w218 + c62,  # link3.z
+        w218 + c53,  # link3.z
         w225 + w237,  # link3.e0
         w226 + w238,  # link3.e1
         w227 + w239,  # link3.e2
@@ -1566,7 +1549,7 @@ def augmented() -> ca.Function:
     # joint2.x
     C_q[3, 0] = -1.0
     C_q[3, 3] = w243 - w0 * w241
-    C_q[3, 4] = w0 * w242 - w14 * w241
+    C_q[3, 4] = w0 * w242 - w9 * w241
     C_q[3, 5] = w1 * w242 - w247
     C_q[3, 6] = w248 - w245
     C_q[3, 7] = 1.0
@@ -1575,19 +1558,19 @@ def augmented() -> ca.Function:
     C_q[4, 3] = w245 - w7 * w244
     C_q[4, 4] = w247 - w246
     C_q[4, 5] = w7 * w241 - w1 * w244
-    C_q[4, 6] = w31 * w241 - w249
+    C_q[4, 6] = w3 * w241 - w249
     C_q[4, 8] = 1.0
     # joint2.z
     C_q[5, 2] = -1.0
-    C_q[5, 3] = w246 - w18 * w242
-    C_q[5, 4] = w14 * w244 - w248
+    C_q[5, 3] = w246 - w19 * w242
+    C_q[5, 4] = w9 * w244 - w248
     C_q[5, 5] = w249 - w243
-    C_q[5, 6] = w18 * w244 - w31 * w242
+    C_q[5, 6] = w19 * w244 - w3 * w242
     C_q[5, 9] = 1.0
     # joint3.x
     C_q[6, 7] = -1.0
     C_q[6, 10] = w252 - w49 * w250
-    C_q[6, 11] = w49 * w251 - w63 * w250
+    C_q[6, 11] = w49 * w251 - w58 * w250
     C_q[6, 12] = w50 * w251 - w256
     C_q[6, 13] = w257 - w254
     C_q[6, 14] = 1.0
@@ -1596,14 +1579,14 @@ def augmented() -> ca.Function:
     C_q[7, 10] = w254 - w56 * w253
     C_q[7, 11] = w256 - w255
     C_q[7, 12] = w56 * w250 - w50 * w253
-    C_q[7, 13] = w80 * w250 - w258
+    C_q[7, 13] = w52 * w250 - w258
     C_q[7, 15] = 1.0
     # joint3.z
     C_q[8, 9] = -1.0
-    C_q[8, 10] = w255 - w67 * w251
-    C_q[8, 11] = w63 * w253 - w257
+    C_q[8, 10] = w255 - w68 * w251
+    C_q[8, 11] = w58 * w253 - w257
     C_q[8, 12] = w258 - w252
-    C_q[8, 13] = w67 * w253 - w80 * w251
+    C_q[8, 13] = w68 * w253 - w52 * w251
     C_q[8, 16] = 1.0
     # link1.norm
     C_q[9, 3] = link1_e0
@@ -1644,15 +1627,15 @@ def reactions() -> ca.Function:
     takes q (n = 21) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 21) [mixed]: rates of all coordinates
     takes q_ddot (n = 21) [mixed]: accelerations of all coordinates
-    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 12) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 3) [N, N m]: world force and moment of a joint on its body b, at b
-    1017 operations.
+    1020 operations.
     """
     q = ca.SX.sym("q", 21)
     q_dot = ca.SX.sym("q_dot", 21)
     q_ddot = ca.SX.sym("q_ddot", 21)
-    c = ca.SX.sym("c", 71)
+    c = ca.SX.sym("c", 62)
     link1_e0 = q[3]
     link1_e1 = q[4]
     link1_e2 = q[5]
@@ -1737,282 +1720,273 @@ def reactions() -> ca.Function:
     c51 = c[51]
     c52 = c[52]
     c53 = c[53]
-    c54 = c[54]
-    c55 = c[55]
-    c56 = c[56]
-    c57 = c[57]
-    c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
-    c61 = c[61]
-    c62 = c[62]
     # intermediate terms (266)
-    w0 = 2 * link1_e2**2
-    w1 = 2 * link1_e3**2
-    w2 = 1.0 - w0 - w1
-    w3 = link1_e3 * -2.0
-    w4 = 2 * link1_e2
-    w5 = link1_e1 * -2.0
-    w6 = 2 * link1_e0
-    w7 = link1_e0_dot * w3 + link1_e1_dot * w4 + link1_e2_dot * w5 + link1_e3_dot * w6
-    w8 = w7 * c37
-    w9 = link1_e2 * -2.0
-    w10 = 2 * link1_e1
-    w11 = link1_e0_dot * w9 + w3 * link1_e1_dot + link1_e2_dot * w6 + link1_e3_dot * w10
-    w12 = w11 * c37
-    w13 = w7 * w8 + w11 * w12
-    w14 = link1_e2 * w10
-    w15 = link1_e3 * w6
-    w16 = 2 * link1_e3
-    w17 = link1_e0_dot * w5 + link1_e1_dot * w6 + link1_e2_dot * w16 + link1_e3_dot * w9
-    w18 = w12 * w17
-    w19 = link1_e2 * w6
-    w20 = link1_e3 * w10
-    w21 = w8 * w17
-    w22 = w20 - w19
+    w0 = 2 * link1_e2
+    w1 = link1_e2 * w0
+    w2 = 2 * link1_e3
+    w3 = link1_e3 * w2
+    w4 = 1.0 - (w1 + w3)
+    w5 = 2 * -link1_e3
+    w6 = 2 * -link1_e1
+    w7 = 2 * link1_e0
+    w8 = link1_e0_dot * w5 + w0 * link1_e1_dot + link1_e2_dot * w6 + link1_e3_dot * w7
+    w9 = w8 * c37
+    w10 = 2 * -link1_e2
+    w11 = 2 * link1_e1
+    w12 = link1_e0_dot * w10 + w5 * link1_e1_dot + link1_e2_dot * w7 + link1_e3_dot * w11
+    w13 = w12 * c37
+    w14 = w8 * w9 + w12 * w13
+    w15 = link1_e2 * w11
+    w16 = w2 * link1_e0
+    w17 = link1_e0_dot * w6 + link1_e1_dot * w7 + w2 * link1_e2_dot + link1_e3_dot * w10
+    w18 = w13 * w17
+    w19 = link1_e3 * w11
+    w20 = w0 * link1_e0
+    w21 = w9 * w17
+    w22 = w19 - w20
     w23 = w22 * c37
-    w24 = w14 + w15
+    w24 = w15 + w16
     w25 = w24 * c37
-    w26 = w3 * w25
-    w27 = w9 * w23 - w26
-    w28 = w16 * w23 - w9 * w25
-    w29 = w6 * w23
-    w30 = w29 - w10 * w25
-    w31 = w5 * w23
-    w32 = w6 * w25
+    w26 = w5 * w25
+    w27 = w10 * w23 - w26
+    w28 = w2 * w23 - w10 * w25
+    w29 = w7 * w23
+    w30 = w29 - w11 * w25
+    w31 = w6 * w23
+    w32 = w7 * w25
     w33 = w31 - w32
     w34 = link1_x_ddot * link1_mass + w27 * link1_e0_ddot + w28 * link1_e1_ddot + w30 * link1_e2_ddot + w33 * link1_e3_ddot
-    w35 = 2 * link2_e2**2
-    w36 = 2 * link2_e3**2
-    w37 = 1.0 - w35 - w36
-    w38 = link2_e3 * -2.0
-    w39 = 2 * link2_e2
-    w40 = link2_e1 * -2.0
-    w41 = 2 * link2_e0
-    w42 = link2_e0_dot * w38 + link2_e1_dot * w39 + link2_e2_dot * w40 + link2_e3_dot * w41
-    w43 = w42 * c30
-    w44 = link2_e2 * -2.0
-    w45 = 2 * link2_e1
-    w46 = link2_e0_dot * w44 + w38 * link2_e1_dot + link2_e2_dot * w41 + link2_e3_dot * w45
-    w47 = w46 * c30
-    w48 = w42 * w43 + w46 * w47
-    w49 = link2_e2 * w45
-    w50 = link2_e3 * w41
-    w51 = 2 * link2_e3
-    w52 = link2_e0_dot * w40 + link2_e1_dot * w41 + link2_e2_dot * w51 + link2_e3_dot * w44
-    w53 = w47 * w52
-    w54 = link2_e2 * w41
-    w55 = link2_e3 * w45
-    w56 = w43 * w52
-    w57 = w55 - w54
+    w35 = 2 * link2_e2
+    w36 = link2_e2 * w35
+    w37 = 2 * link2_e3
+    w38 = link2_e3 * w37
+    w39 = 1.0 - (w36 + w38)
+    w40 = 2 * -link2_e3
+    w41 = 2 * -link2_e1
+    w42 = 2 * link2_e0
+    w43 = link2_e0_dot * w40 + w35 * link2_e1_dot + link2_e2_dot * w41 + link2_e3_dot * w42
+    w44 = w43 * c30
+    w45 = 2 * -link2_e2
+    w46 = 2 * link2_e1
+    w47 = link2_e0_dot * w45 + w40 * link2_e1_dot + link2_e2_dot * w42 + link2_e3_dot * w46
+    w48 = w47 * c30
+    w49 = w43 * w44 + w47 * w48
+    w50 = link2_e2 * w46
+    w51 = w37 * link2_e0
+    w52 = link2_e0_dot * w41 + link2_e1_dot * w42 + w37 * link2_e2_dot + link2_e3_dot * w45
+    w53 = w48 * w52
+    w54 = link2_e3 * w46
+    w55 = w35 * link2_e0
+    w56 = w44 * w52
+    w57 = w54 - w55
     w58 = w57 * c30
-    w59 = w49 + w50
+    w59 = w50 + w51
     w60 = w59 * c30
-    w61 = w38 * w60
-    w62 = w44 * w58 - w61
-    w63 = w51 * w58 - w44 * w60
-    w64 = w41 * w58
-    w65 = w64 - w45 * w60
-    w66 = w40 * w58
-    w67 = w41 * w60
+    w61 = w40 * w60
+    w62 = w45 * w58 - w61
+    w63 = w37 * w58 - w45 * w60
+    w64 = w42 * w58
+    w65 = w64 - w46 * w60
+    w66 = w41 * w58
+    w67 = w42 * w60
     w68 = w66 - w67
     w69 = link2_x_ddot * link2_mass + w62 * link2_e0_ddot + w63 * link2_e1_ddot + w65 * link2_e2_ddot + w68 * link2_e3_ddot
-    w70 = 2 * link3_e2**2
-    w71 = 2 * link3_e3**2
-    w72 = 1.0 - w70 - w71
-    w73 = link3_e3 * -2.0
-    w74 = 2 * link3_e2
-    w75 = link3_e1 * -2.0
-    w76 = 2 * link3_e0
-    w77 = link3_e0_dot * w73 + link3_e1_dot * w74 + link3_e2_dot * w75 + link3_e3_dot * w76
-    w78 = w77 * c5
-    w79 = link3_e2 * -2.0
-    w80 = 2 * link3_e1
-    w81 = link3_e0_dot * w79 + w73 * link3_e1_dot + link3_e2_dot * w76 + link3_e3_dot * w80
-    w82 = w81 * c5
-    w83 = w77 * w78 + w81 * w82
-    w84 = link3_e2 * w80
-    w85 = link3_e3 * w76
-    w86 = 2 * link3_e3
-    w87 = link3_e0_dot * w75 + link3_e1_dot * w76 + link3_e2_dot * w86 + link3_e3_dot * w79
-    w88 = w82 * w87
-    w89 = link3_e2 * w76
-    w90 = link3_e3 * w80
-    w91 = w78 * w87
-    w92 = w90 - w89
+    w70 = 2 * link3_e2
+    w71 = link3_e2 * w70
+    w72 = 2 * link3_e3
+    w73 = link3_e3 * w72
+    w74 = 1.0 - (w71 + w73)
+    w75 = 2 * -link3_e3
+    w76 = 2 * -link3_e1
+    w77 = 2 * link3_e0
+    w78 = link3_e0_dot * w75 + w70 * link3_e1_dot + link3_e2_dot * w76 + link3_e3_dot * w77
+    w79 = w78 * c5
+    w80 = 2 * -link3_e2
+    w81 = 2 * link3_e1
+    w82 = link3_e0_dot * w80 + w75 * link3_e1_dot + link3_e2_dot * w77 + link3_e3_dot * w81
+    w83 = w82 * c5
+    w84 = w78 * w79 + w82 * w83
+    w85 = link3_e2 * w81
+    w86 = w72 * link3_e0
+    w87 = link3_e0_dot * w76 + link3_e1_dot * w77 + w72 * link3_e2_dot + link3_e3_dot * w80
+    w88 = w83 * w87
+    w89 = link3_e3 * w81
+    w90 = w70 * link3_e0
+    w91 = w79 * w87
+    w92 = w89 - w90
     w93 = w92 * c5
-    w94 = w84 + w85
+    w94 = w85 + w86
     w95 = w94 * c5
-    w96 = w73 * w95
-    w97 = w79 * w93 - w96
-    w98 = w86 * w93 - w79 * w95
-    w99 = w76 * w93
-    w100 = w99 - w80 * w95
-    w101 = w75 * w93
-    w102 = w76 * w95
+    w96 = w75 * w95
+    w97 = w80 * w93 - w96
+    w98 = w72 * w93 - w80 * w95
+    w99 = w77 * w93
+    w100 = w99 - w81 * w95
+    w101 = w76 * w93
+    w102 = w77 * w95
     w103 = w101 - w102
     w104 = link3_x_ddot * link3_mass + w97 * link3_e0_ddot + w98 * link3_e1_ddot + w100 * link3_e2_ddot + w103 * link3_e3_ddot
-    w105 = w72 * w83 - (w84 - w85) * w88 - (w89 + w90) * w91 - w104
-    w106 = w37 * w48 - (w49 - w50) * w53 - (w54 + w55) * w56 - w69 + w105
-    w107 = w2 * w13 - (w14 - w15) * w18 - (w19 + w20) * w21 - w34 + w106
-    w108 = 1.0 - 2 * link1_e1**2
-    w109 = link1_e3 * w4
-    w110 = link1_e1 * w6
-    w111 = w2 * c37
-    w112 = w3 * w111 - w31
-    w113 = w9 * w111
+    w105 = w74 * w84 - (w85 - w86) * w88 - (w89 + w90) * w91 - w104
+    w106 = w39 * w49 - (w50 - w51) * w53 - (w54 + w55) * w56 - w69 + w105
+    w107 = w4 * w14 - (w15 - w16) * w18 - (w19 + w20) * w21 - w34 + w106
+    w108 = link1_e1 * w11
+    w109 = w0 * link1_e3
+    w110 = link1_e0 * w11
+    w111 = w4 * c37
+    w112 = w5 * w111 - w31
+    w113 = w10 * w111
     w114 = w113 - w29
-    w115 = w10 * w111 - w3 * w23
-    w116 = w6 * w111
-    w117 = w116 - w4 * w23
+    w115 = w11 * w111 - w5 * w23
+    w116 = w7 * w111
+    w117 = w116 - w0 * w23
     w118 = link1_y_ddot * link1_mass + link1_e0_ddot * w112 + link1_e1_ddot * w114 + link1_e2_ddot * w115 + link1_e3_ddot * w117
-    w119 = 1.0 - 2 * link2_e1**2
-    w120 = link2_e3 * w39
-    w121 = link2_e1 * w41
-    w122 = w37 * c30
-    w123 = w38 * w122 - w66
-    w124 = w44 * w122
+    w119 = link2_e1 * w46
+    w120 = w35 * link2_e3
+    w121 = link2_e0 * w46
+    w122 = w39 * c30
+    w123 = w40 * w122 - w66
+    w124 = w45 * w122
     w125 = w124 - w64
-    w126 = w45 * w122 - w38 * w58
-    w127 = w41 * w122
-    w128 = w127 - w39 * w58
+    w126 = w46 * w122 - w40 * w58
+    w127 = w42 * w122
+    w128 = w127 - w35 * w58
     w129 = link2_y_ddot * link2_mass + link2_e0_ddot * w123 + link2_e1_ddot * w125 + link2_e2_ddot * w126 + link2_e3_ddot * w128
-    w130 = 1.0 - 2 * link3_e1**2
-    w131 = link3_e3 * w74
-    w132 = link3_e1 * w76
-    w133 = w72 * c5
-    w134 = w73 * w133 - w101
-    w135 = w79 * w133
+    w130 = link3_e1 * w81
+    w131 = w70 * link3_e3
+    w132 = link3_e0 * w81
+    w133 = w74 * c5
+    w134 = w75 * w133 - w101
+    w135 = w80 * w133
     w136 = w135 - w99
-    w137 = w80 * w133 - w73 * w93
-    w138 = w76 * w133
-    w139 = w138 - w74 * w93
+    w137 = w81 * w133 - w75 * w93
+    w138 = w77 * w133
+    w139 = w138 - w70 * w93
     w140 = link3_y_ddot * link3_mass + link3_e0_ddot * w134 + link3_e1_ddot * w136 + link3_e2_ddot * w137 + link3_e3_ddot * w139
-    w141 = w83 * w94 - w88 * (w130 - w71) - w91 * (w131 - w132) - w140
-    w142 = w48 * w59 - w53 * (w119 - w36) - w56 * (w120 - w121) - w129 + w141
-    w143 = w13 * w24 - w18 * (w108 - w1) - w21 * (w109 - w110) - w118 + w142
-    w144 = w5 * w25 - w113
-    w145 = w32 - w16 * w111
+    w141 = w84 * w94 - w88 * (1.0 - (w73 + w130)) - w91 * (w131 - w132) - w140
+    w142 = w49 * w59 - w53 * (1.0 - (w38 + w119)) - w56 * (w120 - w121) - w129 + w141
+    w143 = w14 * w24 - w18 * (1.0 - (w3 + w108)) - w21 * (w109 - w110) - w118 + w142
+    w144 = w6 * w25 - w113
+    w145 = w32 - w2 * w111
     w146 = w26 - w116
-    w147 = w4 * w25 - w5 * w111
+    w147 = w0 * w25 - w6 * w111
     w148 = link1_z_ddot * link1_mass + link1_e0_ddot * w144 + link1_e1_ddot * w145 + link1_e2_ddot * w146 + link1_e3_ddot * w147
-    w149 = w40 * w60 - w124
-    w150 = w67 - w51 * w122
+    w149 = w41 * w60 - w124
+    w150 = w67 - w37 * w122
     w151 = w61 - w127
-    w152 = w39 * w60 - w40 * w122
+    w152 = w35 * w60 - w41 * w122
     w153 = link2_z_ddot * link2_mass + link2_e0_ddot * w149 + link2_e1_ddot * w150 + link2_e2_ddot * w151 + link2_e3_ddot * w152
-    w154 = w75 * w95 - w135
-    w155 = w102 - w86 * w133
+    w154 = w76 * w95 - w135
+    w155 = w102 - w72 * w133
     w156 = w96 - w138
-    w157 = w74 * w95 - w75 * w133
+    w157 = w70 * w95 - w76 * w133
     w158 = link3_z_ddot * link3_mass + link3_e0_ddot * w154 + link3_e1_ddot * w155 + link3_e2_ddot * w156 + link3_e3_ddot * w157
-    w159 = c62 + (w83 * w92 - w88 * (w131 + w132) - w91 * (w130 - w70)) - w158
-    w160 = c61 + (w48 * w57 - w53 * (w120 + w121) - w56 * (w119 - w35)) - w153 + w159
-    w161 = c60 + (w13 * w22 - w18 * (w109 + w110) - w21 * (w108 - w0)) - w148 + w160
-    w162 = w7 * c25
-    w163 = w11 * c24
-    w164 = w11 * w162 - w7 * w163
+    w159 = c53 + (w84 * w92 - w88 * (w131 + w132) - w91 * (1.0 - (w71 + w130))) - w158
+    w160 = c52 + (w49 * w57 - w53 * (w120 + w121) - w56 * (1.0 - (w36 + w119))) - w153 + w159
+    w161 = c51 + (w14 * w22 - w18 * (w109 + w110) - w21 * (1.0 - (w1 + w108))) - w148 + w160
+    w162 = w8 * c25
+    w163 = w12 * c24
+    w164 = w12 * w162 - w8 * w163
     w165 = w17 * c27
-    w166 = w7 * w165 - w17 * w162
-    w167 = w17 * w163 - w11 * w165
-    w168 = link1_x_ddot * w27 + link1_y_ddot * w112 + link1_z_ddot * w144 + link1_e0_ddot * (w5 * (w5 * c0) + w9 * (w9 * c38) + w3 * (w3 * c39))
-    w169 = w6 * c0
-    w170 = w5 * w169 + link1_e2 * link1_e3 * c40
-    w171 = w6 * c38
-    w172 = w5 * c39
-    w173 = w9 * w171 + link1_e3 * link1_e1 * c41
-    w174 = w9 * c0
-    w175 = w10 * c38
-    w176 = w6 * c39
-    w177 = link1_e2 * link1_e1 * c42 + w3 * w176
-    w178 = w5 * w164 + w9 * w166 + w3 * w167 + w144 * gravity_z - (w168 + link1_e1_ddot * w170 + link1_e2_ddot * w173 + link1_e3_ddot * w177)
+    w166 = w8 * w165 - w17 * w162
+    w167 = w17 * w163 - w12 * w165
+    w168 = link1_x_ddot * w27 + link1_y_ddot * w112 + link1_z_ddot * w144 + link1_e0_ddot * (w6 * (w6 * c0) + w10 * (w10 * c38) + w5 * (w5 * c39))
+    w169 = w7 * c0
+    w170 = w6 * w169 + link1_e2 * link1_e3 * c40
+    w171 = w7 * c38
+    w172 = w6 * c39
+    w173 = w10 * w171 + link1_e3 * link1_e1 * c41
+    w174 = w10 * c0
+    w175 = w11 * c38
+    w176 = w7 * c39
+    w177 = link1_e2 * link1_e1 * c42 + w5 * w176
+    w178 = w6 * w164 + w10 * w166 + w5 * w167 + w144 * gravity_z - (w168 + link1_e1_ddot * w170 + link1_e2_ddot * w173 + link1_e3_ddot * w177)
     w179 = w22 * link1_end_x
     w180 = w24 * link1_end_x
-    w181 = w3 * w180
-    w182 = w2 * link1_end_x
-    w183 = w5 * w179
-    w184 = w9 * w182
-    w185 = link1_e0 * (w178 + (w106 * (w9 * w179 - w181) + w142 * (w3 * w182 - w183) + w160 * (w5 * w180 - w184)))
-    w186 = link1_x_ddot * w28 + link1_y_ddot * w114 + link1_z_ddot * w145 + link1_e0_ddot * w170 + link1_e1_ddot * (w6 * w169 + w3 * (w3 * c38) + w4 * (w4 * c39))
-    w187 = link1_e3 * link1_e0 * c43 + w4 * w172
-    w188 = w3 * w175 + link1_e2 * link1_e0 * c44
-    w189 = w6 * w164 + w3 * w166 + w4 * w167 + w145 * gravity_z - (w186 + link1_e2_ddot * w187 + link1_e3_ddot * w188)
-    w190 = w6 * w179
-    w191 = w6 * w180
-    w192 = link1_e1 * (w189 + (w106 * (w16 * w179 - w9 * w180) + w142 * (w184 - w190) + w160 * (w191 - w16 * w182)))
+    w181 = w5 * w180
+    w182 = w4 * link1_end_x
+    w183 = w6 * w179
+    w184 = w10 * w182
+    w185 = link1_e0 * (w178 + (w106 * (w10 * w179 - w181) + w142 * (w5 * w182 - w183) + w160 * (w6 * w180 - w184)))
+    w186 = link1_x_ddot * w28 + link1_y_ddot * w114 + link1_z_ddot * w145 + link1_e0_ddot * w170 + link1_e1_ddot * (w7 * w169 + w5 * (w5 * c38) + w0 * (w0 * c39))
+    w187 = link1_e3 * link1_e0 * c42 + w0 * w172
+    w188 = w5 * w175 + link1_e2 * link1_e0 * c41
+    w189 = w7 * w164 + w5 * w166 + w0 * w167 + w145 * gravity_z - (w186 + link1_e2_ddot * w187 + link1_e3_ddot * w188)
+    w190 = w7 * w179
+    w191 = w7 * w180
+    w192 = link1_e1 * (w189 + (w106 * (w2 * w179 - w10 * w180) + w142 * (w184 - w190) + w160 * (w191 - w2 * w182)))
     w193 = link1_x_ddot * w30 + link1_y_ddot * w115 + link1_z_ddot * w146 + link1_e0_ddot * w173 + link1_e1_ddot * w187
-    w194 = w16 * w174 + link1_e1 * link1_e0 * c45
-    w195 = w16 * w164 + w6 * w166 + w5 * w167 + w146 * gravity_z - (w193 + link1_e2_ddot * (w16 * (w16 * c0) + w6 * w171 + w5 * w172) + link1_e3_ddot * w194)
-    w196 = w6 * w182
-    w197 = link1_e2 * (w195 + (w106 * (w190 - w10 * w180) + w142 * (w10 * w182 - w3 * w179) + w160 * (w181 - w196)))
+    w194 = w2 * w174 + link1_e1 * link1_e0 * c40
+    w195 = w2 * w164 + w7 * w166 + w6 * w167 + w146 * gravity_z - (w193 + link1_e2_ddot * (w2 * (w2 * c0) + w7 * w171 + w6 * w172) + link1_e3_ddot * w194)
+    w196 = w7 * w182
+    w197 = link1_e2 * (w195 + (w106 * (w190 - w11 * w180) + w142 * (w11 * w182 - w5 * w179) + w160 * (w181 - w196)))
     w198 = link1_x_ddot * w33 + link1_y_ddot * w117 + link1_z_ddot * w147 + link1_e0_ddot * w177 + link1_e1_ddot * w188
-    w199 = w9 * w164 + w10 * w166 + w6 * w167 + w147 * gravity_z - (w198 + link1_e2_ddot * w194 + link1_e3_ddot * (w9 * w174 + w10 * w175 + w6 * w176))
-    w200 = link1_e3 * (w199 + (w106 * (w183 - w191) + w142 * (w196 - w4 * w179) + w160 * (w4 * w180 - w5 * w182)))
-    w201 = w42 * c32
-    w202 = w46 * c31
-    w203 = w46 * w201 - w42 * w202
+    w199 = w10 * w164 + w11 * w166 + w7 * w167 + w147 * gravity_z - (w198 + link1_e2_ddot * w194 + link1_e3_ddot * (w10 * w174 + w11 * w175 + w7 * w176))
+    w200 = link1_e3 * (w199 + (w106 * (w183 - w191) + w142 * (w196 - w0 * w179) + w160 * (w0 * w180 - w6 * w182)))
+    w201 = w43 * c32
+    w202 = w47 * c31
+    w203 = w47 * w201 - w43 * w202
     w204 = w52 * c33
-    w205 = w42 * w204 - w52 * w201
-    w206 = w52 * w202 - w46 * w204
-    w207 = link2_x_ddot * w62 + link2_y_ddot * w123 + link2_z_ddot * w149 + link2_e0_ddot * (w40 * (w40 * c7) + w44 * (w44 * c46) + w38 * (w38 * c47))
-    w208 = w41 * c7
-    w209 = w40 * w208 + link2_e2 * link2_e3 * c48
-    w210 = w41 * c46
-    w211 = w40 * c47
-    w212 = w44 * w210 + link2_e3 * link2_e1 * c49
-    w213 = w44 * c7
-    w214 = w45 * c46
-    w215 = w41 * c47
-    w216 = link2_e2 * link2_e1 * c50 + w38 * w215
-    w217 = w40 * w203 + w44 * w205 + w38 * w206 + w149 * gravity_z - (w207 + link2_e1_ddot * w209 + link2_e2_ddot * w212 + link2_e3_ddot * w216)
+    w205 = w43 * w204 - w52 * w201
+    w206 = w52 * w202 - w47 * w204
+    w207 = link2_x_ddot * w62 + link2_y_ddot * w123 + link2_z_ddot * w149 + link2_e0_ddot * (w41 * (w41 * c7) + w45 * (w45 * c43) + w40 * (w40 * c44))
+    w208 = w42 * c7
+    w209 = w41 * w208 + link2_e2 * link2_e3 * c45
+    w210 = w42 * c43
+    w211 = w41 * c44
+    w212 = w45 * w210 + link2_e3 * link2_e1 * c46
+    w213 = w45 * c7
+    w214 = w46 * c43
+    w215 = w42 * c44
+    w216 = link2_e2 * link2_e1 * c47 + w40 * w215
+    w217 = w41 * w203 + w45 * w205 + w40 * w206 + w149 * gravity_z - (w207 + link2_e1_ddot * w209 + link2_e2_ddot * w212 + link2_e3_ddot * w216)
     w218 = w57 * link2_end_x
     w219 = w59 * link2_end_x
-    w220 = w38 * w219
-    w221 = w37 * link2_end_x
-    w222 = w40 * w218
-    w223 = w44 * w221
-    w224 = link2_e0 * (w217 + (w105 * (w44 * w218 - w220) + w141 * (w38 * w221 - w222) + w159 * (w40 * w219 - w223)))
-    w225 = link2_x_ddot * w63 + link2_y_ddot * w125 + link2_z_ddot * w150 + link2_e0_ddot * w209 + link2_e1_ddot * (w41 * w208 + w38 * (w38 * c46) + w39 * (w39 * c47))
-    w226 = link2_e3 * link2_e0 * c51 + w39 * w211
-    w227 = w38 * w214 + link2_e2 * link2_e0 * c52
-    w228 = w41 * w203 + w38 * w205 + w39 * w206 + w150 * gravity_z - (w225 + link2_e2_ddot * w226 + link2_e3_ddot * w227)
-    w229 = w41 * w218
-    w230 = w41 * w219
-    w231 = link2_e1 * (w228 + (w105 * (w51 * w218 - w44 * w219) + w141 * (w223 - w229) + w159 * (w230 - w51 * w221)))
+    w220 = w40 * w219
+    w221 = w39 * link2_end_x
+    w222 = w41 * w218
+    w223 = w45 * w221
+    w224 = link2_e0 * (w217 + (w105 * (w45 * w218 - w220) + w141 * (w40 * w221 - w222) + w159 * (w41 * w219 - w223)))
+    w225 = link2_x_ddot * w63 + link2_y_ddot * w125 + link2_z_ddot * w150 + link2_e0_ddot * w209 + link2_e1_ddot * (w42 * w208 + w40 * (w40 * c43) + w35 * (w35 * c44))
+    w226 = link2_e3 * link2_e0 * c47 + w35 * w211
+    w227 = w40 * w214 + link2_e2 * link2_e0 * c46
+    w228 = w42 * w203 + w40 * w205 + w35 * w206 + w150 * gravity_z - (w225 + link2_e2_ddot * w226 + link2_e3_ddot * w227)
+    w229 = w42 * w218
+    w230 = w42 * w219
+    w231 = link2_e1 * (w228 + (w105 * (w37 * w218 - w45 * w219) + w141 * (w223 - w229) + w159 * (w230 - w37 * w221)))
     w232 = link2_x_ddot * w65 + link2_y_ddot * w126 + link2_z_ddot * w151 + link2_e0_ddot * w212 + link2_e1_ddot * w226
-    w233 = w51 * w213 + link2_e1 * link2_e0 * c53
-    w234 = w51 * w203 + w41 * w205 + w40 * w206 + w151 * gravity_z - (w232 + link2_e2_ddot * (w51 * (w51 * c7) + w41 * w210 + w40 * w211) + link2_e3_ddot * w233)
-    w235 = w41 * w221
-    w236 = link2_e2 * (w234 + (w105 * (w229 - w45 * w219) + w141 * (w45 * w221 - w38 * w218) + w159 * (w220 - w235)))
+    w233 = w37 * w213 + link2_e1 * link2_e0 * c45
+    w234 = w37 * w203 + w42 * w205 + w41 * w206 + w151 * gravity_z - (w232 + link2_e2_ddot * (w37 * (w37 * c7) + w42 * w210 + w41 * w211) + link2_e3_ddot * w233)
+    w235 = w42 * w221
+    w236 = link2_e2 * (w234 + (w105 * (w229 - w46 * w219) + w141 * (w46 * w221 - w40 * w218) + w159 * (w220 - w235)))
     w237 = link2_x_ddot * w68 + link2_y_ddot * w128 + link2_z_ddot * w152 + link2_e0_ddot * w216 + link2_e1_ddot * w227
-    w238 = w44 * w203 + w45 * w205 + w41 * w206 + w152 * gravity_z - (w237 + link2_e2_ddot * w233 + link2_e3_ddot * (w44 * w213 + w45 * w214 + w41 * w215))
-    w239 = link2_e3 * (w238 + (w105 * (w222 - w230) + w141 * (w235 - w39 * w218) + w159 * (w39 * w219 - w40 * w221)))
-    w240 = w77 * c35
-    w241 = w81 * c34
-    w242 = w81 * w240 - w77 * w241
+    w238 = w45 * w203 + w46 * w205 + w42 * w206 + w152 * gravity_z - (w237 + link2_e2_ddot * w233 + link2_e3_ddot * (w45 * w213 + w46 * w214 + w42 * w215))
+    w239 = link2_e3 * (w238 + (w105 * (w222 - w230) + w141 * (w235 - w35 * w218) + w159 * (w35 * w219 - w41 * w221)))
+    w240 = w78 * c35
+    w241 = w82 * c34
+    w242 = w82 * w240 - w78 * w241
     w243 = w87 * c36
-    w244 = w77 * w243 - w87 * w240
-    w245 = w87 * w241 - w81 * w243
-    w246 = link3_x_ddot * w97 + link3_y_ddot * w134 + link3_z_ddot * w154 + link3_e0_ddot * (w75 * (w75 * c10) + w79 * (w79 * c11) + w73 * (w73 * c12))
-    w247 = w76 * c10
-    w248 = w75 * w247 + link3_e2 * link3_e3 * c54
-    w249 = w76 * c11
-    w250 = w75 * c12
-    w251 = w79 * w249 + link3_e3 * link3_e1 * c55
-    w252 = w79 * c10
-    w253 = w80 * c11
-    w254 = w76 * c12
-    w255 = link3_e2 * link3_e1 * c56 + w73 * w254
-    w256 = w75 * w242 + w79 * w244 + w73 * w245 + w154 * gravity_z - (w246 + link3_e1_ddot * w248 + link3_e2_ddot * w251 + link3_e3_ddot * w255)
-    w257 = link3_x_ddot * w98 + link3_y_ddot * w136 + link3_z_ddot * w155 + link3_e0_ddot * w248 + link3_e1_ddot * (w76 * w247 + w73 * (w73 * c11) + w74 * (w74 * c12))
-    w258 = link3_e3 * link3_e0 * c57 + w74 * w250
-    w259 = w73 * w253 + link3_e2 * link3_e0 * c58
-    w260 = w76 * w242 + w73 * w244 + w74 * w245 + w155 * gravity_z - (w257 + link3_e2_ddot * w258 + link3_e3_ddot * w259)
+    w244 = w78 * w243 - w87 * w240
+    w245 = w87 * w241 - w82 * w243
+    w246 = link3_x_ddot * w97 + link3_y_ddot * w134 + link3_z_ddot * w154 + link3_e0_ddot * (w76 * (w76 * c10) + w80 * (w80 * c11) + w75 * (w75 * c12))
+    w247 = w77 * c10
+    w248 = w76 * w247 + link3_e2 * link3_e3 * c48
+    w249 = w77 * c11
+    w250 = w76 * c12
+    w251 = w80 * w249 + link3_e3 * link3_e1 * c49
+    w252 = w80 * c10
+    w253 = w81 * c11
+    w254 = w77 * c12
+    w255 = link3_e2 * link3_e1 * c50 + w75 * w254
+    w256 = w76 * w242 + w80 * w244 + w75 * w245 + w154 * gravity_z - (w246 + link3_e1_ddot * w248 + link3_e2_ddot * w251 + link3_e3_ddot * w255)
+    w257 = link3_x_ddot * w98 + link3_y_ddot * w136 + link3_z_ddot * w155 + link3_e0_ddot * w248 + link3_e1_ddot * (w77 * w247 + w75 * (w75 * c11) + w70 * (w70 * c12))
+    w258 = link3_e3 * link3_e0 * c50 + w70 * w250
+    w259 = w75 * w253 + link3_e2 * link3_e0 * c49
+    w260 = w77 * w242 + w75 * w244 + w70 * w245 + w155 * gravity_z - (w257 + link3_e2_ddot * w258 + link3_e3_ddot * w259)
     w261 = link3_x_ddot * w100 + link3_y_ddot * w137 + link3_z_ddot * w156 + link3_e0_ddot * w251 + link3_e1_ddot * w258
-    w262 = w86 * w252 + link3_e1 * link3_e0 * c59
-    w263 = w86 * w242 + w76 * w244 + w75 * w245 + w156 * gravity_z - (w261 + link3_e2_ddot * (w86 * (w86 * c10) + w76 * w249 + w75 * w250) + link3_e3_ddot * w262)
+    w262 = w72 * w252 + link3_e1 * link3_e0 * c48
+    w263 = w72 * w242 + w77 * w244 + w76 * w245 + w156 * gravity_z - (w261 + link3_e2_ddot * (w72 * (w72 * c10) + w77 * w249 + w76 * w250) + link3_e3_ddot * w262)
     w264 = link3_x_ddot * w103 + link3_y_ddot * w139 + link3_z_ddot * w157 + link3_e0_ddot * w255 + link3_e1_ddot * w259
-    w265 = w79 * w242 + w80 * w244 + w76 * w245 + w157 * gravity_z - (w264 + link3_e2_ddot * w262 + link3_e3_ddot * (w79 * w252 + w80 * w253 + w76 * w254))
+    w265 = w80 * w242 + w81 * w244 + w77 * w245 + w157 * gravity_z - (w264 + link3_e2_ddot * w262 + link3_e3_ddot * (w80 * w252 + w81 * w253 + w77 * w254))
     # outputs
     lam = ca.vertcat(
         w107,  # joint1.x
@@ -2047,17 +2021,17 @@ def energy() -> ca.Function:
 
     takes q (n = 21) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 21) [mixed]: rates of all coordinates
-    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    612 operations.
+    615 operations.
     """
     q = ca.SX.sym("q", 21)
     q_dot = ca.SX.sym("q_dot", 21)
-    c = ca.SX.sym("c", 71)
+    c = ca.SX.sym("c", 62)
     link1_z = q[2]
     link1_e0 = q[3]
     link1_e1 = q[4]
@@ -2118,172 +2092,163 @@ def energy() -> ca.Function:
     c48 = c[48]
     c49 = c[49]
     c50 = c[50]
-    c51 = c[51]
-    c52 = c[52]
-    c53 = c[53]
     c54 = c[54]
-    c55 = c[55]
-    c56 = c[56]
-    c57 = c[57]
-    c58 = c[58]
-    c59 = c[59]
-    c63 = c[63]
     # intermediate terms (150)
-    w0 = link1_e2 * -2.0
+    w0 = 2 * -link1_e2
     w1 = 2 * link1_e1
-    w2 = 2 * link1_e0
-    w3 = (w1 * link1_e3 - link1_e2 * w2) * c37
-    w4 = link1_e3 * -2.0
-    w5 = (link1_e3 * w2 + link1_e2 * w1) * c37
-    w6 = w4 * w5
-    w7 = w0 * w3 - w6
-    w8 = 2 * link1_e3
-    w9 = w3 * w8 - w0 * w5
-    w10 = w2 * w3
-    w11 = w10 - w1 * w5
-    w12 = link1_e1 * -2.0
-    w13 = w3 * w12
-    w14 = w2 * w5
-    w15 = w13 - w14
-    w16 = link1_x_dot * link1_mass + w7 * link1_e0_dot + w9 * link1_e1_dot + w11 * link1_e2_dot + w15 * link1_e3_dot
-    w17 = (1.0 - 2 * link1_e2**2 - 2 * link1_e3**2) * c37
-    w18 = w4 * w17 - w13
-    w19 = w0 * w17
-    w20 = w19 - w10
-    w21 = w1 * w17 - w3 * w4
-    w22 = w2 * w17
-    w23 = 2 * link1_e2
-    w24 = w22 - w3 * w23
-    w25 = link1_y_dot * link1_mass + link1_e0_dot * w18 + link1_e1_dot * w20 + link1_e2_dot * w21 + link1_e3_dot * w24
-    w26 = w5 * w12 - w19
-    w27 = w14 - w8 * w17
-    w28 = w6 - w22
-    w29 = w5 * w23 - w12 * w17
+    w2 = 2 * link1_e2
+    w3 = (w1 * link1_e3 - w2 * link1_e0) * c37
+    w4 = 2 * -link1_e3
+    w5 = 2 * link1_e3
+    w6 = (link1_e2 * w1 + link1_e0 * w5) * c37
+    w7 = w4 * w6
+    w8 = w0 * w3 - w7
+    w9 = w3 * w5 - w0 * w6
+    w10 = 2 * link1_e0
+    w11 = w3 * w10
+    w12 = w11 - w1 * w6
+    w13 = 2 * -link1_e1
+    w14 = w3 * w13
+    w15 = w6 * w10
+    w16 = w14 - w15
+    w17 = link1_x_dot * link1_mass + w8 * link1_e0_dot + w9 * link1_e1_dot + w12 * link1_e2_dot + w16 * link1_e3_dot
+    w18 = (1.0 - (link1_e2 * w2 + link1_e3 * w5)) * c37
+    w19 = w4 * w18 - w14
+    w20 = w0 * w18
+    w21 = w20 - w11
+    w22 = w1 * w18 - w3 * w4
+    w23 = w10 * w18
+    w24 = w23 - w2 * w3
+    w25 = link1_y_dot * link1_mass + link1_e0_dot * w19 + link1_e1_dot * w21 + link1_e2_dot * w22 + link1_e3_dot * w24
+    w26 = w6 * w13 - w20
+    w27 = w15 - w5 * w18
+    w28 = w7 - w23
+    w29 = w2 * w6 - w13 * w18
     w30 = link1_z_dot * link1_mass + link1_e0_dot * w26 + link1_e1_dot * w27 + link1_e2_dot * w28 + link1_e3_dot * w29
-    w31 = link1_x_dot * w7 + link1_y_dot * w18 + link1_z_dot * w26 + link1_e0_dot * (w12 * (w12 * c0) + w0 * (w0 * c38) + w4 * (w4 * c39))
-    w32 = w2 * c0
-    w33 = w12 * w32 + link1_e2 * link1_e3 * c40
-    w34 = w2 * c38
-    w35 = w12 * c39
+    w31 = link1_x_dot * w8 + link1_y_dot * w19 + link1_z_dot * w26 + link1_e0_dot * (w13 * (w13 * c0) + w0 * (w0 * c38) + w4 * (w4 * c39))
+    w32 = w10 * c0
+    w33 = w13 * w32 + link1_e2 * link1_e3 * c40
+    w34 = w10 * c38
+    w35 = w13 * c39
     w36 = w0 * w34 + link1_e1 * link1_e3 * c41
     w37 = w0 * c0
     w38 = w1 * c38
-    w39 = w2 * c39
+    w39 = w10 * c39
     w40 = link1_e2 * link1_e1 * c42 + w4 * w39
-    w41 = link1_x_dot * w16 + link1_y_dot * w25 + link1_z_dot * w30 + link1_e0_dot * (w31 + link1_e1_dot * w33 + link1_e2_dot * w36 + link1_e3_dot * w40)
-    w42 = link1_x_dot * w9 + link1_y_dot * w20 + link1_z_dot * w27 + link1_e0_dot * w33 + link1_e1_dot * (w2 * w32 + w4 * (w4 * c38) + w23 * (w23 * c39))
-    w43 = link1_e3 * link1_e0 * c43 + w23 * w35
-    w44 = w4 * w38 + link1_e2 * link1_e0 * c44
-    w45 = link1_x_dot * w11 + link1_y_dot * w21 + link1_z_dot * w28 + link1_e0_dot * w36 + link1_e1_dot * w43
-    w46 = w8 * w37 + link1_e1 * link1_e0 * c45
-    w47 = link1_e2_dot * (w45 + link1_e2_dot * (w8 * (w8 * c0) + w2 * w34 + w12 * w35) + link1_e3_dot * w46)
-    w48 = link1_x_dot * w15 + link1_y_dot * w24 + link1_z_dot * w29 + link1_e0_dot * w40 + link1_e1_dot * w44
-    w49 = w41 + link1_e1_dot * (w42 + link1_e2_dot * w43 + link1_e3_dot * w44) + w47 + link1_e3_dot * (w48 + link1_e2_dot * w46 + link1_e3_dot * (w0 * w37 + w1 * w38 + w2 * w39))
-    w50 = link2_e2 * -2.0
+    w41 = link1_x_dot * w17 + link1_y_dot * w25 + link1_z_dot * w30 + link1_e0_dot * (w31 + link1_e1_dot * w33 + link1_e2_dot * w36 + link1_e3_dot * w40)
+    w42 = link1_x_dot * w9 + link1_y_dot * w21 + link1_z_dot * w27 + link1_e0_dot * w33 + link1_e1_dot * (w10 * w32 + w4 * (w4 * c38) + w2 * (w2 * c39))
+    w43 = link1_e3 * link1_e0 * c42 + w2 * w35
+    w44 = w4 * w38 + link1_e2 * link1_e0 * c41
+    w45 = link1_x_dot * w12 + link1_y_dot * w22 + link1_z_dot * w28 + link1_e0_dot * w36 + link1_e1_dot * w43
+    w46 = w5 * w37 + link1_e1 * link1_e0 * c40
+    w47 = link1_e2_dot * (w45 + link1_e2_dot * (w5 * (w5 * c0) + w10 * w34 + w13 * w35) + link1_e3_dot * w46)
+    w48 = link1_x_dot * w16 + link1_y_dot * w24 + link1_z_dot * w29 + link1_e0_dot * w40 + link1_e1_dot * w44
+    w49 = w41 + link1_e1_dot * (w42 + link1_e2_dot * w43 + link1_e3_dot * w44) + w47 + link1_e3_dot * (w48 + link1_e2_dot * w46 + link1_e3_dot * (w0 * w37 + w1 * w38 + w10 * w39))
+    w50 = 2 * -link2_e2
     w51 = 2 * link2_e1
-    w52 = 2 * link2_e0
-    w53 = (w51 * link2_e3 - link2_e2 * w52) * c30
-    w54 = link2_e3 * -2.0
-    w55 = (link2_e3 * w52 + link2_e2 * w51) * c30
-    w56 = w54 * w55
-    w57 = w50 * w53 - w56
-    w58 = 2 * link2_e3
-    w59 = w53 * w58 - w50 * w55
-    w60 = w52 * w53
-    w61 = w60 - w51 * w55
-    w62 = link2_e1 * -2.0
-    w63 = w53 * w62
-    w64 = w52 * w55
-    w65 = w63 - w64
-    w66 = link2_x_dot * link2_mass + w57 * link2_e0_dot + w59 * link2_e1_dot + w61 * link2_e2_dot + w65 * link2_e3_dot
-    w67 = (1.0 - 2 * link2_e2**2 - 2 * link2_e3**2) * c30
-    w68 = w54 * w67 - w63
-    w69 = w50 * w67
-    w70 = w69 - w60
-    w71 = w51 * w67 - w53 * w54
-    w72 = w52 * w67
-    w73 = 2 * link2_e2
-    w74 = w72 - w53 * w73
-    w75 = link2_y_dot * link2_mass + link2_e0_dot * w68 + link2_e1_dot * w70 + link2_e2_dot * w71 + link2_e3_dot * w74
-    w76 = w55 * w62 - w69
-    w77 = w64 - w58 * w67
-    w78 = w56 - w72
-    w79 = w55 * w73 - w62 * w67
+    w52 = 2 * link2_e2
+    w53 = (w51 * link2_e3 - w52 * link2_e0) * c30
+    w54 = 2 * -link2_e3
+    w55 = 2 * link2_e3
+    w56 = (link2_e2 * w51 + link2_e0 * w55) * c30
+    w57 = w54 * w56
+    w58 = w50 * w53 - w57
+    w59 = w53 * w55 - w50 * w56
+    w60 = 2 * link2_e0
+    w61 = w53 * w60
+    w62 = w61 - w51 * w56
+    w63 = 2 * -link2_e1
+    w64 = w53 * w63
+    w65 = w56 * w60
+    w66 = w64 - w65
+    w67 = link2_x_dot * link2_mass + w58 * link2_e0_dot + w59 * link2_e1_dot + w62 * link2_e2_dot + w66 * link2_e3_dot
+    w68 = (1.0 - (link2_e2 * w52 + link2_e3 * w55)) * c30
+    w69 = w54 * w68 - w64
+    w70 = w50 * w68
+    w71 = w70 - w61
+    w72 = w51 * w68 - w53 * w54
+    w73 = w60 * w68
+    w74 = w73 - w52 * w53
+    w75 = link2_y_dot * link2_mass + link2_e0_dot * w69 + link2_e1_dot * w71 + link2_e2_dot * w72 + link2_e3_dot * w74
+    w76 = w56 * w63 - w70
+    w77 = w65 - w55 * w68
+    w78 = w57 - w73
+    w79 = w52 * w56 - w63 * w68
     w80 = link2_z_dot * link2_mass + link2_e0_dot * w76 + link2_e1_dot * w77 + link2_e2_dot * w78 + link2_e3_dot * w79
-    w81 = link2_x_dot * w57 + link2_y_dot * w68 + link2_z_dot * w76 + link2_e0_dot * (w62 * (w62 * c7) + w50 * (w50 * c46) + w54 * (w54 * c47))
-    w82 = w52 * c7
-    w83 = w62 * w82 + link2_e2 * link2_e3 * c48
-    w84 = w52 * c46
-    w85 = w62 * c47
-    w86 = w50 * w84 + link2_e1 * link2_e3 * c49
+    w81 = link2_x_dot * w58 + link2_y_dot * w69 + link2_z_dot * w76 + link2_e0_dot * (w63 * (w63 * c7) + w50 * (w50 * c43) + w54 * (w54 * c44))
+    w82 = w60 * c7
+    w83 = w63 * w82 + link2_e2 * link2_e3 * c45
+    w84 = w60 * c43
+    w85 = w63 * c44
+    w86 = w50 * w84 + link2_e1 * link2_e3 * c46
     w87 = w50 * c7
-    w88 = w51 * c46
-    w89 = w52 * c47
-    w90 = link2_e2 * link2_e1 * c50 + w54 * w89
-    w91 = w49 + link2_x_dot * w66 + link2_y_dot * w75 + link2_z_dot * w80 + link2_e0_dot * (w81 + link2_e1_dot * w83 + link2_e2_dot * w86 + link2_e3_dot * w90)
-    w92 = link2_x_dot * w59 + link2_y_dot * w70 + link2_z_dot * w77 + link2_e0_dot * w83 + link2_e1_dot * (w52 * w82 + w54 * (w54 * c46) + w73 * (w73 * c47))
-    w93 = link2_e3 * link2_e0 * c51 + w73 * w85
-    w94 = w54 * w88 + link2_e2 * link2_e0 * c52
-    w95 = link2_x_dot * w61 + link2_y_dot * w71 + link2_z_dot * w78 + link2_e0_dot * w86 + link2_e1_dot * w93
-    w96 = w58 * w87 + link2_e1 * link2_e0 * c53
-    w97 = link2_e2_dot * (w95 + link2_e2_dot * (w58 * (w58 * c7) + w52 * w84 + w62 * w85) + link2_e3_dot * w96)
-    w98 = link2_x_dot * w65 + link2_y_dot * w74 + link2_z_dot * w79 + link2_e0_dot * w90 + link2_e1_dot * w94
-    w99 = w91 + link2_e1_dot * (w92 + link2_e2_dot * w93 + link2_e3_dot * w94) + w97 + link2_e3_dot * (w98 + link2_e2_dot * w96 + link2_e3_dot * (w50 * w87 + w51 * w88 + w52 * w89))
-    w100 = link3_e2 * -2.0
+    w88 = w51 * c43
+    w89 = w60 * c44
+    w90 = link2_e2 * link2_e1 * c47 + w54 * w89
+    w91 = w49 + link2_x_dot * w67 + link2_y_dot * w75 + link2_z_dot * w80 + link2_e0_dot * (w81 + link2_e1_dot * w83 + link2_e2_dot * w86 + link2_e3_dot * w90)
+    w92 = link2_x_dot * w59 + link2_y_dot * w71 + link2_z_dot * w77 + link2_e0_dot * w83 + link2_e1_dot * (w60 * w82 + w54 * (w54 * c43) + w52 * (w52 * c44))
+    w93 = link2_e3 * link2_e0 * c47 + w52 * w85
+    w94 = w54 * w88 + link2_e2 * link2_e0 * c46
+    w95 = link2_x_dot * w62 + link2_y_dot * w72 + link2_z_dot * w78 + link2_e0_dot * w86 + link2_e1_dot * w93
+    w96 = w55 * w87 + link2_e1 * link2_e0 * c45
+    w97 = link2_e2_dot * (w95 + link2_e2_dot * (w55 * (w55 * c7) + w60 * w84 + w63 * w85) + link2_e3_dot * w96)
+    w98 = link2_x_dot * w66 + link2_y_dot * w74 + link2_z_dot * w79 + link2_e0_dot * w90 + link2_e1_dot * w94
+    w99 = w91 + link2_e1_dot * (w92 + link2_e2_dot * w93 + link2_e3_dot * w94) + w97 + link2_e3_dot * (w98 + link2_e2_dot * w96 + link2_e3_dot * (w50 * w87 + w51 * w88 + w60 * w89))
+    w100 = 2 * -link3_e2
     w101 = 2 * link3_e1
-    w102 = 2 * link3_e0
-    w103 = (w101 * link3_e3 - link3_e2 * w102) * c5
-    w104 = link3_e3 * -2.0
-    w105 = (link3_e3 * w102 + link3_e2 * w101) * c5
-    w106 = w104 * w105
-    w107 = w100 * w103 - w106
-    w108 = 2 * link3_e3
-    w109 = w103 * w108 - w100 * w105
-    w110 = w102 * w103
-    w111 = w110 - w101 * w105
-    w112 = link3_e1 * -2.0
-    w113 = w103 * w112
-    w114 = w102 * w105
-    w115 = w113 - w114
-    w116 = link3_x_dot * link3_mass + w107 * link3_e0_dot + w109 * link3_e1_dot + w111 * link3_e2_dot + w115 * link3_e3_dot
-    w117 = (1.0 - 2 * link3_e2**2 - 2 * link3_e3**2) * c5
-    w118 = w104 * w117 - w113
-    w119 = w100 * w117
-    w120 = w119 - w110
-    w121 = w101 * w117 - w103 * w104
-    w122 = w102 * w117
-    w123 = 2 * link3_e2
-    w124 = w122 - w103 * w123
-    w125 = link3_y_dot * link3_mass + link3_e0_dot * w118 + link3_e1_dot * w120 + link3_e2_dot * w121 + link3_e3_dot * w124
-    w126 = w105 * w112 - w119
-    w127 = w114 - w108 * w117
-    w128 = w106 - w122
-    w129 = w105 * w123 - w112 * w117
+    w102 = 2 * link3_e2
+    w103 = (w101 * link3_e3 - w102 * link3_e0) * c5
+    w104 = 2 * -link3_e3
+    w105 = 2 * link3_e3
+    w106 = (link3_e2 * w101 + link3_e0 * w105) * c5
+    w107 = w104 * w106
+    w108 = w100 * w103 - w107
+    w109 = w103 * w105 - w100 * w106
+    w110 = 2 * link3_e0
+    w111 = w103 * w110
+    w112 = w111 - w101 * w106
+    w113 = 2 * -link3_e1
+    w114 = w103 * w113
+    w115 = w106 * w110
+    w116 = w114 - w115
+    w117 = link3_x_dot * link3_mass + w108 * link3_e0_dot + w109 * link3_e1_dot + w112 * link3_e2_dot + w116 * link3_e3_dot
+    w118 = (1.0 - (link3_e2 * w102 + link3_e3 * w105)) * c5
+    w119 = w104 * w118 - w114
+    w120 = w100 * w118
+    w121 = w120 - w111
+    w122 = w101 * w118 - w103 * w104
+    w123 = w110 * w118
+    w124 = w123 - w102 * w103
+    w125 = link3_y_dot * link3_mass + link3_e0_dot * w119 + link3_e1_dot * w121 + link3_e2_dot * w122 + link3_e3_dot * w124
+    w126 = w106 * w113 - w120
+    w127 = w115 - w105 * w118
+    w128 = w107 - w123
+    w129 = w102 * w106 - w113 * w118
     w130 = link3_z_dot * link3_mass + link3_e0_dot * w126 + link3_e1_dot * w127 + link3_e2_dot * w128 + link3_e3_dot * w129
-    w131 = link3_x_dot * w107 + link3_y_dot * w118 + link3_z_dot * w126 + link3_e0_dot * (w112 * (w112 * c10) + w100 * (w100 * c11) + w104 * (w104 * c12))
-    w132 = w102 * c10
-    w133 = w112 * w132 + link3_e2 * link3_e3 * c54
-    w134 = w102 * c11
-    w135 = w112 * c12
-    w136 = w100 * w134 + link3_e1 * link3_e3 * c55
+    w131 = link3_x_dot * w108 + link3_y_dot * w119 + link3_z_dot * w126 + link3_e0_dot * (w113 * (w113 * c10) + w100 * (w100 * c11) + w104 * (w104 * c12))
+    w132 = w110 * c10
+    w133 = w113 * w132 + link3_e2 * link3_e3 * c48
+    w134 = w110 * c11
+    w135 = w113 * c12
+    w136 = w100 * w134 + link3_e1 * link3_e3 * c49
     w137 = w100 * c10
     w138 = w101 * c11
-    w139 = w102 * c12
-    w140 = link3_e2 * link3_e1 * c56 + w104 * w139
-    w141 = w99 + link3_x_dot * w116 + link3_y_dot * w125 + link3_z_dot * w130 + link3_e0_dot * (w131 + link3_e1_dot * w133 + link3_e2_dot * w136 + link3_e3_dot * w140)
-    w142 = link3_x_dot * w109 + link3_y_dot * w120 + link3_z_dot * w127 + link3_e0_dot * w133 + link3_e1_dot * (w102 * w132 + w104 * (w104 * c11) + w123 * (w123 * c12))
-    w143 = link3_e3 * link3_e0 * c57 + w123 * w135
-    w144 = w104 * w138 + link3_e2 * link3_e0 * c58
-    w145 = link3_x_dot * w111 + link3_y_dot * w121 + link3_z_dot * w128 + link3_e0_dot * w136 + link3_e1_dot * w143
-    w146 = w108 * w137 + link3_e1 * link3_e0 * c59
-    w147 = link3_e2_dot * (w145 + link3_e2_dot * (w108 * (w108 * c10) + w102 * w134 + w112 * w135) + link3_e3_dot * w146)
-    w148 = link3_x_dot * w115 + link3_y_dot * w124 + link3_z_dot * w129 + link3_e0_dot * w140 + link3_e1_dot * w144
-    w149 = link3_e3_dot * (w148 + link3_e2_dot * w146 + link3_e3_dot * (w100 * w137 + w101 * w138 + w102 * w139))
+    w139 = w110 * c12
+    w140 = link3_e2 * link3_e1 * c50 + w104 * w139
+    w141 = w99 + link3_x_dot * w117 + link3_y_dot * w125 + link3_z_dot * w130 + link3_e0_dot * (w131 + link3_e1_dot * w133 + link3_e2_dot * w136 + link3_e3_dot * w140)
+    w142 = link3_x_dot * w109 + link3_y_dot * w121 + link3_z_dot * w127 + link3_e0_dot * w133 + link3_e1_dot * (w110 * w132 + w104 * (w104 * c11) + w102 * (w102 * c12))
+    w143 = link3_e3 * link3_e0 * c50 + w102 * w135
+    w144 = w104 * w138 + link3_e2 * link3_e0 * c49
+    w145 = link3_x_dot * w112 + link3_y_dot * w122 + link3_z_dot * w128 + link3_e0_dot * w136 + link3_e1_dot * w143
+    w146 = w105 * w137 + link3_e1 * link3_e0 * c48
+    w147 = link3_e2_dot * (w145 + link3_e2_dot * (w105 * (w105 * c10) + w110 * w134 + w113 * w135) + link3_e3_dot * w146)
+    w148 = link3_x_dot * w116 + link3_y_dot * w124 + link3_z_dot * w129 + link3_e0_dot * w140 + link3_e1_dot * w144
+    w149 = link3_e3_dot * (w148 + link3_e2_dot * w146 + link3_e3_dot * (w100 * w137 + w101 * w138 + w110 * w139))
     # outputs
     kinetic = ca.vertcat((w141 + link3_e1_dot * (w142 + link3_e2_dot * w143 + link3_e3_dot * w144) + w147 + w149) / 2.0)
     elastic = ca.SX(1, 1)
     potential = ca.vertcat(
-        (w3 + link1_z * link1_mass + (w53 + link2_z * link2_mass) + (w103 + link3_z * link3_mass)) * c63,
+        (w3 + link1_z * link1_mass + (w53 + link2_z * link2_mass) + (w103 + link3_z * link3_mass)) * c54,
     )
     power_dissipated = ca.SX(1, 1)
     power_applied = ca.SX(1, 1)
@@ -2296,7 +2261,7 @@ def poses() -> ca.Function:
 
     takes q (n = 21) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 3) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    78 operations.
+    72 operations.
     """
     q = ca.SX.sym("q", 21)
     link1_x = q[0]
@@ -2320,54 +2285,57 @@ def poses() -> ca.Function:
     link3_e1 = q[18]
     link3_e2 = q[19]
     link3_e3 = q[20]
-    # intermediate terms (33)
-    w0 = 2 * link1_e2**2
-    w1 = 2 * link1_e3**2
-    w2 = 2 * link1_e0
+    # intermediate terms (36)
+    w0 = 2 * link1_e2
+    w1 = link1_e2 * w0
+    w2 = 2 * link1_e3
     w3 = link1_e3 * w2
     w4 = 2 * link1_e1
     w5 = link1_e2 * w4
-    w6 = link1_e3 * w4
-    w7 = link1_e2 * w2
-    w8 = 1.0 - 2 * link1_e1**2
-    w9 = w2 * link1_e1
-    w10 = link1_e3 * (2 * link1_e2)
-    w11 = 2 * link2_e2**2
-    w12 = 2 * link2_e3**2
-    w13 = 2 * link2_e0
-    w14 = link2_e3 * w13
-    w15 = 2 * link2_e1
-    w16 = link2_e2 * w15
-    w17 = link2_e3 * w15
-    w18 = link2_e2 * w13
-    w19 = 1.0 - 2 * link2_e1**2
-    w20 = w13 * link2_e1
-    w21 = link2_e3 * (2 * link2_e2)
-    w22 = 2 * link3_e2**2
-    w23 = 2 * link3_e3**2
-    w24 = 2 * link3_e0
-    w25 = link3_e3 * w24
-    w26 = 2 * link3_e1
-    w27 = link3_e2 * w26
-    w28 = link3_e3 * w26
-    w29 = link3_e2 * w24
-    w30 = 1.0 - 2 * link3_e1**2
-    w31 = w24 * link3_e1
-    w32 = link3_e3 * (2 * link3_e2)
+    w6 = w2 * link1_e0
+    w7 = link1_e3 * w4
+    w8 = w0 * link1_e0
+    w9 = link1_e1 * w4
+    w10 = w0 * link1_e3
+    w11 = w4 * link1_e0
+    w12 = 2 * link2_e2
+    w13 = link2_e2 * w12
+    w14 = 2 * link2_e3
+    w15 = link2_e3 * w14
+    w16 = 2 * link2_e1
+    w17 = link2_e2 * w16
+    w18 = w14 * link2_e0
+    w19 = link2_e3 * w16
+    w20 = w12 * link2_e0
+    w21 = link2_e1 * w16
+    w22 = w12 * link2_e3
+    w23 = w16 * link2_e0
+    w24 = 2 * link3_e2
+    w25 = link3_e2 * w24
+    w26 = 2 * link3_e3
+    w27 = link3_e3 * w26
+    w28 = 2 * link3_e1
+    w29 = link3_e2 * w28
+    w30 = w26 * link3_e0
+    w31 = link3_e3 * w28
+    w32 = w24 * link3_e0
+    w33 = link3_e1 * w28
+    w34 = w24 * link3_e3
+    w35 = w28 * link3_e0
     # outputs
     poses = ca.vertcat(
         ca.horzcat(link1_x, link2_x, link3_x),
         ca.horzcat(link1_y, link2_y, link3_y),
         ca.horzcat(link1_z, link2_z, link3_z),
-        ca.horzcat(1.0 - w0 - w1, 1.0 - w11 - w12, 1.0 - w22 - w23),
-        ca.horzcat(w3 + w5, w14 + w16, w25 + w27),
-        ca.horzcat(w6 - w7, w17 - w18, w28 - w29),
-        ca.horzcat(w5 - w3, w16 - w14, w27 - w25),
-        ca.horzcat(w8 - w1, w19 - w12, w30 - w23),
-        ca.horzcat(w9 + w10, w20 + w21, w31 + w32),
-        ca.horzcat(w6 + w7, w17 + w18, w28 + w29),
-        ca.horzcat(w10 - w9, w21 - w20, w32 - w31),
-        ca.horzcat(w8 - w0, w19 - w11, w30 - w22),
+        ca.horzcat(1.0 - (w1 + w3), 1.0 - (w13 + w15), 1.0 - (w25 + w27)),
+        ca.horzcat(w5 + w6, w17 + w18, w29 + w30),
+        ca.horzcat(w7 - w8, w19 - w20, w31 - w32),
+        ca.horzcat(w5 - w6, w17 - w18, w29 - w30),
+        ca.horzcat(1.0 - (w3 + w9), 1.0 - (w15 + w21), 1.0 - (w27 + w33)),
+        ca.horzcat(w10 + w11, w22 + w23, w34 + w35),
+        ca.horzcat(w7 + w8, w19 + w20, w31 + w32),
+        ca.horzcat(w10 - w11, w22 - w23, w34 - w35),
+        ca.horzcat(1.0 - (w1 + w9), 1.0 - (w13 + w21), 1.0 - (w25 + w33)),
     )
     inputs, outputs = [q], [ca.densify(poses)]
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
@@ -2378,13 +2346,13 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_d (n_d = 21) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat by q_i, through q_d
     1104 operations.
     """
     q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 71)
+    c = ca.SX.sym("c", 62)
     link1_e0 = q_d[3]
     link1_e1 = q_d[4]
     link1_e2 = q_d[5]
@@ -2816,13 +2784,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
     takes q_d (n_d = 21) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     468 operations.
     """
     q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 71)
+    c = ca.SX.sym("c", 62)
     link1_e0 = q_d[3]
     link1_e1 = q_d[4]
     link1_e2 = q_d[5]
@@ -2855,8 +2823,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c34 = c[34]
     c35 = c[35]
     c36 = c[36]
-    c64 = c[64]
-    c65 = c[65]
+    c55 = c[55]
+    c56 = c[56]
     # intermediate terms (153)
     w0 = link1_omega_z * c25
     w1 = link1_omega_y * c24
@@ -2926,7 +2894,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w65 = w64 * c5
     w66 = w50 + w51
     w67 = w66 * c5
-    w68 = link1_omega_x * c64
+    w68 = link1_omega_x * c55
     w69 = 1.0 - (w22 + w33)
     w70 = 2 * link1_omega_y
     w71 = (w11 * link1_omega_x - w69 * w70) * link1_end_x
@@ -2971,7 +2939,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w110 = w3 - w5
     w111 = w43 * link2_omega_x - w104 * w110
     w112 = w111 * c4
-    w113 = link2_omega_x * c65
+    w113 = link2_omega_x * c56
     w114 = w105 * link2_end_x
     w115 = w108 * link2_end_x
     w116 = w111 * link2_end_x
@@ -3017,13 +2985,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
             0.0, w0 - link1_omega_z * c24, link1_omega_y * c25 - w1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
         ),
         ca.horzcat(  # link1.turn_y
-            link1_omega_z * c64 - w0, 0.0, w68 - link1_omega_x * c25, w86 * w88 + w89 * w91 + w92 * w94,
+            link1_omega_z * c55 - w0, 0.0, w68 - link1_omega_x * c25, w86 * w88 + w89 * w91 + w92 * w94,
             w86 * w106 + w89 * w109 + w92 * w112, w86 * w119 + w89 * w121 + w92 * w123,
             w86 * w127 + w89 * w128 + w92 * w129, w86 * w137 + w89 * w139 + w92 * w141,
             w86 * w147 + w89 * w148 + w92 * w149,
         ),
         ca.horzcat(  # link1.turn_z
-            w1 - link1_omega_y * c64, link1_omega_x * c24 - w68, 0.0, -(w88 * w95 + w91 * w96 + w94 * w97),
+            w1 - link1_omega_y * c55, link1_omega_x * c24 - w68, 0.0, -(w88 * w95 + w91 * w96 + w94 * w97),
             -(w95 * w106 + w96 * w109 + w97 * w112), -(w95 * w119 + w96 * w121 + w97 * w123),
             -(w95 * w127 + w96 * w128 + w97 * w129), -(w95 * w137 + w96 * w139 + w97 * w141),
             -(w95 * w147 + w96 * w148 + w97 * w149),
@@ -3033,12 +3001,12 @@ def dQ_hat_dq_i_dot() -> ca.Function:
         ),
         ca.horzcat(  # link2.turn_y
             w6 * w17 + w20 * w28 + w31 * w36, w6 * w72 + w20 * w75 + w31 * w78, w6 * w81 + w20 * w83 + w31 * w85,
-            link2_omega_z * c65 - w98, 0.0, w113 - link2_omega_x * c32, w6 * w130 + w20 * w131 + w31 * w132,
+            link2_omega_z * c56 - w98, 0.0, w113 - link2_omega_x * c32, w6 * w130 + w20 * w131 + w31 * w132,
             w6 * w142 + w20 * w143 + w31 * w144, w6 * w150 + w20 * w151 + w31 * w152,
         ),
         ca.horzcat(  # link2.turn_z
             -(w17 * w40 + w28 * w42 + w36 * w43), -(w40 * w72 + w42 * w75 + w43 * w78),
-            -(w40 * w81 + w42 * w83 + w43 * w85), w99 - link2_omega_y * c65, link2_omega_x * c31 - w113, 0.0,
+            -(w40 * w81 + w42 * w83 + w43 * w85), w99 - link2_omega_y * c56, link2_omega_x * c31 - w113, 0.0,
             -(w40 * w130 + w42 * w131 + w43 * w132), -(w40 * w142 + w42 * w143 + w43 * w144),
             -(w40 * w150 + w42 * w151 + w43 * w152),
         ),
@@ -3067,7 +3035,7 @@ def residual_jacobian() -> ca.Function:
     takes q_d (n_d = 21) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 9 x 9) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     1494 operations.
@@ -3075,7 +3043,7 @@ def residual_jacobian() -> ca.Function:
     q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 9)
-    c = ca.SX.sym("c", 71)
+    c = ca.SX.sym("c", 62)
     link1_e0 = q_d[3]
     link1_e1 = q_d[4]
     link1_e2 = q_d[5]
@@ -3116,8 +3084,8 @@ def residual_jacobian() -> ca.Function:
     c34 = c[34]
     c35 = c[35]
     c36 = c[36]
-    c64 = c[64]
-    c65 = c[65]
+    c55 = c[55]
+    c56 = c[56]
     # intermediate terms (418)
     w0 = link1_e2 * 4.0
     w1 = 2 * link3_e1
@@ -3467,7 +3435,7 @@ def residual_jacobian() -> ca.Function:
     w345 = w344 * c4
     w346 = (link1_omega_y * w213 + link1_omega_z * w166) * link1_end_x
     w347 = w346 * c4
-    w348 = link1_omega_x * c64
+    w348 = link1_omega_x * c55
     w349 = 2 * link1_omega_y
     w350 = (link1_omega_x * w208 - w219 * w349) * link1_end_x
     w351 = w350 * c4
@@ -3500,7 +3468,7 @@ def residual_jacobian() -> ca.Function:
     w378 = w377 * c4
     w379 = link2_omega_x * w58 - w59 * w374
     w380 = w379 * c4
-    w381 = link2_omega_x * c65
+    w381 = link2_omega_x * c56
     w382 = w375 * link2_end_x
     w383 = w377 * link2_end_x
     w384 = w379 * link2_end_x
@@ -3606,13 +3574,13 @@ def residual_jacobian() -> ca.Function:
             0.0, w340 - link1_omega_z * c24, link1_omega_y * c25 - w341, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
         ),
         ca.horzcat(  # link1.turn_y
-            link1_omega_z * c64 - w340, 0.0, w348 - link1_omega_x * c25, w149 * w364 + w159 * w366 + w167 * w368,
+            link1_omega_z * c55 - w340, 0.0, w348 - link1_omega_x * c25, w149 * w364 + w159 * w366 + w167 * w368,
             w149 * w376 + w159 * w378 + w167 * w380, w149 * w387 + w159 * w389 + w167 * w391,
             w149 * w395 + w159 * w396 + w167 * w397, w149 * w404 + w159 * w405 + w167 * w406,
             w149 * w412 + w159 * w413 + w167 * w414,
         ),
         ca.horzcat(  # link1.turn_z
-            w341 - link1_omega_y * c64, link1_omega_x * c24 - w348, 0.0, -(w209 * w364 + w212 * w366 + w214 * w368),
+            w341 - link1_omega_y * c55, link1_omega_x * c24 - w348, 0.0, -(w209 * w364 + w212 * w366 + w214 * w368),
             -(w209 * w376 + w212 * w378 + w214 * w380), -(w209 * w387 + w212 * w389 + w214 * w391),
             -(w209 * w395 + w212 * w396 + w214 * w397), -(w209 * w404 + w212 * w405 + w214 * w406),
             -(w209 * w412 + w212 * w413 + w214 * w414),
@@ -3622,13 +3590,13 @@ def residual_jacobian() -> ca.Function:
         ),
         ca.horzcat(  # link2.turn_y
             w30 * w343 + w49 * w345 + w60 * w347, w30 * w351 + w49 * w353 + w60 * w355,
-            w30 * w358 + w49 * w360 + w60 * w362, link2_omega_z * c65 - w369, 0.0, w381 - link2_omega_x * c32,
+            w30 * w358 + w49 * w360 + w60 * w362, link2_omega_z * c56 - w369, 0.0, w381 - link2_omega_x * c32,
             w30 * w398 + w49 * w399 + w60 * w400, w30 * w407 + w49 * w408 + w60 * w409,
             w30 * w415 + w49 * w416 + w60 * w417,
         ),
         ca.horzcat(  # link2.turn_z
             -(w21 * w343 + w45 * w345 + w58 * w347), -(w21 * w351 + w45 * w353 + w58 * w355),
-            -(w21 * w358 + w45 * w360 + w58 * w362), w370 - link2_omega_y * c65, link2_omega_x * c31 - w381, 0.0,
+            -(w21 * w358 + w45 * w360 + w58 * w362), w370 - link2_omega_y * c56, link2_omega_x * c31 - w381, 0.0,
             -(w21 * w398 + w45 * w399 + w58 * w400), -(w21 * w407 + w45 * w408 + w58 * w409),
             -(w21 * w415 + w45 * w416 + w58 * w417),
         ),
@@ -3657,13 +3625,13 @@ def forward_dynamics() -> ca.Function:
 
     takes q_d (n_d = 21) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
     436 operations.
     """
     q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 71)
+    c = ca.SX.sym("c", 62)
     link1_e0 = q_d[3]
     link1_e1 = q_d[4]
     link1_e2 = q_d[5]
@@ -3704,11 +3672,11 @@ def forward_dynamics() -> ca.Function:
     c17 = c[17]
     c19 = c[19]
     c21 = c[21]
-    c66 = c[66]
-    c67 = c[67]
-    c68 = c[68]
-    c69 = c[69]
-    c70 = c[70]
+    c57 = c[57]
+    c58 = c[58]
+    c59 = c[59]
+    c60 = c[60]
+    c61 = c[61]
     # intermediate terms (147)
     w0 = 2 * link1_e1
     w1 = w0 * link1_e3
@@ -3802,7 +3770,7 @@ def forward_dynamics() -> ca.Function:
     w89 = w84 * c5
     w90 = w5 * w87 + w15 * w88 + w23 * w89
     w91 = w90 / c12
-    w92 = w76 * c70 + (w55 * w87 + w64 * w88 + w70 * w89)
+    w92 = w76 * c61 + (w55 * w87 + w64 * w88 + w70 * w89)
     w93 = w44 * link2_end_x
     w94 = w59 * link2_end_x
     w95 = w67 * link2_end_x
@@ -3819,7 +3787,7 @@ def forward_dynamics() -> ca.Function:
     w106 = w79 * link2_end_x + w39 * c4
     w107 = w82 * link2_end_x + w57 * c4
     w108 = w85 * link2_end_x + w66 * c4
-    w109 = w92 * w102 - (w45 * c68 + (w44 * w106 + w59 * w107 + w67 * w108)) - w71 * w103
+    w109 = w92 * w102 - (w45 * c59 + (w44 * w106 + w59 * w107 + w67 * w108)) - w71 * w103
     w110 = w29 * w71 - (w22 * c15 + w38 * c16 - (w5 * w80 + w15 * w83 + w23 * w86) + w91 * w92) - w105 * w109
     w111 = w52 * c4
     w112 = w62 * c4
@@ -3859,13 +3827,13 @@ def forward_dynamics() -> ca.Function:
     w146 = w109 / w104 - w105 * w143 - w135 * w144 - w123 * w145
     # outputs
     q_i_ddot = ca.vertcat(
-        -(link1_omega_y * link1_omega_z * c66 / c0),  # link1.turn_x
+        -(link1_omega_y * link1_omega_z * c57 / c0),  # link1.turn_x
         w143,  # link1.turn_y
         w144,  # link1.turn_z
-        -(link2_omega_y * link2_omega_z * c67 / c7),  # link2.turn_x
+        -(link2_omega_y * link2_omega_z * c58 / c7),  # link2.turn_x
         w145,  # link2.turn_y
         w146,  # link2.turn_z
-        -(link3_omega_z * link3_omega_y * c69 / c10),  # link3.turn_x
+        -(link3_omega_z * link3_omega_y * c60 / c10),  # link3.turn_x
         w133 * w144 - (w71 / c11 + w29 * w143) - w120 * w145 + w103 * w146,  # link3.turn_y
         w91 * w143 - w92 / c12 - w132 * w144 + w119 * w145 - w102 * w146,  # link3.turn_z
     )

@@ -20,8 +20,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 176) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
-    361 operations.
+    gives c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
+    342 operations.
     """
     p = ca.SX.sym("p", 176)
     gravity_z = p[0]
@@ -194,7 +194,7 @@ def constants() -> ca.Function:
     rod_big_end_shape_2_0 = p[167]
     rod_big_end_shape_2_2 = p[168]
     rod_big_end_shape_2_4 = p[169]
-    # intermediate terms (100)
+    # intermediate terms (102)
     w0 = (crank_inertia_xx + crank_inertia_yy + crank_inertia_zz) / 2.0
     w1 = w0 - crank_inertia_yy + crank_mass * crank_center_of_mass_y**2
     w2 = w0 - crank_inertia_zz
@@ -273,28 +273,30 @@ def constants() -> ca.Function:
     w75 = w0 - crank_inertia_xx
     w76 = w2 + w75
     w77 = w1 + w75
-    w78 = -4.0 * w77
-    w79 = -4.0 * w76
-    w80 = (slider_inertia_xx + slider_inertia_yy + slider_inertia_zz) / 2.0
-    w81 = w80 - slider_inertia_yy
-    w82 = w80 - slider_inertia_zz
-    w83 = w81 + w82
-    w84 = w80 - slider_inertia_xx
-    w85 = w82 + w84
-    w86 = w81 + w84
-    w87 = -4.0 * w86
-    w88 = -4.0 * w85
-    w89 = slider_mass * gravity_z
-    w90 = w6 * rod_mass
-    w91 = w18 + w90
-    w92 = w4 * rod_mass
-    w93 = w9 + w92
-    w94 = w7 * rod_mass
-    w95 = w21 + w94
-    w96 = w5 * rod_mass
-    w97 = w12 + w96
-    w98 = w8 * rod_mass
-    w99 = w23 + w98
+    w78 = 4.0 * w76
+    w79 = 4.0 * w77
+    w80 = 4.0 * w3
+    w81 = (slider_inertia_xx + slider_inertia_yy + slider_inertia_zz) / 2.0
+    w82 = w81 - slider_inertia_yy
+    w83 = w81 - slider_inertia_zz
+    w84 = w82 + w83
+    w85 = w81 - slider_inertia_xx
+    w86 = w83 + w85
+    w87 = w82 + w85
+    w88 = 4.0 * w86
+    w89 = 4.0 * w87
+    w90 = 4.0 * w84
+    w91 = slider_mass * gravity_z
+    w92 = w6 * rod_mass
+    w93 = w18 + w92
+    w94 = w4 * rod_mass
+    w95 = w9 + w94
+    w96 = w7 * rod_mass
+    w97 = w21 + w96
+    w98 = w5 * rod_mass
+    w99 = w12 + w98
+    w100 = w8 * rod_mass
+    w101 = w23 + w100
     # outputs
     c = ca.vertcat(
         w3,  # c0
@@ -539,108 +541,103 @@ def constants() -> ca.Function:
         rod_M_ff_3_3,  # rod_M_ff_3_3
         rod_M_ff_4_4,  # rod_M_ff_4_4
         w61,  # c241
-        2 * w62,  # c242
-        2 * w63,  # c243
-        2 * w64,  # c244
-        2 * w65,  # c245
-        2 * w66,  # c246
-        w75,  # c247
-        w76,  # c248
-        w77,  # c249
-        4.0 * w76 + w78,  # c250
-        4.0 * w77 + -4.0 * w3,  # c251
-        4.0 * w3 + w79,  # c252
-        w79 + 4.0 * w3,  # c253
-        4.0 * w77 + -4.0 * w3,  # c254
-        w78 + 4.0 * w76,  # c255
-        w81,  # c256
-        w82,  # c257
-        w83,  # c258
-        w84,  # c259
-        w85,  # c260
-        w86,  # c261
-        4.0 * w85 + w87,  # c262
-        4.0 * w86 + -4.0 * w83,  # c263
-        4.0 * w83 + w88,  # c264
-        w88 + 4.0 * w83,  # c265
-        4.0 * w86 + -4.0 * w83,  # c266
-        w87 + 4.0 * w85,  # c267
-        rod_rho_phi_1_0_1 + rod_rho_phi_1_1_0,  # c268
-        rod_rho_phi_3_0_1 + rod_rho_phi_3_1_0,  # c269
-        rod_rho_phi_0_0_2 + rod_rho_phi_0_2_0,  # c270
-        rod_rho_phi_2_0_2 + rod_rho_phi_2_2_0,  # c271
-        rod_rho_phi_4_0_2 + rod_rho_phi_4_2_0,  # c272
-        rod_rho_phi_0_2_0 - rod_rho_phi_0_0_2,  # c273
-        rod_rho_phi_1_0_1 - rod_rho_phi_1_1_0,  # c274
-        rod_rho_phi_2_2_0 - rod_rho_phi_2_0_2,  # c275
-        rod_rho_phi_3_0_1 - rod_rho_phi_3_1_0,  # c276
-        rod_rho_phi_4_2_0 - rod_rho_phi_4_0_2,  # c277
-        crank_mass * gravity_z,  # c278
-        w89,  # c279
-        rod_mass * gravity_z,  # c280
-        -guide_damping,  # c281
-        -w89,  # c282
-        rod_small_end_rotation_0_5**2,  # c283
-        w42 + w43,  # c284
-        w91,  # c285
-        w56 + w6 * w36 + rod_small_end_x * w91,  # c286
-        w93,  # c287
-        w57 - w4 * w36 - rod_small_end_x * w93,  # c288
-        w95,  # c289
-        w58 + w7 * w36 + rod_small_end_x * w95,  # c290
-        w97,  # c291
-        w59 - w5 * w36 - rod_small_end_x * w97,  # c292
-        w99,  # c293
-        w60 + w8 * w36 + rod_small_end_x * w99,  # c294
-        w20 + w6 * w18 + w6 * w91,  # c295
-        w46 + w6 * w9 + w4 * w91,  # c296
-        w26 + w6 * w21 + w7 * w91,  # c297
-        w51 + w6 * w12 + w5 * w91,  # c298
-        w31 + w6 * w23 + w8 * w91,  # c299
-        w44 + w4 * w18 + w6 * w93,  # c300
-        w11 + w4 * w9 + w4 * w93,  # c301
-        w49 + w4 * w21 + w7 * w93,  # c302
-        w15 + w4 * w12 + w5 * w93,  # c303
-        w54 + w4 * w23 + w8 * w93,  # c304
-        w22 + w7 * w18,  # c305
-        w47 + w7 * w9 + w4 * w95,  # c306
-        w28 + w7 * w21,  # c307
-        w52 + w7 * w12 + w5 * w95,  # c308
-        w33 + w7 * w23,  # c309
-        w45 + w5 * w18 + w6 * w97,  # c310
-        w13 + w5 * w9,  # c311
-        w50 + w5 * w21 + w7 * w97,  # c312
-        w17 + w5 * w12,  # c313
-        w55 + w5 * w23 + w8 * w97,  # c314
-        w24 + w8 * w18,  # c315
-        w48 + w8 * w9 + w4 * w99,  # c316
-        w29 + w8 * w21,  # c317
-        w53 + w8 * w12 + w5 * w99,  # c318
-        w35 + w8 * w23,  # c319
-        2 * w18 + 2 * w90,  # c320
-        rod_phi_phi_0_1_1_2 - w46,  # c321
-        rod_phi_phi_0_3_1_2 - w51,  # c322
-        rod_phi_phi_0_5_0_1 - rod_phi_phi_0_5_1_0,  # c323
-        2 * w9 + 2 * w92,  # c324
-        w44 - rod_phi_phi_1_0_2_1,  # c325
-        w49 - rod_phi_phi_1_2_2_1,  # c326
-        w54 - rod_phi_phi_1_4_2_1,  # c327
-        rod_phi_phi_1_5_2_0 - rod_phi_phi_1_5_0_2,  # c328
-        2 * w21 + 2 * w94,  # c329
-        rod_phi_phi_2_1_1_2 - w47,  # c330
-        rod_phi_phi_2_3_1_2 - w52,  # c331
-        rod_phi_phi_2_5_0_1 - rod_phi_phi_2_5_1_0,  # c332
-        2 * w12 + 2 * w96,  # c333
-        w45 - rod_phi_phi_3_0_2_1,  # c334
-        w50 - rod_phi_phi_3_2_2_1,  # c335
-        w55 - rod_phi_phi_3_4_2_1,  # c336
-        rod_phi_phi_3_5_2_0 - rod_phi_phi_3_5_0_2,  # c337
-        2 * w23 + 2 * w98,  # c338
-        rod_phi_phi_4_1_1_2 - w48,  # c339
-        rod_phi_phi_4_3_1_2 - w53,  # c340
-        rod_phi_phi_4_5_0_1 - rod_phi_phi_4_5_1_0,  # c341
-        -w9,  # c342
-        -w18,  # c343
+        w75,  # c242
+        w76,  # c243
+        w77,  # c244
+        w78 - w79,  # c245
+        w79 - w80,  # c246
+        w80 - w78,  # c247
+        w82,  # c248
+        w83,  # c249
+        w84,  # c250
+        w85,  # c251
+        w86,  # c252
+        w87,  # c253
+        w88 - w89,  # c254
+        w89 - w90,  # c255
+        w90 - w88,  # c256
+        rod_rho_phi_1_0_1 + rod_rho_phi_1_1_0,  # c257
+        rod_rho_phi_3_0_1 + rod_rho_phi_3_1_0,  # c258
+        rod_rho_phi_0_0_2 + rod_rho_phi_0_2_0,  # c259
+        rod_rho_phi_2_0_2 + rod_rho_phi_2_2_0,  # c260
+        rod_rho_phi_4_0_2 + rod_rho_phi_4_2_0,  # c261
+        rod_rho_phi_0_2_0 - rod_rho_phi_0_0_2,  # c262
+        rod_rho_phi_1_0_1 - rod_rho_phi_1_1_0,  # c263
+        rod_rho_phi_2_2_0 - rod_rho_phi_2_0_2,  # c264
+        rod_rho_phi_3_0_1 - rod_rho_phi_3_1_0,  # c265
+        rod_rho_phi_4_2_0 - rod_rho_phi_4_0_2,  # c266
+        crank_mass * gravity_z,  # c267
+        w91,  # c268
+        rod_mass * gravity_z,  # c269
+        -guide_damping,  # c270
+        -w91,  # c271
+        rod_small_end_rotation_0_5**2,  # c272
+        2 * w62,  # c273
+        2 * w63,  # c274
+        2 * w64,  # c275
+        2 * w65,  # c276
+        2 * w66,  # c277
+        w42 + w43,  # c278
+        w93,  # c279
+        w56 + w6 * w36 + rod_small_end_x * w93,  # c280
+        w95,  # c281
+        w57 - w4 * w36 - rod_small_end_x * w95,  # c282
+        w97,  # c283
+        w58 + w7 * w36 + rod_small_end_x * w97,  # c284
+        w99,  # c285
+        w59 - w5 * w36 - rod_small_end_x * w99,  # c286
+        w101,  # c287
+        w60 + w8 * w36 + rod_small_end_x * w101,  # c288
+        w20 + w6 * w18 + w6 * w93,  # c289
+        w46 + w6 * w9 + w4 * w93,  # c290
+        w26 + w6 * w21 + w7 * w93,  # c291
+        w51 + w6 * w12 + w5 * w93,  # c292
+        w31 + w6 * w23 + w8 * w93,  # c293
+        w44 + w4 * w18 + w6 * w95,  # c294
+        w11 + w4 * w9 + w4 * w95,  # c295
+        w49 + w4 * w21 + w7 * w95,  # c296
+        w15 + w4 * w12 + w5 * w95,  # c297
+        w54 + w4 * w23 + w8 * w95,  # c298
+        w22 + w7 * w18,  # c299
+        w47 + w7 * w9 + w4 * w97,  # c300
+        w28 + w7 * w21,  # c301
+        w52 + w7 * w12 + w5 * w97,  # c302
+        w33 + w7 * w23,  # c303
+        w45 + w5 * w18 + w6 * w99,  # c304
+        w13 + w5 * w9,  # c305
+        w50 + w5 * w21 + w7 * w99,  # c306
+        w17 + w5 * w12,  # c307
+        w55 + w5 * w23 + w8 * w99,  # c308
+        w24 + w8 * w18,  # c309
+        w48 + w8 * w9 + w4 * w101,  # c310
+        w29 + w8 * w21,  # c311
+        w53 + w8 * w12 + w5 * w101,  # c312
+        w35 + w8 * w23,  # c313
+        2 * w18 + 2 * w92,  # c314
+        rod_phi_phi_0_1_1_2 - w46,  # c315
+        rod_phi_phi_0_3_1_2 - w51,  # c316
+        rod_phi_phi_0_5_0_1 - rod_phi_phi_0_5_1_0,  # c317
+        2 * w9 + 2 * w94,  # c318
+        w44 - rod_phi_phi_1_0_2_1,  # c319
+        w49 - rod_phi_phi_1_2_2_1,  # c320
+        w54 - rod_phi_phi_1_4_2_1,  # c321
+        rod_phi_phi_1_5_2_0 - rod_phi_phi_1_5_0_2,  # c322
+        2 * w21 + 2 * w96,  # c323
+        rod_phi_phi_2_1_1_2 - w47,  # c324
+        rod_phi_phi_2_3_1_2 - w52,  # c325
+        rod_phi_phi_2_5_0_1 - rod_phi_phi_2_5_1_0,  # c326
+        2 * w12 + 2 * w98,  # c327
+        w45 - rod_phi_phi_3_0_2_1,  # c328
+        w50 - rod_phi_phi_3_2_2_1,  # c329
+        w55 - rod_phi_phi_3_4_2_1,  # c330
+        rod_phi_phi_3_5_2_0 - rod_phi_phi_3_5_0_2,  # c331
+        2 * w23 + 2 * w100,  # c332
+        rod_phi_phi_4_1_1_2 - w48,  # c333
+        rod_phi_phi_4_3_1_2 - w53,  # c334
+        rod_phi_phi_4_5_0_1 - rod_phi_phi_4_5_1_0,  # c335
+        -w9,  # c336
+        -w18,  # c337
+        -rod_mass,  # c338
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -653,7 +650,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 24) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 7 x 7) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 7) [N, N m]: condensed force S^T (Q* - M s)
     2255 operations.
@@ -662,7 +659,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
-    c = ca.SX.sym("c", 344)
+    c = ca.SX.sym("c", 339)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1342,15 +1339,15 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 7) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 24) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 24) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 3) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 3) [SI]: determinants of the loop blocks, zero if singular
-    338 operations.
+    336 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
-    c = ca.SX.sym("c", 344)
+    c = ca.SX.sym("c", 339)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1398,7 +1395,7 @@ def closure() -> ca.Function:
     slider_fork_quaternion_0_0_0 = c[190]
     slider_fork_quaternion_3_0_0 = c[191]
     c192 = c[192]
-    # intermediate terms (99)
+    # intermediate terms (100)
     w0 = axle_angle / 2.0
     w1 = ca.cos(w0)
     w2 = ca.sin(w0)
@@ -1482,22 +1479,23 @@ def closure() -> ca.Function:
     w80 = w56 * w74 - w70 * w77 + (w73 * w76 - w66 * w75)
     w81 = w56 * w76 - w70 * w75 + (w66 * w77 - w73 * w74)
     w82 = w78 * c184 + w79 * c186 + (w80 * c187 - w81 * c185)
-    w83 = 2 * w82**2
-    w84 = w81 * c184 + w79 * c187 + (w78 * c185 - w80 * c186)
-    w85 = 2 * w84**2
-    w86 = w80 * c184 + w79 * c185 + (w81 * c186 - w78 * c187)
-    w87 = 2 * w86
-    w88 = w82 * w87
-    w89 = w79 * c184 - (w80 * c185 + w78 * c186 + w81 * c187)
-    w90 = 2 * w89
-    w91 = w84 * w90
-    w92 = rod_q2 * rod_small_end_shape_1_1 + rod_q4 * rod_small_end_shape_1_3
-    w93 = w82 * w90
-    w94 = w84 * w87
-    w95 = rod_q1 * rod_small_end_shape_2_0 + rod_q3 * rod_small_end_shape_2_2 + rod_q5 * rod_small_end_shape_2_4
-    w96 = 1.0 - 2 * w86**2
-    w97 = w84 * (2 * w82)
-    w98 = w86 * w90
+    w83 = 2 * w82
+    w84 = w82 * w83
+    w85 = w81 * c184 + w79 * c187 + (w78 * c185 - w80 * c186)
+    w86 = 2 * w85
+    w87 = w85 * w86
+    w88 = w80 * c184 + w79 * c185 + (w81 * c186 - w78 * c187)
+    w89 = 2 * w88
+    w90 = w82 * w89
+    w91 = w79 * c184 - (w80 * c185 + w78 * c186 + w81 * c187)
+    w92 = w86 * w91
+    w93 = rod_q2 * rod_small_end_shape_1_1 + rod_q4 * rod_small_end_shape_1_3
+    w94 = w85 * w89
+    w95 = w83 * w91
+    w96 = rod_q1 * rod_small_end_shape_2_0 + rod_q3 * rod_small_end_shape_2_2 + rod_q5 * rod_small_end_shape_2_4
+    w97 = w88 * w89
+    w98 = w83 * w85
+    w99 = w89 * w91
     # outputs
     q_d_next = ca.vertcat(
         0.0,  # crank.x
@@ -1514,13 +1512,13 @@ def closure() -> ca.Function:
         c185,  # slider.e1
         c186,  # slider.e2
         c187,  # slider.e3
-        w50 - ((1.0 - w83 - w85) * rod_small_end_x + (w88 - w91) * w92 + (w93 + w94) * w95),  # rod.x
-        ground_guide_y - ((w88 + w91) * rod_small_end_x + w92 * (w96 - w85) + w95 * (w97 - w98)),  # rod.y
-        (w94 - w93) * c192 - w92 * (w97 + w98) - w95 * (w96 - w83),  # rod.z
-        w89,  # rod.e0
-        w86,  # rod.e1
+        w50 - ((1.0 - (w84 + w87)) * rod_small_end_x + (w90 - w92) * w93 + (w94 + w95) * w96),  # rod.x
+        ground_guide_y - ((w90 + w92) * rod_small_end_x + w93 * (1.0 - (w87 + w97)) + w96 * (w98 - w99)),  # rod.y
+        (w94 - w95) * c192 - w93 * (w98 + w99) - w96 * (1.0 - (w84 + w97)),  # rod.z
+        w91,  # rod.e0
+        w88,  # rod.e1
         w82,  # rod.e2
-        w84,  # rod.e3
+        w85,  # rod.e3
         w50,  # guide.travel
         w57,  # fork.angle1
         w60,  # fork.angle2
@@ -1537,14 +1535,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 7) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 24) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
-    takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
-    1225 operations.
+    1226 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
-    c = ca.SX.sym("c", 344)
+    c = ca.SX.sym("c", 339)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1687,29 +1685,29 @@ def velocities() -> ca.Function:
     w83 = w75 + axle_angle_dot * (ca.sin(axle_angle) * crank_pin_y / w68) + w38 * w51 / w68 * w82
     w84 = w65 + w49 * w83 + w82 * (w41 * w51)
     w85 = -w84
-    w86 = rod_e2 * -2.0
+    w86 = 2 * -rod_e2
     w87 = 2 * rod_e1
     w88 = w87 * rod_e3
-    w89 = 2 * rod_e0
-    w90 = rod_e2 * w89
-    w91 = rod_e1 * w89
-    w92 = 2 * rod_e2
-    w93 = rod_e3 * w92
-    w94 = w91 + w93
-    w95 = rod_q2 * rod_small_end_shape_1_1 + rod_q4 * rod_small_end_shape_1_3
-    w96 = 1.0 - 2 * rod_e1**2
-    w97 = 2 * rod_e2**2
-    w98 = w96 - w97
-    w99 = rod_q1 * rod_small_end_shape_2_0 + rod_q3 * rod_small_end_shape_2_2 + rod_q5 * rod_small_end_shape_2_4
-    w100 = (w88 - w90) * rod_small_end_x + w94 * w95 + w98 * w99
-    w101 = rod_e3 * -2.0
-    w102 = rod_e3 * w89
-    w103 = rod_e2 * w87
-    w104 = 2 * rod_e3**2
-    w105 = w96 - w104
-    w106 = w93 - w91
-    w107 = (w102 + w103) * rod_small_end_x + w95 * w105 + w99 * w106
-    w108 = w101 * w107
+    w89 = 2 * rod_e2
+    w90 = w89 * rod_e0
+    w91 = rod_e3 * w89
+    w92 = w87 * rod_e0
+    w93 = w91 + w92
+    w94 = rod_q2 * rod_small_end_shape_1_1 + rod_q4 * rod_small_end_shape_1_3
+    w95 = rod_e1 * w87
+    w96 = rod_e2 * w89
+    w97 = 1.0 - (w95 + w96)
+    w98 = rod_q1 * rod_small_end_shape_2_0 + rod_q3 * rod_small_end_shape_2_2 + rod_q5 * rod_small_end_shape_2_4
+    w99 = (w88 - w90) * rod_small_end_x + w93 * w94 + w97 * w98
+    w100 = 2 * -rod_e3
+    w101 = rod_e2 * w87
+    w102 = 2 * rod_e3
+    w103 = rod_e0 * w102
+    w104 = rod_e3 * w102
+    w105 = 1.0 - (w95 + w104)
+    w106 = w91 - w92
+    w107 = (w101 + w103) * rod_small_end_x + w94 * w105 + w98 * w106
+    w108 = w100 * w107
     w109 = fork_angle1 / 2.0
     w110 = ca.sin(w109)
     w111 = w110 / 2.0
@@ -1855,15 +1853,15 @@ def velocities() -> ca.Function:
     w251 = w174 * w246 + w172 * w248 - (w157 * w247 + w166 * w243)
     w252 = w157 * w248 + w174 * w243 + (w172 * w247 + w166 * w246)
     w253 = w240 - rod_q4_dot * (slider_e0 * w249 + (slider_e1 * w250 + slider_e2 * w251 - slider_e3 * w252))
-    w254 = 2 * rod_e3
-    w255 = w82 * (slider_e0 * w151 + slider_e1 * w150 + (slider_e2 * w153 - slider_e3 * w152)) - w83 * (slider_e0 * w137 - w136 * slider_e1 + (slider_e2 * w139 - w138 * slider_e3))
-    w256 = w255 + rod_q6_dot * (slider_e0 * w177 + slider_e1 * w176 + (slider_e2 * w179 - slider_e3 * w178))
-    w257 = w256 + rod_q1_dot * (slider_e0 * w194 + slider_e1 * w193 + (slider_e2 * w196 - slider_e3 * w195))
-    w258 = w257 + rod_q3_dot * (slider_e0 * w207 + slider_e1 * w206 + (slider_e2 * w209 - slider_e3 * w208))
-    w259 = w258 + rod_q5_dot * (slider_e0 * w220 + slider_e1 * w219 + (slider_e2 * w222 - slider_e3 * w221))
-    w260 = w259 + rod_q2_dot * (slider_e0 * w237 - slider_e1 * w236 - (slider_e2 * w239 + slider_e3 * w238))
-    w261 = w260 + rod_q4_dot * (slider_e0 * w250 - slider_e1 * w249 - (slider_e2 * w252 + slider_e3 * w251))
-    w262 = w89 * w100
+    w254 = w82 * (slider_e0 * w151 + slider_e1 * w150 + (slider_e2 * w153 - slider_e3 * w152)) - w83 * (slider_e0 * w137 - w136 * slider_e1 + (slider_e2 * w139 - w138 * slider_e3))
+    w255 = w254 + rod_q6_dot * (slider_e0 * w177 + slider_e1 * w176 + (slider_e2 * w179 - slider_e3 * w178))
+    w256 = w255 + rod_q1_dot * (slider_e0 * w194 + slider_e1 * w193 + (slider_e2 * w196 - slider_e3 * w195))
+    w257 = w256 + rod_q3_dot * (slider_e0 * w207 + slider_e1 * w206 + (slider_e2 * w209 - slider_e3 * w208))
+    w258 = w257 + rod_q5_dot * (slider_e0 * w220 + slider_e1 * w219 + (slider_e2 * w222 - slider_e3 * w221))
+    w259 = w258 + rod_q2_dot * (slider_e0 * w237 - slider_e1 * w236 - (slider_e2 * w239 + slider_e3 * w238))
+    w260 = w259 + rod_q4_dot * (slider_e0 * w250 - slider_e1 * w249 - (slider_e2 * w252 + slider_e3 * w251))
+    w261 = 2 * rod_e0
+    w262 = w99 * w261
     w263 = w82 * (slider_e0 * w152 + slider_e2 * w150 + (slider_e3 * w151 - slider_e1 * w153)) - w83 * (slider_e0 * w138 - w136 * slider_e2 + (w137 * slider_e3 - slider_e1 * w139))
     w264 = w263 + rod_q6_dot * (slider_e0 * w178 + slider_e2 * w176 + (slider_e3 * w177 - slider_e1 * w179))
     w265 = w264 + rod_q1_dot * (slider_e0 * w195 + slider_e2 * w193 + (slider_e3 * w194 - slider_e1 * w196))
@@ -1871,9 +1869,9 @@ def velocities() -> ca.Function:
     w267 = w266 + rod_q5_dot * (slider_e0 * w221 + slider_e2 * w219 + (slider_e3 * w220 - slider_e1 * w222))
     w268 = w267 + rod_q2_dot * (slider_e0 * w238 - slider_e2 * w236 + (slider_e3 * w237 + slider_e1 * w239))
     w269 = w268 + rod_q4_dot * (slider_e0 * w251 - slider_e2 * w249 + (slider_e3 * w250 + slider_e1 * w252))
-    w270 = rod_e1 * -2.0
-    w271 = w100 * w270
-    w272 = w89 * w107
+    w270 = 2 * -rod_e1
+    w271 = w99 * w270
+    w272 = w107 * w261
     w273 = w82 * (slider_e0 * w153 + slider_e3 * w150 + (slider_e1 * w152 - slider_e2 * w151)) - w83 * (slider_e0 * w139 - w136 * slider_e3 + (slider_e1 * w138 - w137 * slider_e2))
     w274 = w273 + rod_q6_dot * (slider_e0 * w179 + slider_e3 * w176 + (slider_e1 * w178 - slider_e2 * w177))
     w275 = w274 + rod_q1_dot * (slider_e0 * w196 + slider_e3 * w193 + (slider_e1 * w195 - slider_e2 * w194))
@@ -1882,19 +1880,19 @@ def velocities() -> ca.Function:
     w278 = w277 + rod_q2_dot * (slider_e1 * w238 - slider_e2 * w237 - (slider_e0 * w239 + slider_e3 * w236))
     w279 = w278 + rod_q4_dot * (slider_e1 * w251 - slider_e2 * w250 - (slider_e0 * w252 + slider_e3 * w249))
     w280 = w88 + w90
-    w281 = w103 - w102
-    w282 = (1.0 - w97 - w104) * rod_small_end_x + w95 * w281 + w99 * w280
+    w281 = w101 - w103
+    w282 = (1.0 - (w96 + w104)) * rod_small_end_x + w94 * w281 + w98 * w280
     w283 = w86 * w282
-    w284 = w89 * w282
-    w285 = (w108 - w86 * w100) * w253 - w84 - (w100 * w254 - w86 * w107) * w261 - (w262 - w87 * w107) * w269
-    w286 = w285 - (w271 - w272) * w279 - rod_q1_dot * (w280 * rod_small_end_shape_2_0) - rod_q2_dot * (w281 * rod_small_end_shape_1_1)
+    w284 = w261 * w282
+    w285 = (w108 - w86 * w99) * w253 - w84 - (w99 * w102 - w86 * w107) * w260 - (w262 - w87 * w107) * w269 - (w271 - w272) * w279
+    w286 = w285 - rod_q1_dot * (w280 * rod_small_end_shape_2_0) - rod_q2_dot * (w281 * rod_small_end_shape_1_1)
     w287 = w286 - rod_q3_dot * (w280 * rod_small_end_shape_2_2) - rod_q4_dot * (w281 * rod_small_end_shape_1_3)
-    w288 = (w271 - w101 * w282) * w253 - w261 * (w283 - w262) - w269 * (w87 * w282 - w100 * w101) - w279 * (w284 - w92 * w100)
+    w288 = (w271 - w100 * w282) * w253 - w260 * (w283 - w262) - w269 * (w87 * w282 - w99 * w100) - w279 * (w284 - w89 * w99)
     w289 = w288 - rod_q1_dot * (w106 * rod_small_end_shape_2_0) - rod_q2_dot * (w105 * rod_small_end_shape_1_1)
     w290 = w289 - rod_q3_dot * (w106 * rod_small_end_shape_2_2) - rod_q4_dot * (w105 * rod_small_end_shape_1_3)
-    w291 = (w283 - w107 * w270) * w253 - w261 * (w272 - w254 * w282) - w269 * (w108 - w284) - w279 * (w92 * w107 - w270 * w282)
-    w292 = w291 - rod_q1_dot * (w98 * rod_small_end_shape_2_0) - rod_q2_dot * (w94 * rod_small_end_shape_1_1)
-    w293 = w292 - rod_q3_dot * (w98 * rod_small_end_shape_2_2) - rod_q4_dot * (w94 * rod_small_end_shape_1_3)
+    w291 = (w283 - w107 * w270) * w253 - w260 * (w272 - w102 * w282) - w269 * (w108 - w284) - w279 * (w89 * w107 - w270 * w282)
+    w292 = w291 - rod_q1_dot * (w97 * rod_small_end_shape_2_0) - rod_q2_dot * (w93 * rod_small_end_shape_1_1)
+    w293 = w292 - rod_q3_dot * (w97 * rod_small_end_shape_2_2) - rod_q4_dot * (w93 * rod_small_end_shape_1_3)
     # outputs
     q_d_dot = ca.SX(24, 1)
     q_d_dot[3] = (w3 * c193 - w7) * axle_angle_dot  # crank.e0
@@ -1904,9 +1902,9 @@ def velocities() -> ca.Function:
     q_d_dot[7] = w85  # slider.x
     q_d_dot[14] = w287 - rod_q5_dot * (w280 * rod_small_end_shape_2_4)  # rod.x
     q_d_dot[15] = w290 - rod_q5_dot * (w106 * rod_small_end_shape_2_4)  # rod.y
-    q_d_dot[16] = w293 - rod_q5_dot * (w98 * rod_small_end_shape_2_4)  # rod.z
+    q_d_dot[16] = w293 - rod_q5_dot * (w97 * rod_small_end_shape_2_4)  # rod.z
     q_d_dot[17] = w253  # rod.e0
-    q_d_dot[18] = w261  # rod.e1
+    q_d_dot[18] = w260  # rod.e1
     q_d_dot[19] = w269  # rod.e2
     q_d_dot[20] = w279  # rod.e3
     q_d_dot[21] = w85  # guide.travel
@@ -1924,16 +1922,16 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 7) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 24) [mixed]: accelerations of the dependent coordinates
-    1862 operations.
+    1863 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
     q_i_ddot = ca.SX.sym("q_i_ddot", 7)
-    c = ca.SX.sym("c", 344)
+    c = ca.SX.sym("c", 339)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -2151,40 +2149,40 @@ def accelerations() -> ca.Function:
     w142 = w132 + axle_angle_ddot * (w133 / w124) + w45 * w109 / w124 * w141
     w143 = w116 + (w107 * w117 - w109 * w118) * rod_small_end_rotation_0_5 * rod_q6_ddot + w107 * w142 + w141 * (w49 * w109)
     w144 = -w143
-    w145 = rod_e2 * -2.0
+    w145 = 2 * -rod_e2
     w146 = 2 * rod_e3
     w147 = 2 * rod_e0
-    w148 = rod_e1 * -2.0
+    w148 = 2 * -rod_e1
     w149 = rod_e0_dot * w145 + rod_e1_dot * w146 + rod_e2_dot * w147 + rod_e3_dot * w148
-    w150 = rod_e3 * -2.0
+    w150 = 2 * -rod_e3
     w151 = 2 * rod_e2
     w152 = rod_e0_dot * w148 + rod_e1_dot * w147 + rod_e2_dot * w150 + rod_e3_dot * w151
-    w153 = rod_e3 * w147
-    w154 = 2 * rod_e1
-    w155 = rod_e2 * w154
-    w156 = 1.0 - 2 * rod_e1**2
-    w157 = 2 * rod_e3**2
-    w158 = w156 - w157
+    w153 = 2 * rod_e1
+    w154 = rod_e2 * w153
+    w155 = w146 * rod_e0
+    w156 = rod_e1 * w153
+    w157 = rod_e3 * w146
+    w158 = 1.0 - (w156 + w157)
     w159 = rod_q2 * rod_small_end_shape_1_1 + rod_q4 * rod_small_end_shape_1_3
     w160 = rod_e3 * w151
-    w161 = w147 * rod_e1
+    w161 = rod_e0 * w153
     w162 = w160 - w161
     w163 = rod_q1 * rod_small_end_shape_2_0 + rod_q3 * rod_small_end_shape_2_2 + rod_q5 * rod_small_end_shape_2_4
-    w164 = (w153 + w155) * rod_small_end_x + w158 * w159 + w162 * w163
-    w165 = 2 * rod_e2**2
-    w166 = w155 - w153
-    w167 = rod_e2 * w147
-    w168 = rod_e3 * w154
+    w164 = (w154 + w155) * rod_small_end_x + w158 * w159 + w162 * w163
+    w165 = rod_e2 * w151
+    w166 = w154 - w155
+    w167 = rod_e3 * w153
+    w168 = rod_e0 * w151
     w169 = w167 + w168
-    w170 = (1.0 - w165 - w157) * rod_small_end_x + w159 * w166 + w163 * w169
+    w170 = (1.0 - (w157 + w165)) * rod_small_end_x + w159 * w166 + w163 * w169
     w171 = w160 + w161
     w172 = rod_q2_dot * rod_small_end_shape_1_1 + rod_q4_dot * rod_small_end_shape_1_3
-    w173 = w156 - w165
+    w173 = 1.0 - (w156 + w165)
     w174 = rod_q1_dot * rod_small_end_shape_2_0 + rod_q3_dot * rod_small_end_shape_2_2 + rod_q5_dot * rod_small_end_shape_2_4
     w175 = w171 * w172 + w173 * w174
     w176 = w175 + (w152 * w164 - w149 * w170 + w175)
-    w177 = rod_e0_dot * w150 + w145 * rod_e1_dot + rod_e2_dot * w154 + w147 * rod_e3_dot
-    w178 = (w168 - w167) * rod_small_end_x + w159 * w171 + w163 * w173
+    w177 = rod_e0_dot * w150 + w145 * rod_e1_dot + rod_e2_dot * w153 + w147 * rod_e3_dot
+    w178 = (w167 - w168) * rod_small_end_x + w159 * w171 + w163 * w173
     w179 = w158 * w172 + w162 * w174
     w180 = w179 + (w170 * w177 - w152 * w178 + w179)
     w181 = w150 * w164
@@ -2434,10 +2432,10 @@ def accelerations() -> ca.Function:
     w425 = w145 * w170
     w426 = w147 * w170
     w427 = w177 * w180 - w149 * w176 - w143 - (w145 * w178 - w181) * w395 - (w146 * w178 - w145 * w164) * w403
-    w428 = w427 - (w404 - w154 * w164) * w412 - (w413 - w414) * w422 - rod_q1_ddot * (w169 * rod_small_end_shape_2_0)
+    w428 = w427 - (w404 - w153 * w164) * w412 - (w413 - w414) * w422 - rod_q1_ddot * (w169 * rod_small_end_shape_2_0)
     w429 = w428 - rod_q2_ddot * (w166 * rod_small_end_shape_1_1) - rod_q3_ddot * (w169 * rod_small_end_shape_2_2)
     w430 = w429 - rod_q4_ddot * (w166 * rod_small_end_shape_1_3) - rod_q5_ddot * (w169 * rod_small_end_shape_2_4)
-    w431 = w152 * w176 - w177 * w424 - w395 * (w150 * w170 - w413) - w403 * (w425 - w404) - w412 * (w154 * w170 - w150 * w178)
+    w431 = w152 * w176 - w177 * w424 - w395 * (w150 * w170 - w413) - w403 * (w425 - w404) - w412 * (w153 * w170 - w150 * w178)
     w432 = w431 - w422 * (w426 - w151 * w178) - rod_q1_ddot * (w162 * rod_small_end_shape_2_0) - rod_q2_ddot * (w158 * rod_small_end_shape_1_1)
     w433 = w432 - rod_q3_ddot * (w162 * rod_small_end_shape_2_2) - rod_q4_ddot * (w158 * rod_small_end_shape_1_3)
     w434 = w149 * w424 - w152 * w180 - w395 * (w148 * w164 - w425) - w403 * (w414 - w146 * w170) - w412 * (w181 - w426)
@@ -2469,17 +2467,17 @@ def constraints() -> ca.Function:
 
     takes q (n = 31) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 31) [mixed]: rates of all coordinates
-    takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 24) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 24 x 31) [SI]: constraint Jacobian
     gives C_t (n_c = 24) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 24) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 24) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    1605 operations.
+    1607 operations.
     """
     q = ca.SX.sym("q", 31)
     q_dot = ca.SX.sym("q_dot", 31)
-    c = ca.SX.sym("c", 344)
+    c = ca.SX.sym("c", 339)
     crank_x = q[0]
     crank_y = q[1]
     crank_z = q[2]
@@ -2612,70 +2610,70 @@ def constraints() -> ca.Function:
     w38 = w25 * w29 - w18 * w32 + (w34 * w35 - w33 * w36)
     w39 = w25 * w33 - w18 * w34 + (w29 * w36 - w32 * w35)
     w40 = w25 * w35 - w18 * w36 + (w32 * w33 - w29 * w34)
-    w41 = 2 * rod_e2**2
-    w42 = 2 * rod_e3**2
-    w43 = 2 * rod_e1
-    w44 = rod_e2 * w43
-    w45 = 2 * rod_e0
-    w46 = rod_e3 * w45
-    w47 = w44 - w46
-    w48 = rod_q2 * rod_small_end_shape_1_1 + rod_q4 * rod_small_end_shape_1_3
-    w49 = rod_e2 * w45
-    w50 = rod_e3 * w43
-    w51 = w49 + w50
-    w52 = rod_q1 * rod_small_end_shape_2_0 + rod_q3 * rod_small_end_shape_2_2 + rod_q5 * rod_small_end_shape_2_4
-    w53 = (1.0 - w41 - w42) * rod_small_end_x + w47 * w48 + w51 * w52
-    w54 = 1.0 - 2 * rod_e1**2
-    w55 = w54 - w42
-    w56 = 2 * rod_e2
-    w57 = rod_e3 * w56
-    w58 = rod_e1 * w45
+    w41 = 2 * rod_e2
+    w42 = rod_e2 * w41
+    w43 = 2 * rod_e3
+    w44 = rod_e3 * w43
+    w45 = 2 * rod_e1
+    w46 = rod_e2 * w45
+    w47 = rod_e0 * w43
+    w48 = w46 - w47
+    w49 = rod_q2 * rod_small_end_shape_1_1 + rod_q4 * rod_small_end_shape_1_3
+    w50 = rod_e3 * w45
+    w51 = rod_e0 * w41
+    w52 = w50 + w51
+    w53 = rod_q1 * rod_small_end_shape_2_0 + rod_q3 * rod_small_end_shape_2_2 + rod_q5 * rod_small_end_shape_2_4
+    w54 = (1.0 - (w42 + w44)) * rod_small_end_x + w48 * w49 + w52 * w53
+    w55 = rod_e1 * w45
+    w56 = 1.0 - (w44 + w55)
+    w57 = rod_e3 * w41
+    w58 = rod_e0 * w45
     w59 = w57 - w58
-    w60 = (w44 + w46) * rod_small_end_x + w48 * w55 + w52 * w59
+    w60 = (w46 + w47) * rod_small_end_x + w49 * w56 + w53 * w59
     w61 = w57 + w58
-    w62 = w54 - w41
-    w63 = (w50 - w49) * rod_small_end_x + w48 * w61 + w52 * w62
+    w62 = 1.0 - (w42 + w55)
+    w63 = (w50 - w51) * rod_small_end_x + w49 * w61 + w53 * w62
     w64 = rod_q2 * rod_big_end_shape_1_1 + rod_q4 * rod_big_end_shape_1_3
     w65 = rod_q1 * rod_big_end_shape_2_0 + rod_q3 * rod_big_end_shape_2_2 + rod_q5 * rod_big_end_shape_2_4
-    w66 = w47 * w64 + w51 * w65
+    w66 = w48 * w64 + w52 * w65
     w67 = 2 * crank_e1
-    w68 = 2 * crank_e0
-    w69 = (crank_e2 * w67 - crank_e3 * w68) * crank_pin_y
-    w70 = w55 * w64 + w59 * w65
-    w71 = (1.0 - 2 * crank_e1**2 - 2 * crank_e3**2) * crank_pin_y
+    w68 = 2 * crank_e3
+    w69 = (crank_e2 * w67 - crank_e0 * w68) * crank_pin_y
+    w70 = w56 * w64 + w59 * w65
+    w71 = (1.0 - (crank_e1 * w67 + crank_e3 * w68)) * crank_pin_y
     w72 = w61 * w64 + w62 * w65
     w73 = 2 * crank_e2
-    w74 = (crank_e1 * w68 + crank_e3 * w73) * crank_pin_y
-    w75 = crank_e2 * -2.0
-    w76 = crank_e3 * -2.0
+    w74 = (crank_e3 * w73 + crank_e0 * w67) * crank_pin_y
+    w75 = 2 * -crank_e2
+    w76 = 2 * -crank_e3
     w77 = w71 * w76
-    w78 = crank_e1 * -2.0
+    w78 = 2 * -crank_e1
     w79 = w74 * w78
     w80 = w69 * w75
-    w81 = 2 * crank_e3
-    w82 = w68 * w74
-    w83 = w68 * w71
-    w84 = w68 * w69
+    w81 = 2 * crank_e0
+    w82 = w74 * w81
+    w83 = w71 * w81
+    w84 = w69 * w81
     w85 = -w37
     w86 = -w38
     w87 = -w39
     w88 = -w40
-    w89 = rod_e2 * -2.0
-    w90 = rod_e3 * -2.0
+    w89 = 2 * -rod_e2
+    w90 = 2 * -rod_e3
     w91 = w60 * w90
-    w92 = rod_e1 * -2.0
+    w92 = 2 * -rod_e1
     w93 = w63 * w92
-    w94 = w53 * w89
+    w94 = w54 * w89
     w95 = w70 * w90
     w96 = w72 * w92
     w97 = w66 * w89
-    w98 = 2 * rod_e3
-    w99 = w45 * w63
-    w100 = w45 * w60
-    w101 = w45 * w72
-    w102 = w45 * w70
-    w103 = w45 * w53
-    w104 = w45 * w66
+    w98 = 2 * rod_e0
+    w99 = w63 * w98
+    w100 = w60 * w98
+    w101 = w72 * w98
+    w102 = w70 * w98
+    w103 = w54 * w98
+    w104 = w66 * w98
     w105 = (1 / w23)**2
     w106 = w105 / w23
     w107 = w22 * w106
@@ -2879,30 +2877,30 @@ def constraints() -> ca.Function:
     w305 = slider_e0_dot * w301 + w300 * slider_e1_dot + (slider_e2_dot * w303 - w302 * slider_e3_dot)
     w306 = slider_e0_dot * w302 + w300 * slider_e2_dot + (w301 * slider_e3_dot - slider_e1_dot * w303)
     w307 = slider_e0_dot * w303 + w300 * slider_e3_dot + (slider_e1_dot * w302 - w301 * slider_e2_dot)
-    w308 = w89 * rod_e0_dot + w98 * rod_e1_dot + w45 * rod_e2_dot + w92 * rod_e3_dot
-    w309 = w92 * rod_e0_dot + w45 * rod_e1_dot + w90 * rod_e2_dot + w56 * rod_e3_dot
+    w308 = w89 * rod_e0_dot + w43 * rod_e1_dot + w98 * rod_e2_dot + w92 * rod_e3_dot
+    w309 = w92 * rod_e0_dot + w98 * rod_e1_dot + w90 * rod_e2_dot + w41 * rod_e3_dot
     w310 = rod_q2_dot * rod_small_end_shape_1_1 + rod_q4_dot * rod_small_end_shape_1_3
     w311 = rod_q1_dot * rod_small_end_shape_2_0 + rod_q3_dot * rod_small_end_shape_2_2 + rod_q5_dot * rod_small_end_shape_2_4
     w312 = w61 * w310 + w62 * w311
-    w313 = w312 + (w60 * w309 - w53 * w308 + w312)
-    w314 = w90 * rod_e0_dot + w89 * rod_e1_dot + w43 * rod_e2_dot + w45 * rod_e3_dot
-    w315 = w55 * w310 + w59 * w311
-    w316 = w315 + (w53 * w314 - w63 * w309 + w315)
-    w317 = w47 * w310 + w51 * w311
+    w313 = w312 + (w60 * w309 - w54 * w308 + w312)
+    w314 = w90 * rod_e0_dot + w89 * rod_e1_dot + w45 * rod_e2_dot + w98 * rod_e3_dot
+    w315 = w56 * w310 + w59 * w311
+    w316 = w315 + (w54 * w314 - w63 * w309 + w315)
+    w317 = w48 * w310 + w52 * w311
     w318 = w317 + (w63 * w308 - w60 * w314 + w317)
-    w319 = w75 * crank_e0_dot + w81 * crank_e1_dot + w68 * crank_e2_dot + w78 * crank_e3_dot
-    w320 = w78 * crank_e0_dot + w68 * crank_e1_dot + w76 * crank_e2_dot + w73 * crank_e3_dot
+    w319 = w75 * crank_e0_dot + w68 * crank_e1_dot + w81 * crank_e2_dot + w78 * crank_e3_dot
+    w320 = w78 * crank_e0_dot + w81 * crank_e1_dot + w76 * crank_e2_dot + w73 * crank_e3_dot
     w321 = w71 * w320 - w69 * w319
-    w322 = w76 * crank_e0_dot + w75 * crank_e1_dot + w67 * crank_e2_dot + w68 * crank_e3_dot
+    w322 = w76 * crank_e0_dot + w75 * crank_e1_dot + w67 * crank_e2_dot + w81 * crank_e3_dot
     w323 = w69 * w322 - w74 * w320
     w324 = rod_q2_dot * rod_big_end_shape_1_1 + rod_q4_dot * rod_big_end_shape_1_3
     w325 = rod_q1_dot * rod_big_end_shape_2_0 + rod_q3_dot * rod_big_end_shape_2_2 + rod_q5_dot * rod_big_end_shape_2_4
     w326 = w61 * w324 + w62 * w325
     w327 = w326 + (w70 * w309 - w66 * w308 + w326)
-    w328 = w55 * w324 + w59 * w325
+    w328 = w56 * w324 + w59 * w325
     w329 = w328 + (w66 * w314 - w72 * w309 + w328)
     w330 = w74 * w319 - w71 * w322
-    w331 = w47 * w324 + w51 * w325
+    w331 = w48 * w324 + w52 * w325
     w332 = w331 + (w72 * w308 - w70 * w314 + w331)
     w333 = w193 * c200 - w195 * crank_axle_quaternion_0_0_0 - (w194 * crank_axle_quaternion_3_0_0 + w196 * crank_axle_quaternion_2_0_0)
     w334 = w194 * crank_axle_quaternion_0_0_0 - w193 * crank_axle_quaternion_2_0_0 - (w195 * crank_axle_quaternion_3_0_0 - w196 * crank_axle_quaternion_1_0_0)
@@ -2928,7 +2926,7 @@ def constraints() -> ca.Function:
         rod_e1 - (slider_e0 * w38 + slider_e1 * w37 + (slider_e2 * w40 - slider_e3 * w39)),  # fork.e1
         rod_e2 - (slider_e0 * w39 + slider_e2 * w37 + (slider_e3 * w38 - slider_e1 * w40)),  # fork.e2
         rod_e3 - (slider_e0 * w40 + slider_e3 * w37 + (slider_e1 * w39 - slider_e2 * w38)),  # fork.e3
-        rod_x + w53 - slider_x,  # fork.x
+        rod_x + w54 - slider_x,  # fork.x
         rod_y + w60 - slider_y,  # fork.y
         rod_z + w63 - slider_z,  # fork.z
         rod_x + w66 - (crank_x + w69),  # pin.x
@@ -3029,33 +3027,33 @@ def constraints() -> ca.Function:
     C_q[18, 7] = -1.0
     C_q[18, 14] = 1.0
     C_q[18, 17] = w63 * w89 - w91
-    C_q[18, 18] = w63 * w98 - w60 * w89
-    C_q[18, 19] = w99 - w43 * w60
+    C_q[18, 18] = w43 * w63 - w60 * w89
+    C_q[18, 19] = w99 - w45 * w60
     C_q[18, 20] = w93 - w100
-    C_q[18, 21] = w51 * rod_small_end_shape_2_0
-    C_q[18, 22] = w47 * rod_small_end_shape_1_1
-    C_q[18, 23] = w51 * rod_small_end_shape_2_2
-    C_q[18, 24] = w47 * rod_small_end_shape_1_3
-    C_q[18, 25] = w51 * rod_small_end_shape_2_4
+    C_q[18, 21] = w52 * rod_small_end_shape_2_0
+    C_q[18, 22] = w48 * rod_small_end_shape_1_1
+    C_q[18, 23] = w52 * rod_small_end_shape_2_2
+    C_q[18, 24] = w48 * rod_small_end_shape_1_3
+    C_q[18, 25] = w52 * rod_small_end_shape_2_4
     # fork.y
     C_q[19, 8] = -1.0
     C_q[19, 15] = 1.0
-    C_q[19, 17] = w53 * w90 - w93
+    C_q[19, 17] = w54 * w90 - w93
     C_q[19, 18] = w94 - w99
-    C_q[19, 19] = w43 * w53 - w63 * w90
-    C_q[19, 20] = w103 - w56 * w63
+    C_q[19, 19] = w45 * w54 - w63 * w90
+    C_q[19, 20] = w103 - w41 * w63
     C_q[19, 21] = w59 * rod_small_end_shape_2_0
-    C_q[19, 22] = w55 * rod_small_end_shape_1_1
+    C_q[19, 22] = w56 * rod_small_end_shape_1_1
     C_q[19, 23] = w59 * rod_small_end_shape_2_2
-    C_q[19, 24] = w55 * rod_small_end_shape_1_3
+    C_q[19, 24] = w56 * rod_small_end_shape_1_3
     C_q[19, 25] = w59 * rod_small_end_shape_2_4
     # fork.z
     C_q[20, 9] = -1.0
     C_q[20, 16] = 1.0
     C_q[20, 17] = w60 * w92 - w94
-    C_q[20, 18] = w100 - w53 * w98
+    C_q[20, 18] = w100 - w43 * w54
     C_q[20, 19] = w91 - w103
-    C_q[20, 20] = w56 * w60 - w53 * w92
+    C_q[20, 20] = w41 * w60 - w54 * w92
     C_q[20, 21] = w62 * rod_small_end_shape_2_0
     C_q[20, 22] = w61 * rod_small_end_shape_1_1
     C_q[20, 23] = w62 * rod_small_end_shape_2_2
@@ -3064,19 +3062,19 @@ def constraints() -> ca.Function:
     # pin.x
     C_q[21, 0] = -1.0
     C_q[21, 3] = w77 - w74 * w75
-    C_q[21, 4] = w71 * w75 - w74 * w81
+    C_q[21, 4] = w71 * w75 - w68 * w74
     C_q[21, 5] = w67 * w71 - w82
     C_q[21, 6] = w83 - w79
     C_q[21, 14] = 1.0
     C_q[21, 17] = w72 * w89 - w95
-    C_q[21, 18] = w72 * w98 - w70 * w89
-    C_q[21, 19] = w101 - w43 * w70
+    C_q[21, 18] = w43 * w72 - w70 * w89
+    C_q[21, 19] = w101 - w45 * w70
     C_q[21, 20] = w96 - w102
-    C_q[21, 21] = w51 * rod_big_end_shape_2_0
-    C_q[21, 22] = w47 * rod_big_end_shape_1_1
-    C_q[21, 23] = w51 * rod_big_end_shape_2_2
-    C_q[21, 24] = w47 * rod_big_end_shape_1_3
-    C_q[21, 25] = w51 * rod_big_end_shape_2_4
+    C_q[21, 21] = w52 * rod_big_end_shape_2_0
+    C_q[21, 22] = w48 * rod_big_end_shape_1_1
+    C_q[21, 23] = w52 * rod_big_end_shape_2_2
+    C_q[21, 24] = w48 * rod_big_end_shape_1_3
+    C_q[21, 25] = w52 * rod_big_end_shape_2_4
     # pin.y
     C_q[22, 1] = -1.0
     C_q[22, 3] = w79 - w69 * w76
@@ -3086,24 +3084,24 @@ def constraints() -> ca.Function:
     C_q[22, 15] = 1.0
     C_q[22, 17] = w66 * w90 - w96
     C_q[22, 18] = w97 - w101
-    C_q[22, 19] = w43 * w66 - w72 * w90
-    C_q[22, 20] = w104 - w56 * w72
+    C_q[22, 19] = w45 * w66 - w72 * w90
+    C_q[22, 20] = w104 - w41 * w72
     C_q[22, 21] = w59 * rod_big_end_shape_2_0
-    C_q[22, 22] = w55 * rod_big_end_shape_1_1
+    C_q[22, 22] = w56 * rod_big_end_shape_1_1
     C_q[22, 23] = w59 * rod_big_end_shape_2_2
-    C_q[22, 24] = w55 * rod_big_end_shape_1_3
+    C_q[22, 24] = w56 * rod_big_end_shape_1_3
     C_q[22, 25] = w59 * rod_big_end_shape_2_4
     # pin.z
     C_q[23, 2] = -1.0
     C_q[23, 3] = w80 - w71 * w78
-    C_q[23, 4] = w69 * w81 - w83
+    C_q[23, 4] = w68 * w69 - w83
     C_q[23, 5] = w84 - w77
     C_q[23, 6] = w69 * w78 - w71 * w73
     C_q[23, 16] = 1.0
     C_q[23, 17] = w70 * w92 - w97
-    C_q[23, 18] = w102 - w66 * w98
+    C_q[23, 18] = w102 - w43 * w66
     C_q[23, 19] = w95 - w104
-    C_q[23, 20] = w56 * w70 - w66 * w92
+    C_q[23, 20] = w41 * w70 - w66 * w92
     C_q[23, 21] = w62 * rod_big_end_shape_2_0
     C_q[23, 22] = w61 * rod_big_end_shape_1_1
     C_q[23, 23] = w62 * rod_big_end_shape_2_2
@@ -3135,7 +3133,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 31) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 31) [mixed]: rates of all coordinates
-    takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 31 x 31) [SI]: mass matrix in all coordinates
     gives K (n x n = 31 x 31) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 31) [N, N m]: quadratic velocity force in all coordinates
@@ -3143,11 +3141,11 @@ def augmented() -> ca.Function:
     gives Q_star (n = 31) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 24 x 31) [SI]: constraint Jacobian
     gives gamma (n_c = 24) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    2786 operations.
+    2778 operations.
     """
     q = ca.SX.sym("q", 31)
     q_dot = ca.SX.sym("q_dot", 31)
-    c = ca.SX.sym("c", 344)
+    c = ca.SX.sym("c", 339)
     crank_e0 = q[3]
     crank_e1 = q[4]
     crank_e2 = q[5]
@@ -3276,14 +3274,19 @@ def augmented() -> ca.Function:
     gravity_z = c[144]
     rod_D_ff_0_0 = c[147]
     rod_K_ff_0_0 = c[148]
+    c149 = c[149]
     rod_D_ff_1_1 = c[150]
     rod_K_ff_1_1 = c[151]
+    c152 = c[152]
     rod_D_ff_2_2 = c[153]
     rod_K_ff_2_2 = c[154]
+    c155 = c[155]
     rod_D_ff_3_3 = c[156]
     rod_K_ff_3_3 = c[157]
+    c158 = c[158]
     rod_D_ff_4_4 = c[159]
     rod_K_ff_4_4 = c[160]
+    c161 = c[161]
     rod_D_ff_5_5 = c[162]
     rod_K_ff_5_5 = c[163]
     rod_small_end_shape_1_1 = c[169]
@@ -3380,123 +3383,112 @@ def augmented() -> ca.Function:
     c268 = c[268]
     c269 = c[269]
     c270 = c[270]
-    c271 = c[271]
-    c272 = c[272]
-    c273 = c[273]
-    c274 = c[274]
-    c275 = c[275]
-    c276 = c[276]
-    c277 = c[277]
-    c278 = c[278]
-    c279 = c[279]
-    c280 = c[280]
-    c281 = c[281]
     # intermediate terms (656)
-    w0 = crank_e2 * -2.0
-    w1 = 2 * crank_e0
-    w2 = w1 * crank_e1
-    w3 = 2 * crank_e2
-    w4 = w3 * crank_e3
+    w0 = 2 * -crank_e2
+    w1 = 2 * crank_e2
+    w2 = w1 * crank_e3
+    w3 = 2 * crank_e1
+    w4 = w3 * crank_e0
     w5 = w2 + w4
     w6 = w5 * c241
-    w7 = crank_e3 * -2.0
-    w8 = 1.0 - 2 * crank_e1**2
-    w9 = 2 * crank_e3**2
-    w10 = w8 - w9
-    w11 = w10 * c241
-    w12 = w7 * w11
-    w13 = w0 * w6 - w12
-    w14 = 2 * crank_e3
-    w15 = w6 * w14 - w0 * w11
-    w16 = w1 * w6
-    w17 = 2 * crank_e1
-    w18 = w16 - w11 * w17
-    w19 = crank_e1 * -2.0
+    w7 = 2 * -crank_e3
+    w8 = crank_e1 * w3
+    w9 = 2 * crank_e3
+    w10 = crank_e3 * w9
+    w11 = 1.0 - (w8 + w10)
+    w12 = w11 * c241
+    w13 = w7 * w12
+    w14 = w0 * w6 - w13
+    w15 = w6 * w9 - w0 * w12
+    w16 = 2 * crank_e0
+    w17 = w6 * w16
+    w18 = w17 - w3 * w12
+    w19 = 2 * -crank_e1
     w20 = w6 * w19
-    w21 = w1 * w11
+    w21 = w12 * w16
     w22 = w20 - w21
-    w23 = crank_e2 * w17
-    w24 = w1 * crank_e3
+    w23 = crank_e2 * w3
+    w24 = crank_e0 * w9
     w25 = w23 - w24
     w26 = w25 * c241
     w27 = w7 * w26 - w20
     w28 = w0 * w26
-    w29 = w28 - w16
-    w30 = w17 * w26 - w6 * w7
-    w31 = w1 * w26
-    w32 = w31 - w3 * w6
-    w33 = w11 * w19 - w28
-    w34 = w21 - w14 * w26
-    w35 = w12 - w31
-    w36 = w3 * w11 - w19 * w26
-    w37 = w1 * c0
-    w38 = w19 * w37 + crank_e2 * crank_e3 * c250
-    w39 = w1 * c248
-    w40 = w19 * c249
-    w41 = w0 * w39 + crank_e1 * crank_e3 * c251
+    w29 = w28 - w17
+    w30 = w3 * w26 - w6 * w7
+    w31 = w16 * w26
+    w32 = w31 - w1 * w6
+    w33 = w12 * w19 - w28
+    w34 = w21 - w9 * w26
+    w35 = w13 - w31
+    w36 = w1 * w12 - w19 * w26
+    w37 = w16 * c0
+    w38 = w19 * w37 + crank_e2 * crank_e3 * c245
+    w39 = w16 * c243
+    w40 = w19 * c244
+    w41 = w0 * w39 + crank_e3 * crank_e1 * c246
     w42 = w0 * c0
-    w43 = w17 * c248
-    w44 = w1 * c249
-    w45 = crank_e2 * crank_e1 * c252 + w7 * w44
-    w46 = crank_e0 * crank_e3 * c253 + w3 * w40
-    w47 = w7 * w43 + crank_e2 * crank_e0 * c254
-    w48 = w14 * w42 + crank_e0 * crank_e1 * c255
-    w49 = slider_e1 * -2.0
-    w50 = slider_e2 * -2.0
-    w51 = slider_e3 * -2.0
+    w43 = w3 * c243
+    w44 = w16 * c244
+    w45 = crank_e2 * crank_e1 * c247 + w7 * w44
+    w46 = crank_e3 * crank_e0 * c247 + w1 * w40
+    w47 = w7 * w43 + crank_e2 * crank_e0 * c246
+    w48 = w9 * w42 + crank_e1 * crank_e0 * c245
+    w49 = 2 * -slider_e1
+    w50 = 2 * -slider_e2
+    w51 = 2 * -slider_e3
     w52 = 2 * slider_e0
-    w53 = w52 * c258
+    w53 = w52 * c250
     w54 = 2 * slider_e2
-    w55 = w49 * w53 + slider_e2 * slider_e3 * c262
+    w55 = w49 * w53 + slider_e2 * slider_e3 * c254
     w56 = 2 * slider_e3
-    w57 = w52 * c260
-    w58 = w49 * c261
-    w59 = w50 * w57 + slider_e1 * slider_e3 * c263
-    w60 = w50 * c258
+    w57 = w52 * c252
+    w58 = w49 * c253
+    w59 = w50 * w57 + slider_e1 * slider_e3 * c255
+    w60 = w50 * c250
     w61 = 2 * slider_e1
-    w62 = w61 * c260
-    w63 = w52 * c261
-    w64 = slider_e1 * slider_e2 * c264 + w51 * w63
-    w65 = slider_e3 * slider_e0 * c265 + w54 * w58
-    w66 = w51 * w62 + slider_e2 * slider_e0 * c266
-    w67 = w56 * w60 + slider_e1 * slider_e0 * c267
-    w68 = rod_e2 * -2.0
+    w62 = w61 * c252
+    w63 = w52 * c253
+    w64 = slider_e1 * slider_e2 * c256 + w51 * w63
+    w65 = slider_e3 * slider_e0 * c256 + w54 * w58
+    w66 = w51 * w62 + slider_e2 * slider_e0 * c255
+    w67 = w56 * w60 + slider_e1 * slider_e0 * c254
+    w68 = 2 * -rod_e2
     w69 = 2 * rod_e1
     w70 = w69 * rod_e3
-    w71 = 2 * rod_e0
-    w72 = rod_e2 * w71
+    w71 = 2 * rod_e2
+    w72 = w71 * rod_e0
     w73 = w70 - w72
     w74 = w73 * rod_first_moment_x
-    w75 = rod_e3 * -2.0
-    w76 = rod_e3 * w71
-    w77 = rod_e2 * w69
-    w78 = w76 + w77
-    w79 = w78 * rod_first_moment_x
-    w80 = w75 * w79
-    w81 = w68 * w74 - w80
-    w82 = 2 * rod_e3
-    w83 = w74 * w82 - w68 * w79
-    w84 = w71 * w74
-    w85 = w84 - w69 * w79
-    w86 = rod_e1 * -2.0
-    w87 = w74 * w86
-    w88 = w71 * w79
-    w89 = w87 - w88
-    w90 = 2 * rod_e2**2
-    w91 = 2 * rod_e3**2
-    w92 = 1.0 - w90 - w91
-    w93 = w92 * rod_first_moment_x
-    w94 = w75 * w93 - w87
-    w95 = w68 * w93
-    w96 = w95 - w84
-    w97 = w69 * w93 - w74 * w75
-    w98 = w71 * w93
-    w99 = 2 * rod_e2
-    w100 = w98 - w74 * w99
-    w101 = w79 * w86 - w95
-    w102 = w88 - w82 * w93
-    w103 = w80 - w98
-    w104 = w79 * w99 - w86 * w93
+    w75 = 2 * -rod_e3
+    w76 = rod_e2 * w69
+    w77 = 2 * rod_e3
+    w78 = rod_e0 * w77
+    w79 = w76 + w78
+    w80 = w79 * rod_first_moment_x
+    w81 = w75 * w80
+    w82 = w68 * w74 - w81
+    w83 = w74 * w77 - w68 * w80
+    w84 = 2 * rod_e0
+    w85 = w74 * w84
+    w86 = w85 - w69 * w80
+    w87 = 2 * -rod_e1
+    w88 = w74 * w87
+    w89 = w80 * w84
+    w90 = w88 - w89
+    w91 = rod_e2 * w71
+    w92 = rod_e3 * w77
+    w93 = 1.0 - (w91 + w92)
+    w94 = w93 * rod_first_moment_x
+    w95 = w75 * w94 - w88
+    w96 = w68 * w94
+    w97 = w96 - w85
+    w98 = w69 * w94 - w74 * w75
+    w99 = w84 * w94
+    w100 = w99 - w71 * w74
+    w101 = w80 * w87 - w96
+    w102 = w89 - w77 * w94
+    w103 = w81 - w99
+    w104 = w71 * w80 - w87 * w94
     w105 = rod_q1 * rod_phi_phi_0_0_1_1 + rod_q3 * rod_phi_phi_2_0_1_1 + rod_q5 * rod_phi_phi_4_0_1_1
     w106 = rod_q2 * rod_phi_phi_1_1_1_1 + rod_q4 * rod_phi_phi_3_1_1_1
     w107 = rod_q1 * rod_phi_phi_0_2_1_1 + rod_q3 * rod_phi_phi_2_2_1_1 + rod_q5 * rod_phi_phi_4_2_1_1
@@ -3520,7 +3512,7 @@ def augmented() -> ca.Function:
     w125 = rod_q6 * rod_phi_phi_5_2_1_0
     w126 = rod_q6 * rod_phi_phi_5_4_0_1
     w127 = rod_q6 * rod_phi_phi_5_4_1_0
-    w128 = rod_q1 * ((w122 + w123) * 0.5) + rod_q2 * c268 + rod_q3 * ((w124 + w125) * 0.5) + rod_q4 * c269 + rod_q5 * ((w126 + w127) * 0.5)
+    w128 = rod_q1 * ((w122 + w123) * 0.5) + rod_q2 * c257 + rod_q3 * ((w124 + w125) * 0.5) + rod_q4 * c258 + rod_q5 * ((w126 + w127) * 0.5)
     w129 = rod_q1 * rod_phi_phi_0_5_0_1 + rod_q3 * rod_phi_phi_2_5_0_1 + rod_q5 * rod_phi_phi_4_5_0_1
     w130 = rod_q1 * rod_phi_phi_0_5_1_0 + rod_q3 * rod_phi_phi_2_5_1_0 + rod_q5 * rod_phi_phi_4_5_1_0
     w131 = w128 + rod_q6 * ((w129 + w130) * 0.5)
@@ -3529,7 +3521,7 @@ def augmented() -> ca.Function:
     w134 = rod_q6 * rod_phi_phi_5_1_2_0
     w135 = rod_q6 * rod_phi_phi_5_3_0_2
     w136 = rod_q6 * rod_phi_phi_5_3_2_0
-    w137 = rod_q1 * c270 + rod_q2 * ((w133 + w134) * 0.5) + rod_q3 * c271 + rod_q4 * ((w135 + w136) * 0.5) + rod_q5 * c272
+    w137 = rod_q1 * c259 + rod_q2 * ((w133 + w134) * 0.5) + rod_q3 * c260 + rod_q4 * ((w135 + w136) * 0.5) + rod_q5 * c261
     w138 = rod_q2 * rod_phi_phi_1_5_0_2 + rod_q4 * rod_phi_phi_3_5_0_2
     w139 = rod_q2 * rod_phi_phi_1_5_2_0 + rod_q4 * rod_phi_phi_3_5_2_0
     w140 = w137 + rod_q6 * ((w138 + w139) * 0.5)
@@ -3556,184 +3548,184 @@ def augmented() -> ca.Function:
     w161 = w158 + rod_q5 * ((w159 + w160) * 0.5) + rod_q6 * c129
     w162 = w75 * w161
     w163 = w112 + w148
-    w164 = w86 * w140
-    w165 = w86 * (w86 * w121 - w132 - w75 * w140) + w68 * (w68 * w149 - w86 * w131 - w162) + w75 * (w75 * w163 - (w164 + w68 * w161))
-    w166 = w71 * w121 - w75 * w131 - w99 * w140
-    w167 = w71 * w131
-    w168 = w75 * w149 - w167 - w99 * w161
-    w169 = w71 * w140
-    w170 = w99 * w163 - (w162 + w169)
-    w171 = w86 * w166 + w68 * w168 + w75 * w170
-    w172 = w82 * w121 - w167 - w164
-    w173 = w71 * w149 - w82 * w131 - w86 * w161
-    w174 = w71 * w161
-    w175 = w86 * w163 - (w82 * w140 + w174)
-    w176 = w86 * w172 + w68 * w173 + w75 * w175
+    w164 = w87 * w140
+    w165 = w87 * (w87 * w121 - w132 - w75 * w140) + w68 * (w68 * w149 - w162 - w87 * w131) + w75 * (w75 * w163 - w164 - w68 * w161)
+    w166 = w84 * w121 - w75 * w131 - w71 * w140
+    w167 = w84 * w131
+    w168 = w75 * w149 - w71 * w161 - w167
+    w169 = w84 * w140
+    w170 = w71 * w163 - w169 - w162
+    w171 = w87 * w166 + w68 * w168 + w75 * w170
+    w172 = w77 * w121 - w167 - w164
+    w173 = w84 * w149 - w87 * w161 - w77 * w131
+    w174 = w84 * w161
+    w175 = w87 * w163 - w77 * w140 - w174
+    w176 = w87 * w172 + w68 * w173 + w75 * w175
     w177 = w68 * w121 - w69 * w131 - w169
-    w178 = w69 * w149 - w132 - w174
-    w179 = w71 * w163 - (w68 * w140 + w69 * w161)
-    w180 = w86 * w177 + w68 * w178 + w75 * w179
+    w178 = w69 * w149 - w174 - w132
+    w179 = w84 * w163 - w68 * w140 - w69 * w161
+    w180 = w87 * w177 + w68 * w178 + w75 * w179
     w181 = w150 - w151
     w182 = w122 - w123
-    w183 = w86 * w181 + w68 * c273 + w75 * w182
+    w183 = w87 * w181 + w68 * c262 + w75 * w182
     w184 = w152 - w153
     w185 = w134 - w133
-    w186 = w86 * w184 + w68 * w185 + w75 * c274
+    w186 = w87 * w184 + w68 * w185 + w75 * c263
     w187 = w154 - w155
     w188 = w124 - w125
-    w189 = w86 * w187 + w68 * c275 + w75 * w188
+    w189 = w87 * w187 + w68 * c264 + w75 * w188
     w190 = w156 - w157
     w191 = w136 - w135
-    w192 = w86 * w190 + w68 * w191 + w75 * c276
+    w192 = w87 * w190 + w68 * w191 + w75 * c265
     w193 = w159 - w160
     w194 = w126 - w127
-    w195 = w86 * w193 + w68 * c277 + w75 * w194
+    w195 = w87 * w193 + w68 * c266 + w75 * w194
     w196 = w139 - w138
     w197 = w129 - w130
-    w198 = w86 * c137 + w68 * w196 + w75 * w197
-    w199 = w71 * w172 + w75 * w173 + w99 * w175
-    w200 = w71 * w177 + w75 * w178 + w99 * w179
-    w201 = w71 * w181 + w75 * c273 + w99 * w182
-    w202 = w71 * w184 + w75 * w185 + w99 * c274
-    w203 = w71 * w187 + w75 * c275 + w99 * w188
-    w204 = w71 * w190 + w75 * w191 + w99 * c276
-    w205 = w71 * w193 + w75 * c277 + w99 * w194
-    w206 = w71 * c137 + w75 * w196 + w99 * w197
-    w207 = w82 * w177 + w71 * w178 + w86 * w179
-    w208 = w82 * w181 + w71 * c273 + w86 * w182
-    w209 = w82 * w184 + w71 * w185 + w86 * c274
-    w210 = w82 * w187 + w71 * c275 + w86 * w188
-    w211 = w82 * w190 + w71 * w191 + w86 * c276
-    w212 = w82 * w193 + w71 * c277 + w86 * w194
-    w213 = w82 * c137 + w71 * w196 + w86 * w197
-    w214 = w68 * w181 + w69 * c273 + w71 * w182
-    w215 = w68 * w184 + w69 * w185 + w71 * c274
-    w216 = w68 * w187 + w69 * c275 + w71 * w188
-    w217 = w68 * w190 + w69 * w191 + w71 * c276
-    w218 = w68 * w193 + w69 * c277 + w71 * w194
-    w219 = w68 * c137 + w69 * w196 + w71 * w197
-    w220 = w19 * crank_e0_dot + w1 * crank_e1_dot
-    w221 = w220 + w14 * crank_e2_dot + w0 * crank_e3_dot
+    w198 = w87 * c137 + w68 * w196 + w75 * w197
+    w199 = w84 * w172 + w75 * w173 + w71 * w175
+    w200 = w84 * w177 + w75 * w178 + w71 * w179
+    w201 = w84 * w181 + w75 * c262 + w71 * w182
+    w202 = w84 * w184 + w75 * w185 + w71 * c263
+    w203 = w84 * w187 + w75 * c264 + w71 * w188
+    w204 = w84 * w190 + w75 * w191 + w71 * c265
+    w205 = w84 * w193 + w75 * c266 + w71 * w194
+    w206 = w84 * c137 + w75 * w196 + w71 * w197
+    w207 = w77 * w177 + w84 * w178 + w87 * w179
+    w208 = w77 * w181 + w84 * c262 + w87 * w182
+    w209 = w77 * w184 + w84 * w185 + w87 * c263
+    w210 = w77 * w187 + w84 * c264 + w87 * w188
+    w211 = w77 * w190 + w84 * w191 + w87 * c265
+    w212 = w77 * w193 + w84 * c266 + w87 * w194
+    w213 = w77 * c137 + w84 * w196 + w87 * w197
+    w214 = w68 * w181 + w69 * c262 + w84 * w182
+    w215 = w68 * w184 + w69 * w185 + w84 * c263
+    w216 = w68 * w187 + w69 * c264 + w84 * w188
+    w217 = w68 * w190 + w69 * w191 + w84 * c265
+    w218 = w68 * w193 + w69 * c266 + w84 * w194
+    w219 = w68 * c137 + w69 * w196 + w84 * w197
+    w220 = w19 * crank_e0_dot + w16 * crank_e1_dot
+    w221 = w220 + w9 * crank_e2_dot + w0 * crank_e3_dot
     w222 = w221 * c241
     w223 = w7 * crank_e0_dot
-    w224 = w1 * crank_e3_dot
-    w225 = w223 + w3 * crank_e1_dot + w19 * crank_e2_dot + w224
+    w224 = w16 * crank_e3_dot
+    w225 = w223 + w1 * crank_e1_dot + w19 * crank_e2_dot + w224
     w226 = w225 * c241
     w227 = w221 * w222 + w225 * w226
-    w228 = 2 * crank_e2**2
+    w228 = crank_e2 * w1
     w229 = w0 * crank_e0_dot
-    w230 = w1 * crank_e2_dot
-    w231 = w229 + w7 * crank_e1_dot + w230 + w17 * crank_e3_dot
+    w230 = w16 * crank_e2_dot
+    w231 = w229 + w7 * crank_e1_dot + w230 + w3 * crank_e3_dot
     w232 = w222 * w231
-    w233 = crank_e2 * w1
-    w234 = crank_e3 * w17
+    w233 = crank_e3 * w3
+    w234 = w1 * crank_e0
     w235 = w226 * w231
-    w236 = w25 * w227 - (1.0 - w228 - w9) * w232 - (w233 + w234) * w235
-    w237 = w10 * w227 - w232 * (w23 + w24) - w235 * (w4 - w2)
-    w238 = w5 * w227 - w232 * (w234 - w233) - w235 * (w8 - w228)
+    w236 = w25 * w227 - (1.0 - (w10 + w228)) * w232 - (w233 + w234) * w235
+    w237 = w11 * w227 - w232 * (w23 + w24) - w235 * (w2 - w4)
+    w238 = w5 * w227 - w232 * (w233 - w234) - w235 * (1.0 - (w8 + w228))
     w239 = w225 * c203
     w240 = w231 * c202
     w241 = w231 * w239 - w225 * w240
-    w242 = w221 * c247
+    w242 = w221 * c242
     w243 = w225 * w242 - w221 * w239
     w244 = w221 * w240 - w231 * w242
     w245 = w19 * w241 + w0 * w243 + w7 * w244
-    w246 = w1 * w241 + w7 * w243 + w3 * w244
-    w247 = w14 * w241 + w1 * w243 + w19 * w244
-    w248 = w0 * w241 + w17 * w243 + w1 * w244
-    w249 = w51 * slider_e0_dot + w54 * slider_e1_dot + w49 * slider_e2_dot + w52 * slider_e3_dot
-    w250 = w249 * c257
-    w251 = w50 * slider_e0_dot + w51 * slider_e1_dot + w52 * slider_e2_dot + w61 * slider_e3_dot
-    w252 = w251 * c256
-    w253 = w250 * w251 - w249 * w252
+    w246 = w16 * w241 + w7 * w243 + w1 * w244
+    w247 = w9 * w241 + w16 * w243 + w19 * w244
+    w248 = w0 * w241 + w3 * w243 + w16 * w244
+    w249 = w50 * slider_e0_dot + w51 * slider_e1_dot + w52 * slider_e2_dot + w61 * slider_e3_dot
+    w250 = w51 * slider_e0_dot + w54 * slider_e1_dot + w49 * slider_e2_dot + w52 * slider_e3_dot
+    w251 = w250 * c249
+    w252 = w249 * c248
+    w253 = w249 * w251 - w250 * w252
     w254 = w49 * slider_e0_dot + w52 * slider_e1_dot + w56 * slider_e2_dot + w50 * slider_e3_dot
-    w255 = w254 * c259
-    w256 = w249 * w255 - w250 * w254
-    w257 = w252 * w254 - w251 * w255
+    w255 = w254 * c251
+    w256 = w250 * w255 - w251 * w254
+    w257 = w252 * w254 - w249 * w255
     w258 = w49 * w253 + w50 * w256 + w51 * w257
     w259 = w52 * w253 + w51 * w256 + w54 * w257
     w260 = w56 * w253 + w52 * w256 + w49 * w257
     w261 = w50 * w253 + w61 * w256 + w52 * w257
     w262 = w75 * rod_e0_dot
-    w263 = w71 * rod_e3_dot
-    w264 = w262 + w99 * rod_e1_dot + w86 * rod_e2_dot + w263
+    w263 = w84 * rod_e3_dot
+    w264 = w262 + w71 * rod_e1_dot + w87 * rod_e2_dot + w263
     w265 = w264 * rod_first_moment_x
     w266 = w68 * rod_e0_dot
-    w267 = w71 * rod_e2_dot
+    w267 = w84 * rod_e2_dot
     w268 = w266 + w75 * rod_e1_dot + w267 + w69 * rod_e3_dot
     w269 = w268 * rod_first_moment_x
     w270 = w264 * w265 + w268 * w269
-    w271 = w77 - w76
-    w272 = w86 * rod_e0_dot + w71 * rod_e1_dot
-    w273 = w272 + w82 * rod_e2_dot + w68 * rod_e3_dot
+    w271 = w76 - w78
+    w272 = w87 * rod_e0_dot + w84 * rod_e1_dot
+    w273 = w272 + w77 * rod_e2_dot + w68 * rod_e3_dot
     w274 = w269 * w273
     w275 = w70 + w72
     w276 = w265 * w273
-    w277 = w92 * w270 - w271 * w274 - w275 * w276
-    w278 = 1.0 - 2 * rod_e1**2
-    w279 = w278 - w91
-    w280 = rod_e3 * w99
-    w281 = rod_e1 * w71
+    w277 = w93 * w270 - w271 * w274 - w275 * w276
+    w278 = rod_e1 * w69
+    w279 = 1.0 - (w92 + w278)
+    w280 = rod_e3 * w71
+    w281 = w69 * rod_e0
     w282 = w280 - w281
-    w283 = w78 * w270 - w274 * w279 - w276 * w282
+    w283 = w79 * w270 - w274 * w279 - w276 * w282
     w284 = w280 + w281
-    w285 = w278 - w90
+    w285 = 1.0 - (w91 + w278)
     w286 = w73 * w270 - w274 * w284 - w276 * w285
-    w287 = w141 * rod_q1_dot + w142 * rod_q2_dot + w143 * rod_q3_dot + w144 * rod_q4_dot + w145 * rod_q5_dot
-    w288 = w287 + w147 * rod_q6_dot
-    w289 = w123 * rod_q1_dot + rod_q2_dot * rod_rho_phi_1_1_0 + w125 * rod_q3_dot + rod_q4_dot * rod_rho_phi_3_1_0
-    w290 = rod_q1_dot * rod_rho_phi_0_2_0 + w134 * rod_q2_dot + rod_q3_dot * rod_rho_phi_2_2_0 + w136 * rod_q4_dot
-    w291 = w273 * w288 + w268 * (w289 + w127 * rod_q5_dot + w130 * rod_q6_dot) + w264 * (w290 + rod_q5_dot * rod_rho_phi_4_2_0 + w139 * rod_q6_dot)
-    w292 = w140 * w273 + w161 * w268 + w120 * w264
-    w293 = w131 * w273 + w112 * w268 + w161 * w264
-    w294 = w105 * rod_q1_dot + w106 * rod_q2_dot + w107 * rod_q3_dot + w108 * rod_q4_dot + w109 * rod_q5_dot
-    w295 = w294 + w111 * rod_q6_dot
-    w296 = w113 * rod_q1_dot + w114 * rod_q2_dot + w115 * rod_q3_dot + w116 * rod_q4_dot + w117 * rod_q5_dot
-    w297 = w296 + w119 * rod_q6_dot
-    w298 = 2 * (w288 + w295 + w297)
-    w299 = 2 * w291 + w268 * w292 - w264 * w293 - w273 * w298
-    w300 = w122 * rod_q1_dot + rod_q2_dot * rod_rho_phi_1_0_1 + w124 * rod_q3_dot + rod_q4_dot * rod_rho_phi_3_0_1
-    w301 = w151 * rod_q1_dot + w153 * rod_q2_dot + w155 * rod_q3_dot + w157 * rod_q4_dot + w160 * rod_q5_dot
-    w302 = w273 * (w300 + w126 * rod_q5_dot + w129 * rod_q6_dot) + w268 * w295 + w264 * (w301 + rod_q6_dot * rod_rho_phi_5_2_1)
-    w303 = w148 * w273 + w131 * w268 + w140 * w264
-    w304 = 2 * w302 + w264 * w303 - w273 * w292 - w268 * w298
-    w305 = rod_q1_dot * rod_rho_phi_0_0_2 + w133 * rod_q2_dot + rod_q3_dot * rod_rho_phi_2_0_2 + w135 * rod_q4_dot
-    w306 = w150 * rod_q1_dot + w152 * rod_q2_dot + w154 * rod_q3_dot + w156 * rod_q4_dot + w159 * rod_q5_dot
-    w307 = w273 * (w305 + rod_q5_dot * rod_rho_phi_4_0_2 + w138 * rod_q6_dot) + w268 * (w306 + rod_q6_dot * rod_rho_phi_5_1_2)
-    w308 = 2 * (w307 + w264 * w297) + w273 * w293 - w268 * w303 - w264 * w298
-    w309 = w86 * w299 + w68 * w304 + w75 * w308
-    w310 = w71 * w299 + w75 * w304 + w99 * w308
-    w311 = w82 * w299 + w71 * w304 + w86 * w308
-    w312 = w68 * w299 + w69 * w304 + w71 * w308
-    w313 = w273**2 + w268**2 + w264**2
-    w314 = w273 * (w141 * w273 + w122 * w268 + w264 * rod_rho_phi_0_0_2) + w268 * (w123 * w273 + w105 * w268 + w150 * w264)
-    w315 = (w113 + (w105 + w141)) * w313 - (w314 + w264 * (w273 * rod_rho_phi_0_2_0 + w151 * w268 + w113 * w264))
-    w316 = rod_q2_dot * rod_phi_phi_1_0_1_2 + rod_q4_dot * rod_phi_phi_3_0_1_2 - (rod_q2_dot * rod_phi_phi_1_0_2_1 + rod_q4_dot * rod_phi_phi_3_0_2_1)
-    w317 = w315 - w273 * (2 * w316) - w264 * (rod_q6_dot * c242)
-    w318 = w273 * (w142 * w273 + w268 * rod_rho_phi_1_0_1 + w133 * w264) + w268 * (w273 * rod_rho_phi_1_1_0 + w106 * w268 + w152 * w264)
-    w319 = rod_q1_dot * rod_phi_phi_0_1_1_2 + rod_q3_dot * rod_phi_phi_2_1_1_2 + rod_q5_dot * rod_phi_phi_4_1_1_2
-    w320 = rod_q1_dot * rod_phi_phi_0_1_2_1 + rod_q3_dot * rod_phi_phi_2_1_2_1 + rod_q5_dot * rod_phi_phi_4_1_2_1
-    w321 = w313 * (w114 + (w106 + w142)) - (w318 + w264 * (w134 * w273 + w153 * w268 + w114 * w264)) - w273 * (2 * (w319 - w320))
-    w322 = w321 - w268 * (rod_q6_dot * c243)
-    w323 = w273 * (w143 * w273 + w124 * w268 + w264 * rod_rho_phi_2_0_2) + w268 * (w125 * w273 + w107 * w268 + w154 * w264)
-    w324 = w313 * (w115 + (w107 + w143)) - (w323 + w264 * (w273 * rod_rho_phi_2_2_0 + w155 * w268 + w115 * w264))
-    w325 = rod_q2_dot * rod_phi_phi_1_2_1_2 + rod_q4_dot * rod_phi_phi_3_2_1_2 - (rod_q2_dot * rod_phi_phi_1_2_2_1 + rod_q4_dot * rod_phi_phi_3_2_2_1)
-    w326 = w324 - w273 * (2 * w325) - w264 * (rod_q6_dot * c244)
-    w327 = w273 * (w144 * w273 + w268 * rod_rho_phi_3_0_1 + w135 * w264) + w268 * (w273 * rod_rho_phi_3_1_0 + w108 * w268 + w156 * w264)
-    w328 = rod_q1_dot * rod_phi_phi_0_3_1_2 + rod_q3_dot * rod_phi_phi_2_3_1_2 + rod_q5_dot * rod_phi_phi_4_3_1_2
-    w329 = rod_q1_dot * rod_phi_phi_0_3_2_1 + rod_q3_dot * rod_phi_phi_2_3_2_1 + rod_q5_dot * rod_phi_phi_4_3_2_1
-    w330 = w313 * (w116 + (w108 + w144)) - (w327 + w264 * (w136 * w273 + w157 * w268 + w116 * w264)) - w273 * (2 * (w328 - w329))
-    w331 = w330 - w268 * (rod_q6_dot * c245)
+    w287 = w140 * w273 + w161 * w268 + w120 * w264
+    w288 = w131 * w273 + w112 * w268 + w161 * w264
+    w289 = w105 * rod_q1_dot + w106 * rod_q2_dot + w107 * rod_q3_dot + w108 * rod_q4_dot + w109 * rod_q5_dot
+    w290 = w289 + w111 * rod_q6_dot
+    w291 = w113 * rod_q1_dot + w114 * rod_q2_dot + w115 * rod_q3_dot + w116 * rod_q4_dot + w117 * rod_q5_dot
+    w292 = w291 + w119 * rod_q6_dot
+    w293 = 2 * w273
+    w294 = w123 * rod_q1_dot + rod_q2_dot * rod_rho_phi_1_1_0 + w125 * rod_q3_dot + rod_q4_dot * rod_rho_phi_3_1_0
+    w295 = 2 * w268
+    w296 = rod_q1_dot * rod_rho_phi_0_2_0 + w134 * rod_q2_dot + rod_q3_dot * rod_rho_phi_2_2_0 + w136 * rod_q4_dot
+    w297 = 2 * w264
+    w298 = (w290 + w292) * w293 - (w294 + w127 * rod_q5_dot + w130 * rod_q6_dot) * w295 - (w296 + rod_q5_dot * rod_rho_phi_4_2_0 + w139 * rod_q6_dot) * w297
+    w299 = w268 * w287 - w264 * w288 - w298
+    w300 = w148 * w273 + w131 * w268 + w140 * w264
+    w301 = w141 * rod_q1_dot + w142 * rod_q2_dot + w143 * rod_q3_dot + w144 * rod_q4_dot + w145 * rod_q5_dot
+    w302 = w301 + w147 * rod_q6_dot
+    w303 = w151 * rod_q1_dot + w153 * rod_q2_dot + w155 * rod_q3_dot + w157 * rod_q4_dot + w160 * rod_q5_dot
+    w304 = w122 * rod_q1_dot + rod_q2_dot * rod_rho_phi_1_0_1 + w124 * rod_q3_dot + rod_q4_dot * rod_rho_phi_3_0_1
+    w305 = w295 * (w292 + w302) - w297 * (w303 + rod_q6_dot * rod_rho_phi_5_2_1) - w293 * (w304 + w126 * rod_q5_dot + w129 * rod_q6_dot)
+    w306 = w264 * w300 - w273 * w287 - w305
+    w307 = rod_q1_dot * rod_rho_phi_0_0_2 + w133 * rod_q2_dot + rod_q3_dot * rod_rho_phi_2_0_2 + w135 * rod_q4_dot
+    w308 = w150 * rod_q1_dot + w152 * rod_q2_dot + w154 * rod_q3_dot + w156 * rod_q4_dot + w159 * rod_q5_dot
+    w309 = w297 * (w290 + w302) - w293 * (w307 + rod_q5_dot * rod_rho_phi_4_0_2 + w138 * rod_q6_dot) - w295 * (w308 + rod_q6_dot * rod_rho_phi_5_1_2)
+    w310 = w273 * w288 - w268 * w300 - w309
+    w311 = w87 * w299 + w68 * w306 + w75 * w310
+    w312 = w84 * w299 + w75 * w306 + w71 * w310
+    w313 = w77 * w299 + w84 * w306 + w87 * w310
+    w314 = w68 * w299 + w69 * w306 + w84 * w310
+    w315 = w273**2 + w268**2 + w264**2
+    w316 = w273 * (w141 * w273 + w122 * w268 + w264 * rod_rho_phi_0_0_2) + w268 * (w123 * w273 + w105 * w268 + w150 * w264)
+    w317 = w315 * (w113 + (w105 + w141)) - (w316 + w264 * (w273 * rod_rho_phi_0_2_0 + w151 * w268 + w113 * w264))
+    w318 = rod_q2_dot * rod_phi_phi_1_0_1_2 + rod_q4_dot * rod_phi_phi_3_0_1_2 - (rod_q2_dot * rod_phi_phi_1_0_2_1 + rod_q4_dot * rod_phi_phi_3_0_2_1)
+    w319 = w317 - (w293 * w318 + w297 * (rod_q6_dot * c149))
+    w320 = w273 * (w142 * w273 + w268 * rod_rho_phi_1_0_1 + w133 * w264) + w268 * (w273 * rod_rho_phi_1_1_0 + w106 * w268 + w152 * w264)
+    w321 = rod_q1_dot * rod_phi_phi_0_1_1_2 + rod_q3_dot * rod_phi_phi_2_1_1_2 + rod_q5_dot * rod_phi_phi_4_1_1_2
+    w322 = rod_q1_dot * rod_phi_phi_0_1_2_1 + rod_q3_dot * rod_phi_phi_2_1_2_1 + rod_q5_dot * rod_phi_phi_4_1_2_1
+    w323 = w315 * (w114 + (w106 + w142)) - (w320 + w264 * (w134 * w273 + w153 * w268 + w114 * w264)) - (w293 * (w321 - w322) + w295 * (rod_q6_dot * c152))
+    w324 = w273 * (w143 * w273 + w124 * w268 + w264 * rod_rho_phi_2_0_2) + w268 * (w125 * w273 + w107 * w268 + w154 * w264)
+    w325 = w315 * (w115 + (w107 + w143)) - (w324 + w264 * (w273 * rod_rho_phi_2_2_0 + w155 * w268 + w115 * w264))
+    w326 = rod_q2_dot * rod_phi_phi_1_2_1_2 + rod_q4_dot * rod_phi_phi_3_2_1_2 - (rod_q2_dot * rod_phi_phi_1_2_2_1 + rod_q4_dot * rod_phi_phi_3_2_2_1)
+    w327 = w325 - (w293 * w326 + w297 * (rod_q6_dot * c155))
+    w328 = w273 * (w144 * w273 + w268 * rod_rho_phi_3_0_1 + w135 * w264) + w268 * (w273 * rod_rho_phi_3_1_0 + w108 * w268 + w156 * w264)
+    w329 = rod_q1_dot * rod_phi_phi_0_3_1_2 + rod_q3_dot * rod_phi_phi_2_3_1_2 + rod_q5_dot * rod_phi_phi_4_3_1_2
+    w330 = rod_q1_dot * rod_phi_phi_0_3_2_1 + rod_q3_dot * rod_phi_phi_2_3_2_1 + rod_q5_dot * rod_phi_phi_4_3_2_1
+    w331 = w315 * (w116 + (w108 + w144)) - (w328 + w264 * (w136 * w273 + w157 * w268 + w116 * w264)) - (w293 * (w329 - w330) + w295 * (rod_q6_dot * c158))
     w332 = w273 * (w145 * w273 + w126 * w268 + w264 * rod_rho_phi_4_0_2) + w268 * (w127 * w273 + w109 * w268 + w159 * w264)
-    w333 = w313 * (w117 + (w109 + w145)) - (w332 + w264 * (w273 * rod_rho_phi_4_2_0 + w160 * w268 + w117 * w264))
+    w333 = w315 * (w117 + (w109 + w145)) - (w332 + w264 * (w273 * rod_rho_phi_4_2_0 + w160 * w268 + w117 * w264))
     w334 = rod_q2_dot * rod_phi_phi_1_4_1_2 + rod_q4_dot * rod_phi_phi_3_4_1_2 - (rod_q2_dot * rod_phi_phi_1_4_2_1 + rod_q4_dot * rod_phi_phi_3_4_2_1)
-    w335 = w333 - w273 * (2 * w334) - w264 * (rod_q6_dot * c246)
+    w335 = w333 - (w293 * w334 + w297 * (rod_q6_dot * c161))
     w336 = w273 * (w147 * w273 + w129 * w268 + w138 * w264) + w268 * (w130 * w273 + w111 * w268 + w264 * rod_rho_phi_5_1_2)
-    w337 = w313 * (w119 + (w111 + w147)) - (w336 + w264 * (w139 * w273 + w268 * rod_rho_phi_5_2_1 + w119 * w264))
+    w337 = w315 * (w119 + (w111 + w147)) - (w336 + w264 * (w139 * w273 + w268 * rod_rho_phi_5_2_1 + w119 * w264))
     w338 = rod_q2_dot * rod_phi_phi_1_5_2_0 + rod_q4_dot * rod_phi_phi_3_5_2_0 - (rod_q2_dot * rod_phi_phi_1_5_0_2 + rod_q4_dot * rod_phi_phi_3_5_0_2)
     w339 = rod_q1_dot * rod_phi_phi_0_5_0_1 + rod_q3_dot * rod_phi_phi_2_5_0_1 + rod_q5_dot * rod_phi_phi_4_5_0_1
     w340 = rod_q1_dot * rod_phi_phi_0_5_1_0 + rod_q3_dot * rod_phi_phi_2_5_1_0 + rod_q5_dot * rod_phi_phi_4_5_1_0
-    w341 = w337 - w268 * (2 * w338) - w264 * (2 * (w339 - w340))
+    w341 = w337 - (w295 * w338 + w297 * (w339 - w340))
     w342 = w33 * gravity_z
     w343 = w34 * gravity_z
     w344 = w35 * gravity_z
@@ -3748,16 +3740,16 @@ def augmented() -> ca.Function:
     w353 = rod_q4_dot * rod_D_ff_3_3
     w354 = rod_q5_dot * rod_D_ff_4_4
     w355 = rod_q6_dot * rod_D_ff_5_5
-    w356 = guide_travel_dot * c281
+    w356 = guide_travel_dot * c270
     w357 = w5 * crank_pin_y
-    w358 = w10 * crank_pin_y
+    w358 = w11 * crank_pin_y
     w359 = w7 * w358
     w360 = w25 * crank_pin_y
     w361 = w19 * w357
     w362 = w0 * w360
-    w363 = w1 * w357
-    w364 = w1 * w358
-    w365 = w1 * w360
+    w363 = w16 * w357
+    w364 = w16 * w358
+    w365 = w16 * w360
     w366 = fork_angle1 / 2.0
     w367 = ca.cos(w366)
     w368 = fork_angle2 / 2.0
@@ -3794,10 +3786,10 @@ def augmented() -> ca.Function:
     w399 = rod_q2 * rod_small_end_shape_1_1 + rod_q4 * rod_small_end_shape_1_3
     w400 = rod_q1 * rod_small_end_shape_2_0 + rod_q3 * rod_small_end_shape_2_2 + rod_q5 * rod_small_end_shape_2_4
     w401 = w73 * rod_small_end_x + w284 * w399 + w285 * w400
-    w402 = w78 * rod_small_end_x + w279 * w399 + w282 * w400
+    w402 = w79 * rod_small_end_x + w279 * w399 + w282 * w400
     w403 = w75 * w402
-    w404 = w92 * rod_small_end_x + w271 * w399 + w275 * w400
-    w405 = w86 * w401
+    w404 = w93 * rod_small_end_x + w271 * w399 + w275 * w400
+    w405 = w87 * w401
     w406 = w68 * w404
     w407 = rod_q2 * rod_big_end_shape_1_1 + rod_q4 * rod_big_end_shape_1_3
     w408 = rod_q1 * rod_big_end_shape_2_0 + rod_q3 * rod_big_end_shape_2_2 + rod_q5 * rod_big_end_shape_2_4
@@ -3805,14 +3797,14 @@ def augmented() -> ca.Function:
     w410 = w279 * w407 + w282 * w408
     w411 = w75 * w410
     w412 = w271 * w407 + w275 * w408
-    w413 = w86 * w409
+    w413 = w87 * w409
     w414 = w68 * w412
-    w415 = w71 * w401
-    w416 = w71 * w402
-    w417 = w71 * w409
-    w418 = w71 * w410
-    w419 = w71 * w404
-    w420 = w71 * w412
+    w415 = w84 * w401
+    w416 = w84 * w402
+    w417 = w84 * w409
+    w418 = w84 * w410
+    w419 = w84 * w404
+    w420 = w84 * w412
     w421 = (1 / w378)**2
     w422 = w421 / w378
     w423 = w377 * w422
@@ -4019,8 +4011,8 @@ def augmented() -> ca.Function:
     w624 = slider_e0_dot * w620 + slider_e1_dot * w619 + (slider_e2_dot * w622 - slider_e3_dot * w621)
     w625 = slider_e0_dot * w621 + slider_e2_dot * w619 + (slider_e3_dot * w620 - slider_e1_dot * w622)
     w626 = slider_e0_dot * w622 + slider_e3_dot * w619 + (slider_e1_dot * w621 - slider_e2_dot * w620)
-    w627 = w267 + (w266 + w82 * rod_e1_dot) + w86 * rod_e3_dot
-    w628 = w272 + w75 * rod_e2_dot + w99 * rod_e3_dot
+    w627 = w267 + (w266 + w77 * rod_e1_dot) + w87 * rod_e3_dot
+    w628 = w272 + w75 * rod_e2_dot + w71 * rod_e3_dot
     w629 = rod_q2_dot * rod_small_end_shape_1_1 + rod_q4_dot * rod_small_end_shape_1_3
     w630 = rod_q1_dot * rod_small_end_shape_2_0 + rod_q3_dot * rod_small_end_shape_2_2 + rod_q5_dot * rod_small_end_shape_2_4
     w631 = w284 * w629 + w285 * w630
@@ -4030,10 +4022,10 @@ def augmented() -> ca.Function:
     w635 = w634 + (w404 * w633 - w401 * w628 + w634)
     w636 = w271 * w629 + w275 * w630
     w637 = w636 + (w401 * w627 - w402 * w633 + w636)
-    w638 = w230 + (w229 + w14 * crank_e1_dot) + w19 * crank_e3_dot
-    w639 = w220 + w7 * crank_e2_dot + w3 * crank_e3_dot
+    w638 = w230 + (w229 + w9 * crank_e1_dot) + w19 * crank_e3_dot
+    w639 = w220 + w7 * crank_e2_dot + w1 * crank_e3_dot
     w640 = w358 * w639 - w360 * w638
-    w641 = w224 + (w223 + w0 * crank_e1_dot + w17 * crank_e2_dot)
+    w641 = w224 + (w223 + w0 * crank_e1_dot + w3 * crank_e2_dot)
     w642 = w360 * w641 - w357 * w639
     w643 = rod_q2_dot * rod_big_end_shape_1_1 + rod_q4_dot * rod_big_end_shape_1_3
     w644 = rod_q1_dot * rod_big_end_shape_2_0 + rod_q3_dot * rod_big_end_shape_2_2 + rod_q5_dot * rod_big_end_shape_2_4
@@ -4052,7 +4044,7 @@ def augmented() -> ca.Function:
     M = ca.SX(31, 31)
     # crank.x
     M[0, 0] = crank_mass
-    M[0, 3] = w13
+    M[0, 3] = w14
     M[0, 4] = w15
     M[0, 5] = w18
     M[0, 6] = w22
@@ -4069,10 +4061,10 @@ def augmented() -> ca.Function:
     M[2, 5] = w35
     M[2, 6] = w36
     # crank.e0
-    M[3, 0] = w13
+    M[3, 0] = w14
     M[3, 1] = w27
     M[3, 2] = w33
-    M[3, 3] = w19 * (w19 * c0) + w0 * (w0 * c248) + w7 * (w7 * c249)
+    M[3, 3] = w19 * (w19 * c0) + w0 * (w0 * c243) + w7 * (w7 * c244)
     M[3, 4] = w38
     M[3, 5] = w41
     M[3, 6] = w45
@@ -4081,7 +4073,7 @@ def augmented() -> ca.Function:
     M[4, 1] = w29
     M[4, 2] = w34
     M[4, 3] = w38
-    M[4, 4] = w1 * w37 + w7 * (w7 * c248) + w3 * (w3 * c249)
+    M[4, 4] = w16 * w37 + w7 * (w7 * c243) + w1 * (w1 * c244)
     M[4, 5] = w46
     M[4, 6] = w47
     # crank.e2
@@ -4090,7 +4082,7 @@ def augmented() -> ca.Function:
     M[5, 2] = w35
     M[5, 3] = w41
     M[5, 4] = w46
-    M[5, 5] = w14 * (w14 * c0) + w1 * w39 + w19 * w40
+    M[5, 5] = w9 * (w9 * c0) + w16 * w39 + w19 * w40
     M[5, 6] = w48
     # crank.e3
     M[6, 0] = w22
@@ -4099,7 +4091,7 @@ def augmented() -> ca.Function:
     M[6, 3] = w45
     M[6, 4] = w47
     M[6, 5] = w48
-    M[6, 6] = w0 * w42 + w17 * w43 + w1 * w44
+    M[6, 6] = w0 * w42 + w3 * w43 + w16 * w44
     # slider.x
     M[7, 7] = slider_mass
     # slider.y
@@ -4107,19 +4099,19 @@ def augmented() -> ca.Function:
     # slider.z
     M[9, 9] = slider_mass
     # slider.e0
-    M[10, 10] = w49 * (w49 * c258) + w50 * (w50 * c260) + w51 * (w51 * c261)
+    M[10, 10] = w49 * (w49 * c250) + w50 * (w50 * c252) + w51 * (w51 * c253)
     M[10, 11] = w55
     M[10, 12] = w59
     M[10, 13] = w64
     # slider.e1
     M[11, 10] = w55
-    M[11, 11] = w52 * w53 + w51 * (w51 * c260) + w54 * (w54 * c261)
+    M[11, 11] = w52 * w53 + w51 * (w51 * c252) + w54 * (w54 * c253)
     M[11, 12] = w65
     M[11, 13] = w66
     # slider.e2
     M[12, 10] = w59
     M[12, 11] = w65
-    M[12, 12] = w56 * (w56 * c258) + w52 * w57 + w49 * w58
+    M[12, 12] = w56 * (w56 * c250) + w52 * w57 + w49 * w58
     M[12, 13] = w67
     # slider.e3
     M[13, 10] = w64
@@ -4128,15 +4120,15 @@ def augmented() -> ca.Function:
     M[13, 13] = w50 * w60 + w61 * w62 + w52 * w63
     # rod.x
     M[14, 14] = rod_mass
-    M[14, 17] = w81
+    M[14, 17] = w82
     M[14, 18] = w83
-    M[14, 19] = w85
-    M[14, 20] = w89
+    M[14, 19] = w86
+    M[14, 20] = w90
     # rod.y
     M[15, 15] = rod_mass
-    M[15, 17] = w94
-    M[15, 18] = w96
-    M[15, 19] = w97
+    M[15, 17] = w95
+    M[15, 18] = w97
+    M[15, 19] = w98
     M[15, 20] = w100
     # rod.z
     M[16, 16] = rod_mass
@@ -4145,8 +4137,8 @@ def augmented() -> ca.Function:
     M[16, 19] = w103
     M[16, 20] = w104
     # rod.e0
-    M[17, 14] = w81
-    M[17, 15] = w94
+    M[17, 14] = w82
+    M[17, 15] = w95
     M[17, 16] = w101
     M[17, 17] = w165
     M[17, 18] = w171
@@ -4160,10 +4152,10 @@ def augmented() -> ca.Function:
     M[17, 26] = w198
     # rod.e1
     M[18, 14] = w83
-    M[18, 15] = w96
+    M[18, 15] = w97
     M[18, 16] = w102
     M[18, 17] = w171
-    M[18, 18] = w71 * w166 + w75 * w168 + w99 * w170
+    M[18, 18] = w84 * w166 + w75 * w168 + w71 * w170
     M[18, 19] = w199
     M[18, 20] = w200
     M[18, 21] = w201
@@ -4173,12 +4165,12 @@ def augmented() -> ca.Function:
     M[18, 25] = w205
     M[18, 26] = w206
     # rod.e2
-    M[19, 14] = w85
-    M[19, 15] = w97
+    M[19, 14] = w86
+    M[19, 15] = w98
     M[19, 16] = w103
     M[19, 17] = w176
     M[19, 18] = w199
-    M[19, 19] = w82 * w172 + w71 * w173 + w86 * w175
+    M[19, 19] = w77 * w172 + w84 * w173 + w87 * w175
     M[19, 20] = w207
     M[19, 21] = w208
     M[19, 22] = w209
@@ -4187,13 +4179,13 @@ def augmented() -> ca.Function:
     M[19, 25] = w212
     M[19, 26] = w213
     # rod.e3
-    M[20, 14] = w89
+    M[20, 14] = w90
     M[20, 15] = w100
     M[20, 16] = w104
     M[20, 17] = w180
     M[20, 18] = w200
     M[20, 19] = w207
-    M[20, 20] = w68 * w177 + w69 * w178 + w71 * w179
+    M[20, 20] = w68 * w177 + w69 * w178 + w84 * w179
     M[20, 21] = w214
     M[20, 22] = w215
     M[20, 23] = w216
@@ -4267,13 +4259,13 @@ def augmented() -> ca.Function:
         w277,  # rod.x
         w283,  # rod.y
         w286,  # rod.z
-        w309,  # rod.e0
-        w310,  # rod.e1
-        w311,  # rod.e2
-        w312,  # rod.e3
-        w317,  # rod.q1
-        w322,  # rod.q2
-        w326,  # rod.q3
+        w311,  # rod.e0
+        w312,  # rod.e1
+        w313,  # rod.e2
+        w314,  # rod.e3
+        w319,  # rod.q1
+        w323,  # rod.q2
+        w327,  # rod.q3
         w331,  # rod.q4
         w335,  # rod.q5
         w341,  # rod.q6
@@ -4283,13 +4275,13 @@ def augmented() -> ca.Function:
         0.0,  # fork.angle2
     )
     Q_F = ca.SX(31, 1)
-    Q_F[2] = c278  # crank.z
+    Q_F[2] = c267  # crank.z
     Q_F[3] = w342  # crank.e0
     Q_F[4] = w343  # crank.e1
     Q_F[5] = w344  # crank.e2
     Q_F[6] = w345  # crank.e3
-    Q_F[9] = c279  # slider.z
-    Q_F[16] = c280  # rod.z
+    Q_F[9] = c268  # slider.z
+    Q_F[16] = c269  # rod.z
     Q_F[17] = w346  # rod.e0
     Q_F[18] = w347  # rod.e1
     Q_F[19] = w348  # rod.e2
@@ -4304,28 +4296,28 @@ def augmented() -> ca.Function:
     Q_star = ca.vertcat(
         w236,  # crank.x
         w237,  # crank.y
-        w238 + c278,  # crank.z
+        w238 + c267,  # crank.z
         w245 + w342,  # crank.e0
         w246 + w343,  # crank.e1
         w247 + w344,  # crank.e2
         w248 + w345,  # crank.e3
         0.0,  # slider.x
         0.0,  # slider.y
-        c279,  # slider.z
+        c268,  # slider.z
         w258,  # slider.e0
         w259,  # slider.e1
         w260,  # slider.e2
         w261,  # slider.e3
         w277,  # rod.x
         w283,  # rod.y
-        w286 + c280,  # rod.z
-        w309 + w346,  # rod.e0
-        w310 + w347,  # rod.e1
-        w311 + w348,  # rod.e2
-        w312 + w349,  # rod.e3
-        w317 - rod_q1 * rod_K_ff_0_0 - w350,  # rod.q1
-        w322 - rod_q2 * rod_K_ff_1_1 - w351,  # rod.q2
-        w326 - rod_q3 * rod_K_ff_2_2 - w352,  # rod.q3
+        w286 + c269,  # rod.z
+        w311 + w346,  # rod.e0
+        w312 + w347,  # rod.e1
+        w313 + w348,  # rod.e2
+        w314 + w349,  # rod.e3
+        w319 - rod_q1 * rod_K_ff_0_0 - w350,  # rod.q1
+        w323 - rod_q2 * rod_K_ff_1_1 - w351,  # rod.q2
+        w327 - rod_q3 * rod_K_ff_2_2 - w352,  # rod.q3
         w331 - rod_q4 * rod_K_ff_3_3 - w353,  # rod.q4
         w335 - rod_q5 * rod_K_ff_4_4 - w354,  # rod.q5
         w341 - rod_q6 * rod_K_ff_5_5 - w355,  # rod.q6
@@ -4428,7 +4420,7 @@ def augmented() -> ca.Function:
     C_q[18, 7] = -1.0
     C_q[18, 14] = 1.0
     C_q[18, 17] = w68 * w401 - w403
-    C_q[18, 18] = w82 * w401 - w68 * w402
+    C_q[18, 18] = w77 * w401 - w68 * w402
     C_q[18, 19] = w415 - w69 * w402
     C_q[18, 20] = w405 - w416
     C_q[18, 21] = w275 * rod_small_end_shape_2_0
@@ -4442,7 +4434,7 @@ def augmented() -> ca.Function:
     C_q[19, 17] = w75 * w404 - w405
     C_q[19, 18] = w406 - w415
     C_q[19, 19] = w69 * w404 - w75 * w401
-    C_q[19, 20] = w419 - w99 * w401
+    C_q[19, 20] = w419 - w71 * w401
     C_q[19, 21] = w282 * rod_small_end_shape_2_0
     C_q[19, 22] = w279 * rod_small_end_shape_1_1
     C_q[19, 23] = w282 * rod_small_end_shape_2_2
@@ -4451,10 +4443,10 @@ def augmented() -> ca.Function:
     # fork.z
     C_q[20, 9] = -1.0
     C_q[20, 16] = 1.0
-    C_q[20, 17] = w86 * w402 - w406
-    C_q[20, 18] = w416 - w82 * w404
+    C_q[20, 17] = w87 * w402 - w406
+    C_q[20, 18] = w416 - w77 * w404
     C_q[20, 19] = w403 - w419
-    C_q[20, 20] = w99 * w402 - w86 * w404
+    C_q[20, 20] = w71 * w402 - w87 * w404
     C_q[20, 21] = w285 * rod_small_end_shape_2_0
     C_q[20, 22] = w284 * rod_small_end_shape_1_1
     C_q[20, 23] = w285 * rod_small_end_shape_2_2
@@ -4463,12 +4455,12 @@ def augmented() -> ca.Function:
     # pin.x
     C_q[21, 0] = -1.0
     C_q[21, 3] = w359 - w0 * w357
-    C_q[21, 4] = w0 * w358 - w14 * w357
-    C_q[21, 5] = w17 * w358 - w363
+    C_q[21, 4] = w0 * w358 - w9 * w357
+    C_q[21, 5] = w3 * w358 - w363
     C_q[21, 6] = w364 - w361
     C_q[21, 14] = 1.0
     C_q[21, 17] = w68 * w409 - w411
-    C_q[21, 18] = w82 * w409 - w68 * w410
+    C_q[21, 18] = w77 * w409 - w68 * w410
     C_q[21, 19] = w417 - w69 * w410
     C_q[21, 20] = w413 - w418
     C_q[21, 21] = w275 * rod_big_end_shape_2_0
@@ -4480,13 +4472,13 @@ def augmented() -> ca.Function:
     C_q[22, 1] = -1.0
     C_q[22, 3] = w361 - w7 * w360
     C_q[22, 4] = w363 - w362
-    C_q[22, 5] = w7 * w357 - w17 * w360
-    C_q[22, 6] = w3 * w357 - w365
+    C_q[22, 5] = w7 * w357 - w3 * w360
+    C_q[22, 6] = w1 * w357 - w365
     C_q[22, 15] = 1.0
     C_q[22, 17] = w75 * w412 - w413
     C_q[22, 18] = w414 - w417
     C_q[22, 19] = w69 * w412 - w75 * w409
-    C_q[22, 20] = w420 - w99 * w409
+    C_q[22, 20] = w420 - w71 * w409
     C_q[22, 21] = w282 * rod_big_end_shape_2_0
     C_q[22, 22] = w279 * rod_big_end_shape_1_1
     C_q[22, 23] = w282 * rod_big_end_shape_2_2
@@ -4495,14 +4487,14 @@ def augmented() -> ca.Function:
     # pin.z
     C_q[23, 2] = -1.0
     C_q[23, 3] = w362 - w19 * w358
-    C_q[23, 4] = w14 * w360 - w364
+    C_q[23, 4] = w9 * w360 - w364
     C_q[23, 5] = w365 - w359
-    C_q[23, 6] = w19 * w360 - w3 * w358
+    C_q[23, 6] = w19 * w360 - w1 * w358
     C_q[23, 16] = 1.0
-    C_q[23, 17] = w86 * w410 - w414
-    C_q[23, 18] = w418 - w82 * w412
+    C_q[23, 17] = w87 * w410 - w414
+    C_q[23, 18] = w418 - w77 * w412
     C_q[23, 19] = w411 - w420
-    C_q[23, 20] = w99 * w410 - w86 * w412
+    C_q[23, 20] = w71 * w410 - w87 * w412
     C_q[23, 21] = w285 * rod_big_end_shape_2_0
     C_q[23, 22] = w284 * rod_big_end_shape_1_1
     C_q[23, 23] = w285 * rod_big_end_shape_2_2
@@ -4533,15 +4525,15 @@ def reactions() -> ca.Function:
     takes q (n = 31) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 31) [mixed]: rates of all coordinates
     takes q_ddot (n = 31) [mixed]: accelerations of all coordinates
-    takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 24) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 4) [N, N m]: world force and moment of a joint on its body b, at b
-    2153 operations.
+    2150 operations.
     """
     q = ca.SX.sym("q", 31)
     q_dot = ca.SX.sym("q_dot", 31)
     q_ddot = ca.SX.sym("q_ddot", 31)
-    c = ca.SX.sym("c", 344)
+    c = ca.SX.sym("c", 339)
     crank_e0 = q[3]
     crank_e1 = q[4]
     crank_e2 = q[5]
@@ -4746,6 +4738,11 @@ def reactions() -> ca.Function:
     rod_phi_phi_1_4_1_2 = c[234]
     rod_phi_phi_3_4_1_2 = c[235]
     c241 = c[241]
+    c242 = c[242]
+    c243 = c[243]
+    c244 = c[244]
+    c245 = c[245]
+    c246 = c[246]
     c247 = c[247]
     c248 = c[248]
     c249 = c[249]
@@ -4769,104 +4766,93 @@ def reactions() -> ca.Function:
     c267 = c[267]
     c268 = c[268]
     c269 = c[269]
-    c270 = c[270]
-    c271 = c[271]
-    c272 = c[272]
-    c273 = c[273]
-    c274 = c[274]
-    c275 = c[275]
-    c276 = c[276]
-    c277 = c[277]
-    c278 = c[278]
-    c279 = c[279]
-    c280 = c[280]
-    # intermediate terms (517)
-    w0 = crank_e1 * -2.0
-    w1 = crank_e3 * -2.0
-    w2 = 2 * crank_e2
+    # intermediate terms (519)
+    w0 = 2 * -crank_e1
+    w1 = 2 * -crank_e2
+    w2 = 2 * -crank_e3
     w3 = 2 * crank_e0
-    w4 = crank_e0_dot * w1 + crank_e1_dot * w2 + w0 * crank_e2_dot + crank_e3_dot * w3
-    w5 = w4 * c203
-    w6 = crank_e2 * -2.0
-    w7 = 2 * crank_e1
-    w8 = crank_e0_dot * w6 + w1 * crank_e1_dot + crank_e2_dot * w3 + crank_e3_dot * w7
-    w9 = w8 * c202
-    w10 = w5 * w8 - w4 * w9
+    w4 = 2 * crank_e1
+    w5 = crank_e0_dot * w1 + crank_e1_dot * w2 + crank_e2_dot * w3 + crank_e3_dot * w4
+    w6 = 2 * crank_e2
+    w7 = crank_e0_dot * w2 + crank_e1_dot * w6 + w0 * crank_e2_dot + w3 * crank_e3_dot
+    w8 = w7 * c203
+    w9 = w5 * c202
+    w10 = w5 * w8 - w7 * w9
     w11 = 2 * crank_e3
-    w12 = w0 * crank_e0_dot + crank_e1_dot * w3 + crank_e2_dot * w11 + crank_e3_dot * w6
-    w13 = w12 * c247
-    w14 = w4 * w13 - w5 * w12
-    w15 = w9 * w12 - w8 * w13
-    w16 = 1.0 - 2 * crank_e1**2
-    w17 = 2 * crank_e3**2
-    w18 = w16 - w17
+    w12 = w0 * crank_e0_dot + crank_e1_dot * w3 + crank_e2_dot * w11 + w1 * crank_e3_dot
+    w13 = w12 * c242
+    w14 = w7 * w13 - w8 * w12
+    w15 = w9 * w12 - w5 * w13
+    w16 = crank_e1 * w4
+    w17 = crank_e3 * w11
+    w18 = 1.0 - (w16 + w17)
     w19 = w18 * c241
-    w20 = crank_e2 * w7
-    w21 = crank_e3 * w3
+    w20 = crank_e2 * w4
+    w21 = crank_e0 * w11
     w22 = w20 - w21
     w23 = w22 * c241
-    w24 = w6 * w23
+    w24 = w1 * w23
     w25 = w0 * w19 - w24
-    w26 = crank_e1 * w3
-    w27 = crank_e3 * w2
+    w26 = crank_e3 * w6
+    w27 = crank_e0 * w4
     w28 = w26 + w27
     w29 = w28 * c241
-    w30 = w1 * w19
-    w31 = w6 * w29 - w30
+    w30 = w2 * w19
+    w31 = w1 * w29 - w30
     w32 = w0 * w29
-    w33 = w1 * w23 - w32
-    w34 = w31 * crank_x_ddot + w33 * crank_y_ddot + w25 * crank_z_ddot + (w0 * (w0 * c0) + w6 * (w6 * c248) + w1 * (w1 * c249)) * crank_e0_ddot
+    w33 = w2 * w23 - w32
+    w34 = w31 * crank_x_ddot + w33 * crank_y_ddot + w25 * crank_z_ddot + (w0 * (w0 * c0) + w1 * (w1 * c243) + w2 * (w2 * c244)) * crank_e0_ddot
     w35 = w3 * c0
-    w36 = w0 * w35 + crank_e3 * crank_e2 * c250
-    w37 = w3 * c248
-    w38 = w0 * c249
-    w39 = w6 * w37 + crank_e1 * crank_e3 * c251
-    w40 = w6 * c0
-    w41 = w7 * c248
-    w42 = w3 * c249
-    w43 = crank_e1 * crank_e2 * c252 + w1 * w42
-    w44 = w0 * w10 + w6 * w14 + w1 * w15 + w25 * gravity_z - (w34 + w36 * crank_e1_ddot + w39 * crank_e2_ddot + w43 * crank_e3_ddot)
+    w36 = w0 * w35 + crank_e2 * crank_e3 * c245
+    w37 = w3 * c243
+    w38 = w0 * c244
+    w39 = w1 * w37 + crank_e1 * crank_e3 * c246
+    w40 = w1 * c0
+    w41 = w4 * c243
+    w42 = w3 * c244
+    w43 = crank_e1 * crank_e2 * c247 + w2 * w42
+    w44 = w0 * w10 + w1 * w14 + w2 * w15 + w25 * gravity_z - (w34 + w36 * crank_e1_ddot + w39 * crank_e2_ddot + w43 * crank_e3_ddot)
     w45 = w28 * crank_pin_y
     w46 = w18 * crank_pin_y
-    w47 = w1 * w46
-    w48 = 2 * rod_e2**2
-    w49 = 2 * rod_e3**2
-    w50 = 1.0 - w48 - w49
-    w51 = rod_e3 * -2.0
-    w52 = 2 * rod_e2
-    w53 = rod_e1 * -2.0
-    w54 = 2 * rod_e0
-    w55 = rod_e0_dot * w51 + rod_e1_dot * w52 + rod_e2_dot * w53 + rod_e3_dot * w54
-    w56 = w55 * rod_first_moment_x
-    w57 = rod_e2 * -2.0
-    w58 = 2 * rod_e1
-    w59 = rod_e0_dot * w57 + w51 * rod_e1_dot + rod_e2_dot * w54 + rod_e3_dot * w58
-    w60 = w59 * rod_first_moment_x
-    w61 = w55 * w56 + w59 * w60
-    w62 = rod_e2 * w58
-    w63 = rod_e3 * w54
-    w64 = w62 - w63
-    w65 = 2 * rod_e3
-    w66 = rod_e0_dot * w53 + rod_e1_dot * w54 + rod_e2_dot * w65 + rod_e3_dot * w57
-    w67 = w60 * w66
-    w68 = rod_e2 * w54
-    w69 = rod_e3 * w58
+    w47 = w2 * w46
+    w48 = 2 * rod_e2
+    w49 = rod_e2 * w48
+    w50 = 2 * rod_e3
+    w51 = rod_e3 * w50
+    w52 = 1.0 - (w49 + w51)
+    w53 = 2 * -rod_e3
+    w54 = 2 * -rod_e1
+    w55 = 2 * rod_e0
+    w56 = rod_e0_dot * w53 + w48 * rod_e1_dot + rod_e2_dot * w54 + rod_e3_dot * w55
+    w57 = w56 * rod_first_moment_x
+    w58 = 2 * -rod_e2
+    w59 = 2 * rod_e1
+    w60 = rod_e0_dot * w58 + w53 * rod_e1_dot + rod_e2_dot * w55 + rod_e3_dot * w59
+    w61 = w60 * rod_first_moment_x
+    w62 = w56 * w57 + w60 * w61
+    w63 = rod_e2 * w59
+    w64 = w50 * rod_e0
+    w65 = w63 - w64
+    w66 = rod_e0_dot * w54 + rod_e1_dot * w55 + w50 * rod_e2_dot + rod_e3_dot * w58
+    w67 = w61 * w66
+    w68 = rod_e3 * w59
+    w69 = w48 * rod_e0
     w70 = w68 + w69
-    w71 = w56 * w66
-    w72 = w69 - w68
+    w71 = w57 * w66
+    w72 = w68 - w69
     w73 = w72 * rod_first_moment_x
-    w74 = w62 + w63
+    w74 = w63 + w64
     w75 = w74 * rod_first_moment_x
-    w76 = w51 * w75
-    w77 = w57 * w73 - w76
-    w78 = w65 * w73 - w57 * w75
-    w79 = w54 * w73
-    w80 = w79 - w58 * w75
-    w81 = w53 * w73
-    w82 = w54 * w75
+    w76 = w53 * w75
+    w77 = w58 * w73 - w76
+    w78 = w50 * w73 - w58 * w75
+    w79 = w55 * w73
+    w80 = w79 - w59 * w75
+    w81 = w54 * w73
+    w82 = w55 * w75
     w83 = w81 - w82
     w84 = rod_x_ddot * rod_mass + w77 * rod_e0_ddot + w78 * rod_e1_ddot + w80 * rod_e2_ddot + w83 * rod_e3_ddot
-    w85 = w50 * w61 - w64 * w67 - w70 * w71 - w84
+    w85 = w52 * w62 - w65 * w67 - w70 * w71 - w84
     w86 = slider_x_ddot * slider_mass
     w87 = w85 - w86 - guide_travel_dot * guide_damping
     w88 = w22 * crank_pin_y
@@ -4905,438 +4891,440 @@ def reactions() -> ca.Function:
     w121 = w99 * w109 + (w114 * w119 - w117 * w118 - w108 * w110)
     w122 = w99 * w117 + w109 * w118 - (w110 * w119 + w108 * w114)
     w123 = w99 * w119 - w109 * w114 + (w110 * w117 - w108 * w118)
-    w124 = rod_q1 * rod_phi_phi_0_0_0_0 + rod_q3 * rod_phi_phi_2_0_0_0 + rod_q5 * rod_phi_phi_4_0_0_0
-    w125 = rod_q2 * rod_phi_phi_1_1_0_0 + rod_q4 * rod_phi_phi_3_1_0_0
-    w126 = rod_q1 * rod_phi_phi_0_2_0_0 + rod_q3 * rod_phi_phi_2_2_0_0 + rod_q5 * rod_phi_phi_4_2_0_0
-    w127 = rod_q2 * rod_phi_phi_1_3_0_0 + rod_q4 * rod_phi_phi_3_3_0_0
-    w128 = rod_q1 * rod_phi_phi_0_4_0_0 + rod_q3 * rod_phi_phi_2_4_0_0 + rod_q5 * rod_phi_phi_4_4_0_0
-    w129 = w124 * rod_q1_dot + w125 * rod_q2_dot + w126 * rod_q3_dot + w127 * rod_q4_dot + w128 * rod_q5_dot
-    w130 = rod_q6 * rod_phi_phi_5_5_0_0
-    w131 = w129 + w130 * rod_q6_dot
-    w132 = rod_q6 * rod_phi_phi_5_0_1_0
-    w133 = rod_q6 * rod_phi_phi_5_2_1_0
-    w134 = rod_q1_dot * w132 + rod_q2_dot * rod_rho_phi_1_1_0 + rod_q3_dot * w133 + rod_q4_dot * rod_rho_phi_3_1_0
-    w135 = rod_q6 * rod_phi_phi_5_4_1_0
-    w136 = rod_q1 * rod_phi_phi_0_5_1_0 + rod_q3 * rod_phi_phi_2_5_1_0 + rod_q5 * rod_phi_phi_4_5_1_0
-    w137 = rod_q6 * rod_phi_phi_5_1_2_0
-    w138 = rod_q6 * rod_phi_phi_5_3_2_0
-    w139 = rod_q1_dot * rod_rho_phi_0_2_0 + rod_q2_dot * w137 + rod_q3_dot * rod_rho_phi_2_2_0 + rod_q4_dot * w138
-    w140 = rod_q2 * rod_phi_phi_1_5_2_0 + rod_q4 * rod_phi_phi_3_5_2_0
-    w141 = w66 * w131 + w59 * (w134 + rod_q5_dot * w135 + rod_q6_dot * w136) + w55 * (w139 + rod_q5_dot * rod_rho_phi_4_2_0 + rod_q6_dot * w140)
-    w142 = rod_q6 * rod_phi_phi_5_1_0_2
-    w143 = rod_q6 * rod_phi_phi_5_3_0_2
-    w144 = rod_q1 * c270 + rod_q2 * ((w137 + w142) * 0.5) + rod_q3 * c271 + rod_q4 * ((w138 + w143) * 0.5) + rod_q5 * c272
-    w145 = rod_q2 * rod_phi_phi_1_5_0_2 + rod_q4 * rod_phi_phi_3_5_0_2
-    w146 = w144 + rod_q6 * ((w140 + w145) * 0.5)
-    w147 = rod_q2 * rod_phi_phi_1_0_1_2 + rod_q4 * rod_phi_phi_3_0_1_2
-    w148 = rod_q2 * rod_phi_phi_1_0_2_1 + rod_q4 * rod_phi_phi_3_0_2_1
-    w149 = rod_q1 * rod_phi_phi_0_1_1_2 + rod_q3 * rod_phi_phi_2_1_1_2 + rod_q5 * rod_phi_phi_4_1_1_2
-    w150 = rod_q1 * rod_phi_phi_0_1_2_1 + rod_q3 * rod_phi_phi_2_1_2_1 + rod_q5 * rod_phi_phi_4_1_2_1
-    w151 = rod_q2 * rod_phi_phi_1_2_1_2 + rod_q4 * rod_phi_phi_3_2_1_2
-    w152 = rod_q2 * rod_phi_phi_1_2_2_1 + rod_q4 * rod_phi_phi_3_2_2_1
-    w153 = rod_q1 * rod_phi_phi_0_3_1_2 + rod_q3 * rod_phi_phi_2_3_1_2 + rod_q5 * rod_phi_phi_4_3_1_2
-    w154 = rod_q1 * rod_phi_phi_0_3_2_1 + rod_q3 * rod_phi_phi_2_3_2_1 + rod_q5 * rod_phi_phi_4_3_2_1
-    w155 = rod_q1 * ((w147 + w148) * 0.5) + rod_q2 * ((w149 + w150) * 0.5) + rod_q3 * ((w151 + w152) * 0.5) + rod_q4 * ((w153 + w154) * 0.5)
-    w156 = rod_q2 * rod_phi_phi_1_4_1_2 + rod_q4 * rod_phi_phi_3_4_1_2
-    w157 = rod_q2 * rod_phi_phi_1_4_2_1 + rod_q4 * rod_phi_phi_3_4_2_1
-    w158 = w155 + rod_q5 * ((w156 + w157) * 0.5) + rod_q6 * c129
-    w159 = rod_q1 * rod_phi_phi_0_0_2_2 + rod_q3 * rod_phi_phi_2_0_2_2 + rod_q5 * rod_phi_phi_4_0_2_2
-    w160 = rod_q2 * rod_phi_phi_1_1_2_2
-    w161 = rod_q1 * rod_phi_phi_0_2_2_2 + rod_q3 * rod_phi_phi_2_2_2_2 + rod_q5 * rod_phi_phi_4_2_2_2
-    w162 = rod_q4 * rod_phi_phi_3_3_2_2
-    w163 = rod_q1 * rod_phi_phi_0_4_2_2 + rod_q3 * rod_phi_phi_2_4_2_2 + rod_q5 * rod_phi_phi_4_4_2_2
-    w164 = rod_inertia_moments_2_2 + rod_q1 * w159 + rod_q2 * w160 + rod_q3 * w161 + rod_q4 * w162 + rod_q5 * w163
-    w165 = rod_q6 * rod_phi_phi_5_5_2_2
-    w166 = w164 + rod_q6 * w165
-    w167 = w66 * w146 + w59 * w158 + w55 * w166
-    w168 = rod_q6 * rod_phi_phi_5_0_0_1
-    w169 = rod_q6 * rod_phi_phi_5_2_0_1
-    w170 = rod_q6 * rod_phi_phi_5_4_0_1
-    w171 = rod_q1 * ((w132 + w168) * 0.5) + rod_q2 * c268 + rod_q3 * ((w133 + w169) * 0.5) + rod_q4 * c269 + rod_q5 * ((w135 + w170) * 0.5)
-    w172 = rod_q1 * rod_phi_phi_0_5_0_1 + rod_q3 * rod_phi_phi_2_5_0_1 + rod_q5 * rod_phi_phi_4_5_0_1
-    w173 = w171 + rod_q6 * ((w136 + w172) * 0.5)
-    w174 = rod_q1 * rod_phi_phi_0_0_1_1 + rod_q3 * rod_phi_phi_2_0_1_1 + rod_q5 * rod_phi_phi_4_0_1_1
-    w175 = rod_q2 * rod_phi_phi_1_1_1_1 + rod_q4 * rod_phi_phi_3_1_1_1
-    w176 = rod_q1 * rod_phi_phi_0_2_1_1 + rod_q3 * rod_phi_phi_2_2_1_1 + rod_q5 * rod_phi_phi_4_2_1_1
-    w177 = rod_q2 * rod_phi_phi_1_3_1_1 + rod_q4 * rod_phi_phi_3_3_1_1
-    w178 = rod_q1 * rod_phi_phi_0_4_1_1 + rod_q3 * rod_phi_phi_2_4_1_1 + rod_q5 * rod_phi_phi_4_4_1_1
-    w179 = rod_inertia_moments_1_1 + rod_q1 * w174 + rod_q2 * w175 + rod_q3 * w176 + rod_q4 * w177 + rod_q5 * w178
-    w180 = rod_q6 * rod_phi_phi_5_5_1_1
-    w181 = w179 + rod_q6 * w180
-    w182 = w66 * w173 + w59 * w181 + w55 * w158
-    w183 = rod_q1_dot * w174 + rod_q2_dot * w175 + rod_q3_dot * w176 + rod_q4_dot * w177 + rod_q5_dot * w178
-    w184 = w183 + rod_q6_dot * w180
-    w185 = rod_q1_dot * w159 + rod_q2_dot * w160 + rod_q3_dot * w161 + rod_q4_dot * w162 + rod_q5_dot * w163
-    w186 = w185 + rod_q6_dot * w165
-    w187 = 2 * (w131 + w184 + w186)
-    w188 = 2 * w141 + w59 * w167 - w55 * w182 - w66 * w187
-    w189 = rod_q1_dot * w168 + rod_q2_dot * rod_rho_phi_1_0_1 + rod_q3_dot * w169 + rod_q4_dot * rod_rho_phi_3_0_1
-    w190 = rod_q1_dot * w148 + rod_q2_dot * w150 + rod_q3_dot * w152 + rod_q4_dot * w154 + rod_q5_dot * w157
-    w191 = w66 * (w189 + rod_q5_dot * w170 + rod_q6_dot * w172) + w59 * w184 + w55 * (w190 + rod_q6_dot * rod_rho_phi_5_2_1)
-    w192 = rod_inertia_moments_0_0 + rod_q1 * w124 + rod_q2 * w125 + rod_q3 * w126 + rod_q4 * w127 + rod_q5 * w128
-    w193 = w192 + rod_q6 * w130
-    w194 = w66 * w193 + w59 * w173 + w55 * w146
-    w195 = 2 * w191 + w55 * w194 - w66 * w167 - w59 * w187
-    w196 = rod_q1_dot * rod_rho_phi_0_0_2 + rod_q2_dot * w142 + rod_q3_dot * rod_rho_phi_2_0_2 + rod_q4_dot * w143
-    w197 = rod_q1_dot * w147 + rod_q2_dot * w149 + rod_q3_dot * w151 + rod_q4_dot * w153 + rod_q5_dot * w156
-    w198 = w66 * (w196 + rod_q5_dot * rod_rho_phi_4_0_2 + rod_q6_dot * w145) + w59 * (w197 + rod_q6_dot * rod_rho_phi_5_1_2)
-    w199 = 2 * (w198 + w55 * w186) + w66 * w182 - w59 * w194 - w55 * w187
-    w200 = w50 * rod_first_moment_x
-    w201 = w52 * w75 - w53 * w200
-    w202 = w54 * w200
-    w203 = w202 - w52 * w73
-    w204 = w166 + w181
-    w205 = w54 * w146
-    w206 = w57 * w204 - w58 * w173 - w205
-    w207 = w166 + w193
-    w208 = w57 * w173
-    w209 = w54 * w158
-    w210 = w58 * w207 - w208 - w209
-    w211 = w181 + w193
-    w212 = w54 * w211 - (w57 * w146 + w58 * w158)
-    w213 = w53 * w206 + w57 * w210 + w51 * w212
-    w214 = w54 * w206 + w51 * w210 + w52 * w212
-    w215 = rod_x_ddot * w83 + w203 * rod_y_ddot + w201 * rod_z_ddot + rod_e0_ddot * w213 + rod_e1_ddot * w214
-    w216 = w65 * w206 + w54 * w210 + w53 * w212
-    w217 = w147 - w148
-    w218 = w168 - w132
-    w219 = w215 + rod_e2_ddot * w216 + rod_e3_ddot * (w57 * w206 + w58 * w210 + w54 * w212) + (w57 * w217 + w58 * c273 + w54 * w218) * rod_q1_ddot
-    w220 = w149 - w150
-    w221 = w137 - w142
-    w222 = w151 - w152
-    w223 = w169 - w133
-    w224 = w219 + (w57 * w220 + w58 * w221 + w54 * c274) * rod_q2_ddot + (w57 * w222 + w58 * c275 + w54 * w223) * rod_q3_ddot
-    w225 = w153 - w154
-    w226 = w138 - w143
-    w227 = w156 - w157
-    w228 = w170 - w135
-    w229 = w224 + (w57 * w225 + w58 * w226 + w54 * c276) * rod_q4_ddot + (w57 * w227 + w58 * c277 + w54 * w228) * rod_q5_ddot
-    w230 = w140 - w145
-    w231 = w172 - w136
-    w232 = w57 * w188 + w58 * w195 + w54 * w199 + w201 * gravity_z - (w229 + (w57 * c137 + w58 * w230 + w54 * w231) * rod_q6_ddot)
-    w233 = 1.0 - 2 * rod_e1**2
-    w234 = w233 - w49
-    w235 = rod_q2 * rod_small_end_shape_1_1 + rod_q4 * rod_small_end_shape_1_3
-    w236 = rod_e3 * w52
-    w237 = rod_e1 * w54
-    w238 = w236 - w237
-    w239 = rod_q1 * rod_small_end_shape_2_0 + rod_q3 * rod_small_end_shape_2_2 + rod_q5 * rod_small_end_shape_2_4
-    w240 = w74 * rod_small_end_x + w234 * w235 + w238 * w239
-    w241 = w50 * rod_small_end_x + w64 * w235 + w70 * w239
-    w242 = w52 * w240 - w53 * w241
-    w243 = w236 + w237
-    w244 = w233 - w48
-    w245 = w57 * w200
-    w246 = w53 * w75 - w245
-    w247 = w82 - w65 * w200
-    w248 = w76 - w202
-    w249 = rod_z_ddot * rod_mass + rod_e0_ddot * w246 + rod_e1_ddot * w247 + rod_e2_ddot * w248 + rod_e3_ddot * w201
-    w250 = c280 + (w61 * w72 - w67 * w243 - w71 * w244) - w249
-    w251 = w54 * w241
-    w252 = w72 * rod_small_end_x + w235 * w243 + w239 * w244
-    w253 = w251 - w52 * w252
-    w254 = w51 * w200 - w81
-    w255 = w245 - w79
-    w256 = w58 * w200 - w51 * w73
-    w257 = rod_y_ddot * rod_mass + rod_e0_ddot * w254 + rod_e1_ddot * w255 + rod_e2_ddot * w256 + rod_e3_ddot * w203
-    w258 = w61 * w74 - w67 * w234 - w71 * w238 - w257
-    w259 = w53 * w252
-    w260 = w54 * w240
-    w261 = w259 - w260
-    w262 = w232 - w242 * w250 - w253 * w258 - w85 * w261
-    w263 = w54 * w173
-    w264 = w53 * w146
-    w265 = w65 * w204 - w263 - w264
-    w266 = w54 * w207 - w65 * w173 - w53 * w158
-    w267 = w53 * w211 - (w209 + w65 * w146)
-    w268 = w53 * w265 + w57 * w266 + w51 * w267
-    w269 = w54 * w265 + w51 * w266 + w52 * w267
-    w270 = rod_x_ddot * w80 + rod_y_ddot * w256 + rod_z_ddot * w248 + rod_e0_ddot * w268 + rod_e1_ddot * w269
-    w271 = w270 + rod_e2_ddot * (w65 * w265 + w54 * w266 + w53 * w267) + rod_e3_ddot * w216 + rod_q1_ddot * (w65 * w217 + w54 * c273 + w53 * w218)
-    w272 = w271 + rod_q2_ddot * (w65 * w220 + w54 * w221 + w53 * c274) + rod_q3_ddot * (w65 * w222 + w54 * c275 + w53 * w223)
-    w273 = w272 + rod_q4_ddot * (w65 * w225 + w54 * w226 + w53 * c276) + rod_q5_ddot * (w65 * w227 + w54 * c277 + w53 * w228)
-    w274 = w65 * w188 + w54 * w195 + w53 * w199 + w248 * gravity_z - (w273 + rod_q6_ddot * (w65 * c137 + w54 * w230 + w53 * w231))
-    w275 = w51 * w240
-    w276 = w275 - w251
-    w277 = w58 * w241 - w51 * w252
-    w278 = w54 * w252
-    w279 = w278 - w58 * w240
-    w280 = w274 - w250 * w276 - w258 * w277 - w85 * w279
-    w281 = (slider_e0 * w120 - w121 * slider_e3 + (slider_e1 * w122 - slider_e2 * w123)) * w262 + (slider_e0 * w122 - w121 * slider_e2 + (slider_e3 * w123 - w120 * slider_e1)) * w280
-    w282 = w54 * w204 - w51 * w173 - w52 * w146
-    w283 = w51 * w207 - w263 - w52 * w158
-    w284 = w51 * w158
-    w285 = w52 * w211 - (w205 + w284)
-    w286 = w53 * w282 + w57 * w283 + w51 * w285
-    w287 = rod_x_ddot * w78 + rod_y_ddot * w255 + rod_z_ddot * w247 + rod_e0_ddot * w286 + rod_e1_ddot * (w54 * w282 + w51 * w283 + w52 * w285)
-    w288 = w287 + rod_e2_ddot * w269 + rod_e3_ddot * w214 + rod_q1_ddot * (w54 * w217 + w51 * c273 + w52 * w218)
-    w289 = w288 + rod_q2_ddot * (w54 * w220 + w51 * w221 + w52 * c274) + rod_q3_ddot * (w54 * w222 + w51 * c275 + w52 * w223)
-    w290 = w289 + rod_q4_ddot * (w54 * w225 + w51 * w226 + w52 * c276) + rod_q5_ddot * (w54 * w227 + w51 * c277 + w52 * w228)
-    w291 = w54 * w188 + w51 * w195 + w52 * w199 + w247 * gravity_z - (w290 + rod_q6_ddot * (w54 * c137 + w51 * w230 + w52 * w231))
-    w292 = w260 - w65 * w241
-    w293 = w57 * w241
-    w294 = w293 - w278
-    w295 = w65 * w252 - w57 * w240
-    w296 = w291 - w250 * w292 - w258 * w294 - w85 * w295
-    w297 = w53 * (w53 * w204 - w208 - w51 * w146) + w57 * (w57 * w207 - w53 * w173 - w284) + w51 * (w51 * w211 - (w264 + w57 * w158))
-    w298 = rod_x_ddot * w77 + rod_y_ddot * w254 + rod_z_ddot * w246 + rod_e0_ddot * w297 + rod_e1_ddot * w286
-    w299 = w298 + rod_e2_ddot * w268 + rod_e3_ddot * w213 + rod_q1_ddot * (w53 * w217 + w57 * c273 + w51 * w218)
-    w300 = w299 + rod_q2_ddot * (w53 * w220 + w57 * w221 + w51 * c274) + rod_q3_ddot * (w53 * w222 + w57 * c275 + w51 * w223)
-    w301 = w300 + rod_q4_ddot * (w53 * w225 + w57 * w226 + w51 * c276) + rod_q5_ddot * (w53 * w227 + w57 * c277 + w51 * w228)
-    w302 = w53 * w188 + w57 * w195 + w51 * w199 + w246 * gravity_z - (w301 + rod_q6_ddot * (w53 * c137 + w57 * w230 + w51 * w231))
-    w303 = w53 * w240 - w293
-    w304 = w51 * w241 - w259
-    w305 = w57 * w252 - w275
-    w306 = w302 - w250 * w303 - w258 * w304 - w85 * w305
-    w307 = w281 + (slider_e0 * w123 - w121 * slider_e1 + (w120 * slider_e2 - slider_e3 * w122)) * w296 - (slider_e0 * w121 + (slider_e1 * w123 + w122 * slider_e2 + w120 * slider_e3)) * w306
-    w308 = rod_q2 * c2 + rod_q4 * c3
-    w309 = w102 * w104 * 0.5
-    w310 = w100**2
-    w311 = w102**2
-    w312 = w310 + w311
-    w313 = w104**2
-    w314 = 1.0 + (w312 + w313) * 0.25
-    w315 = (w309 - w100) / w314
-    w316 = ca.sin(fork_angle2)
-    w317 = ca.sin(fork_angle1)
-    w318 = w316 * w317
-    w319 = 1.0 - (w310 + w313) * 0.5 / w314
-    w320 = ca.cos(fork_angle1)
-    w321 = w100 * w102 * 0.5
-    w322 = (w104 + w321) / w314
-    w323 = ca.cos(fork_angle2)
-    w324 = w317 * w323
-    w325 = rod_q1 * c10 + rod_q3 * c11 + rod_q5 * c12
-    w326 = 1.0 - w312 * 0.5 / w314
-    w327 = (w100 + w309) / w314
-    w328 = w100 * w104 * 0.5
-    w329 = (w328 - w102) / w314
-    w330 = w308 * (w315 * w318 - (w319 * w320 + w322 * w324)) + w325 * (w318 * w326 - (w320 * w327 + w324 * w329))
-    w331 = (w102 + w328) / w314
-    w332 = (w321 - w104) / w314
-    w333 = 1.0 - (w311 + w313) * 0.5 / w314
-    w334 = w330 - (w318 * w331 - (w320 * w332 + w324 * w333)) * rod_small_end_x
-    w335 = w320 * w323
-    w336 = w316 * w320
-    w337 = w308 * (w317 * w319 - w322 * w335 + w315 * w336) + w325 * (w317 * w327 - w329 * w335 + w326 * w336)
-    w338 = w337 - (w317 * w332 - w333 * w335 + w331 * w336) * rod_small_end_x
-    w339 = (w307 + w87 * w334) / w338
-    w340 = w6 * w88
-    w341 = w94 / 2.0
-    w342 = w91 * w341
-    w343 = w96 * w341
-    w344 = w342 * slider_fork_quaternion_0_0_0 + w343 * slider_fork_quaternion_3_0_0
-    w345 = w343 * slider_fork_quaternion_0_0_0 - w342 * slider_fork_quaternion_3_0_0
-    w346 = w111 / 2.0
-    w347 = w91 * w346
-    w348 = w96 * w346
-    w349 = w347 * slider_fork_quaternion_3_0_0 - w348 * slider_fork_quaternion_0_0_0
-    w350 = w347 * slider_fork_quaternion_0_0_0 + w348 * slider_fork_quaternion_3_0_0
-    w351 = w119 * w344 - w117 * w345 - (w108 * w349 + w109 * w350)
-    w352 = w109 * w349 - (w108 * w350 - (w119 * w345 + w117 * w344))
-    w353 = w109 * w344 - w117 * w349 + (w119 * w350 + w108 * w345)
-    w354 = w109 * w345 - w119 * w349 - (w108 * w344 + w117 * w350)
-    w355 = w262 * (slider_e0 * w351 + slider_e3 * w352 + (slider_e1 * w353 - slider_e2 * w354)) + w280 * (slider_e0 * w353 + slider_e2 * w352 + (slider_e3 * w354 - slider_e1 * w351))
-    w356 = w355 + w296 * (slider_e0 * w354 + slider_e1 * w352 + (slider_e2 * w351 - slider_e3 * w353)) + w306 * (slider_e0 * w352 - (slider_e1 * w354 + slider_e2 * w353 + slider_e3 * w351))
-    w357 = w308 * (w316 * w322 + w315 * w323) + w325 * (w316 * w329 + w323 * w326) - (w316 * w333 + w323 * w331) * rod_small_end_x
-    w358 = (w356 - w87 * (w320 * w357) - w339 * (w317 * w357)) / (w317 * w334 + w320 * w338)
-    w359 = w44 + (w6 * w45 - w47) * w87 + (w1 * w88 - w89) * w339 - (w0 * w46 - w340) * w358
-    w360 = w3 * w19
-    w361 = w360 - w11 * w23
-    w362 = w11 * w29 - w6 * w19
-    w363 = w3 * w29
-    w364 = w24 - w363
-    w365 = crank_x_ddot * w362 + crank_y_ddot * w364 + crank_z_ddot * w361 + crank_e0_ddot * w36 + crank_e1_ddot * (w3 * w35 + w1 * (w1 * c248) + w2 * (w2 * c249))
-    w366 = crank_e3 * crank_e0 * c253 + w2 * w38
-    w367 = w1 * w41 + crank_e2 * crank_e0 * c254
-    w368 = w3 * w10 + w1 * w14 + w2 * w15 + w361 * gravity_z - (w365 + crank_e2_ddot * w366 + crank_e3_ddot * w367)
-    w369 = w3 * w45
-    w370 = w3 * w46
-    w371 = w368 + w87 * (w11 * w45 - w6 * w46) + w339 * (w340 - w369) - w358 * (w370 - w11 * w88)
-    w372 = w3 * w23
-    w373 = w30 - w372
-    w374 = w363 - w7 * w19
-    w375 = w7 * w23 - w1 * w29
-    w376 = crank_x_ddot * w374 + crank_y_ddot * w375 + crank_z_ddot * w373 + crank_e0_ddot * w39 + crank_e1_ddot * w366
-    w377 = w11 * w40 + crank_e1 * crank_e0 * c255
-    w378 = w10 * w11 + w3 * w14 + w0 * w15 + w373 * gravity_z - (w376 + crank_e2_ddot * (w11 * (w11 * c0) + w3 * w37 + w0 * w38) + crank_e3_ddot * w377)
-    w379 = w3 * w88
-    w380 = w378 + w87 * (w369 - w7 * w46) + w339 * (w7 * w88 - w1 * w45) - w358 * (w47 - w379)
-    w381 = w2 * w19 - w0 * w23
-    w382 = w32 - w360
-    w383 = w372 - w2 * w29
-    w384 = crank_x_ddot * w382 + crank_y_ddot * w383 + crank_z_ddot * w381 + crank_e0_ddot * w43 + crank_e1_ddot * w367
-    w385 = w6 * w10 + w7 * w14 + w3 * w15 + w381 * gravity_z - (w384 + crank_e2_ddot * w377 + crank_e3_ddot * (w6 * w40 + w7 * w41 + w3 * w42))
-    w386 = w385 + w87 * (w89 - w370) + w339 * (w379 - w2 * w45) - w358 * (w2 * w46 - w0 * w88)
-    w387 = w12 * c241
-    w388 = w4 * c241
-    w389 = w12 * w387 + w4 * w388
-    w390 = 2 * crank_e2**2
-    w391 = w8 * w387
-    w392 = crank_e2 * w3
-    w393 = crank_e3 * w7
-    w394 = w8 * w388
-    w395 = crank_x_ddot * crank_mass + w31 * crank_e0_ddot + crank_e1_ddot * w362 + crank_e2_ddot * w374 + crank_e3_ddot * w382
-    w396 = w87 + (w22 * w389 - (1.0 - w390 - w17) * w391 - (w392 + w393) * w394 - w395)
-    w397 = crank_y_ddot * crank_mass + w33 * crank_e0_ddot + crank_e1_ddot * w364 + crank_e2_ddot * w375 + crank_e3_ddot * w383
-    w398 = w339 + (w18 * w389 - w391 * (w20 + w21) - w394 * (w27 - w26) - w397)
-    w399 = crank_z_ddot * crank_mass + w25 * crank_e0_ddot + crank_e1_ddot * w361 + crank_e2_ddot * w373 + crank_e3_ddot * w381
-    w400 = c278 + (w28 * w389 - w391 * (w393 - w392) - w394 * (w16 - w390)) - w399 - w358
-    w401 = slider_e1 * -2.0
-    w402 = slider_e3 * -2.0
-    w403 = 2 * slider_e2
-    w404 = 2 * slider_e0
-    w405 = slider_e0_dot * w402 + slider_e1_dot * w403 + w401 * slider_e2_dot + slider_e3_dot * w404
-    w406 = w405 * c257
-    w407 = slider_e2 * -2.0
-    w408 = 2 * slider_e1
-    w409 = slider_e0_dot * w407 + w402 * slider_e1_dot + slider_e2_dot * w404 + slider_e3_dot * w408
-    w410 = w409 * c256
-    w411 = w406 * w409 - w405 * w410
-    w412 = 2 * slider_e3
-    w413 = w401 * slider_e0_dot + slider_e1_dot * w404 + slider_e2_dot * w412 + slider_e3_dot * w407
-    w414 = w413 * c259
-    w415 = w405 * w414 - w406 * w413
-    w416 = w410 * w413 - w409 * w414
-    w417 = w404 * c258
-    w418 = w401 * w417 + slider_e3 * slider_e2 * c262
-    w419 = (w401 * (w401 * c258) + w407 * (w407 * c260) + w402 * (w402 * c261)) * slider_e0_ddot + w418 * slider_e1_ddot
-    w420 = w404 * c260
-    w421 = w401 * c261
-    w422 = w407 * w420 + slider_e3 * slider_e1 * c263
-    w423 = w407 * c258
-    w424 = w408 * c260
-    w425 = w404 * c261
-    w426 = slider_e1 * slider_e2 * c264 + w402 * w425
-    w427 = w91 * w94
-    w428 = w94 * w96
-    w429 = w427 * slider_fork_quaternion_0_0_0 + w428 * slider_fork_quaternion_3_0_0
-    w430 = w428 * slider_fork_quaternion_0_0_0 - w427 * slider_fork_quaternion_3_0_0
-    w431 = w91 * w111
-    w432 = w96 * w111
-    w433 = w431 * slider_fork_quaternion_0_0_0 + w432 * slider_fork_quaternion_3_0_0
-    w434 = w432 * slider_fork_quaternion_0_0_0 - w431 * slider_fork_quaternion_3_0_0
-    w435 = w109 * w429 - w108 * w430 + (w119 * w433 - w117 * w434)
-    w436 = rod_q2 * rod_big_end_shape_1_1 + rod_q4 * rod_big_end_shape_1_3
-    w437 = rod_q1 * rod_big_end_shape_2_0 + rod_q3 * rod_big_end_shape_2_2 + rod_q5 * rod_big_end_shape_2_4
-    w438 = w243 * w436 + w244 * w437
-    w439 = w53 * w438
-    w440 = w234 * w436 + w238 * w437
+    w124 = rod_q6 * rod_phi_phi_5_1_0_2
+    w125 = rod_q6 * rod_phi_phi_5_1_2_0
+    w126 = rod_q6 * rod_phi_phi_5_3_0_2
+    w127 = rod_q6 * rod_phi_phi_5_3_2_0
+    w128 = rod_q1 * c259 + rod_q2 * ((w124 + w125) * 0.5) + rod_q3 * c260 + rod_q4 * ((w126 + w127) * 0.5) + rod_q5 * c261
+    w129 = rod_q2 * rod_phi_phi_1_5_0_2 + rod_q4 * rod_phi_phi_3_5_0_2
+    w130 = rod_q2 * rod_phi_phi_1_5_2_0 + rod_q4 * rod_phi_phi_3_5_2_0
+    w131 = w128 + rod_q6 * ((w129 + w130) * 0.5)
+    w132 = rod_q2 * rod_phi_phi_1_0_1_2 + rod_q4 * rod_phi_phi_3_0_1_2
+    w133 = rod_q2 * rod_phi_phi_1_0_2_1 + rod_q4 * rod_phi_phi_3_0_2_1
+    w134 = rod_q1 * rod_phi_phi_0_1_1_2 + rod_q3 * rod_phi_phi_2_1_1_2 + rod_q5 * rod_phi_phi_4_1_1_2
+    w135 = rod_q1 * rod_phi_phi_0_1_2_1 + rod_q3 * rod_phi_phi_2_1_2_1 + rod_q5 * rod_phi_phi_4_1_2_1
+    w136 = rod_q2 * rod_phi_phi_1_2_1_2 + rod_q4 * rod_phi_phi_3_2_1_2
+    w137 = rod_q2 * rod_phi_phi_1_2_2_1 + rod_q4 * rod_phi_phi_3_2_2_1
+    w138 = rod_q1 * rod_phi_phi_0_3_1_2 + rod_q3 * rod_phi_phi_2_3_1_2 + rod_q5 * rod_phi_phi_4_3_1_2
+    w139 = rod_q1 * rod_phi_phi_0_3_2_1 + rod_q3 * rod_phi_phi_2_3_2_1 + rod_q5 * rod_phi_phi_4_3_2_1
+    w140 = rod_q1 * ((w132 + w133) * 0.5) + rod_q2 * ((w134 + w135) * 0.5) + rod_q3 * ((w136 + w137) * 0.5) + rod_q4 * ((w138 + w139) * 0.5)
+    w141 = rod_q2 * rod_phi_phi_1_4_1_2 + rod_q4 * rod_phi_phi_3_4_1_2
+    w142 = rod_q2 * rod_phi_phi_1_4_2_1 + rod_q4 * rod_phi_phi_3_4_2_1
+    w143 = w140 + rod_q5 * ((w141 + w142) * 0.5) + rod_q6 * c129
+    w144 = rod_q1 * rod_phi_phi_0_0_2_2 + rod_q3 * rod_phi_phi_2_0_2_2 + rod_q5 * rod_phi_phi_4_0_2_2
+    w145 = rod_q2 * rod_phi_phi_1_1_2_2
+    w146 = rod_q1 * rod_phi_phi_0_2_2_2 + rod_q3 * rod_phi_phi_2_2_2_2 + rod_q5 * rod_phi_phi_4_2_2_2
+    w147 = rod_q4 * rod_phi_phi_3_3_2_2
+    w148 = rod_q1 * rod_phi_phi_0_4_2_2 + rod_q3 * rod_phi_phi_2_4_2_2 + rod_q5 * rod_phi_phi_4_4_2_2
+    w149 = rod_inertia_moments_2_2 + rod_q1 * w144 + rod_q2 * w145 + rod_q3 * w146 + rod_q4 * w147 + rod_q5 * w148
+    w150 = rod_q6 * rod_phi_phi_5_5_2_2
+    w151 = w149 + rod_q6 * w150
+    w152 = w66 * w131 + w60 * w143 + w56 * w151
+    w153 = rod_q6 * rod_phi_phi_5_0_0_1
+    w154 = rod_q6 * rod_phi_phi_5_0_1_0
+    w155 = rod_q6 * rod_phi_phi_5_2_0_1
+    w156 = rod_q6 * rod_phi_phi_5_2_1_0
+    w157 = rod_q6 * rod_phi_phi_5_4_0_1
+    w158 = rod_q6 * rod_phi_phi_5_4_1_0
+    w159 = rod_q1 * ((w153 + w154) * 0.5) + rod_q2 * c257 + rod_q3 * ((w155 + w156) * 0.5) + rod_q4 * c258 + rod_q5 * ((w157 + w158) * 0.5)
+    w160 = rod_q1 * rod_phi_phi_0_5_0_1 + rod_q3 * rod_phi_phi_2_5_0_1 + rod_q5 * rod_phi_phi_4_5_0_1
+    w161 = rod_q1 * rod_phi_phi_0_5_1_0 + rod_q3 * rod_phi_phi_2_5_1_0 + rod_q5 * rod_phi_phi_4_5_1_0
+    w162 = w159 + rod_q6 * ((w160 + w161) * 0.5)
+    w163 = rod_q1 * rod_phi_phi_0_0_1_1 + rod_q3 * rod_phi_phi_2_0_1_1 + rod_q5 * rod_phi_phi_4_0_1_1
+    w164 = rod_q2 * rod_phi_phi_1_1_1_1 + rod_q4 * rod_phi_phi_3_1_1_1
+    w165 = rod_q1 * rod_phi_phi_0_2_1_1 + rod_q3 * rod_phi_phi_2_2_1_1 + rod_q5 * rod_phi_phi_4_2_1_1
+    w166 = rod_q2 * rod_phi_phi_1_3_1_1 + rod_q4 * rod_phi_phi_3_3_1_1
+    w167 = rod_q1 * rod_phi_phi_0_4_1_1 + rod_q3 * rod_phi_phi_2_4_1_1 + rod_q5 * rod_phi_phi_4_4_1_1
+    w168 = rod_inertia_moments_1_1 + rod_q1 * w163 + rod_q2 * w164 + rod_q3 * w165 + rod_q4 * w166 + rod_q5 * w167
+    w169 = rod_q6 * rod_phi_phi_5_5_1_1
+    w170 = w168 + rod_q6 * w169
+    w171 = w66 * w162 + w60 * w170 + w56 * w143
+    w172 = w163 * rod_q1_dot + w164 * rod_q2_dot + w165 * rod_q3_dot + w166 * rod_q4_dot + w167 * rod_q5_dot
+    w173 = w172 + w169 * rod_q6_dot
+    w174 = w144 * rod_q1_dot + w145 * rod_q2_dot + w146 * rod_q3_dot + w147 * rod_q4_dot + w148 * rod_q5_dot
+    w175 = w174 + w150 * rod_q6_dot
+    w176 = 2 * w66
+    w177 = w154 * rod_q1_dot + rod_q2_dot * rod_rho_phi_1_1_0 + w156 * rod_q3_dot + rod_q4_dot * rod_rho_phi_3_1_0
+    w178 = 2 * w60
+    w179 = rod_q1_dot * rod_rho_phi_0_2_0 + w125 * rod_q2_dot + rod_q3_dot * rod_rho_phi_2_2_0 + w127 * rod_q4_dot
+    w180 = 2 * w56
+    w181 = (w173 + w175) * w176 - (w177 + w158 * rod_q5_dot + w161 * rod_q6_dot) * w178 - (w179 + rod_q5_dot * rod_rho_phi_4_2_0 + w130 * rod_q6_dot) * w180
+    w182 = w60 * w152 - w56 * w171 - w181
+    w183 = rod_q1 * rod_phi_phi_0_0_0_0 + rod_q3 * rod_phi_phi_2_0_0_0 + rod_q5 * rod_phi_phi_4_0_0_0
+    w184 = rod_q2 * rod_phi_phi_1_1_0_0 + rod_q4 * rod_phi_phi_3_1_0_0
+    w185 = rod_q1 * rod_phi_phi_0_2_0_0 + rod_q3 * rod_phi_phi_2_2_0_0 + rod_q5 * rod_phi_phi_4_2_0_0
+    w186 = rod_q2 * rod_phi_phi_1_3_0_0 + rod_q4 * rod_phi_phi_3_3_0_0
+    w187 = rod_q1 * rod_phi_phi_0_4_0_0 + rod_q3 * rod_phi_phi_2_4_0_0 + rod_q5 * rod_phi_phi_4_4_0_0
+    w188 = rod_inertia_moments_0_0 + rod_q1 * w183 + rod_q2 * w184 + rod_q3 * w185 + rod_q4 * w186 + rod_q5 * w187
+    w189 = rod_q6 * rod_phi_phi_5_5_0_0
+    w190 = w188 + rod_q6 * w189
+    w191 = w66 * w190 + w60 * w162 + w56 * w131
+    w192 = rod_q1_dot * w183 + rod_q2_dot * w184 + rod_q3_dot * w185 + rod_q4_dot * w186 + rod_q5_dot * w187
+    w193 = w192 + rod_q6_dot * w189
+    w194 = w133 * rod_q1_dot + w135 * rod_q2_dot + w137 * rod_q3_dot + w139 * rod_q4_dot + w142 * rod_q5_dot
+    w195 = w153 * rod_q1_dot + rod_q2_dot * rod_rho_phi_1_0_1 + w155 * rod_q3_dot + rod_q4_dot * rod_rho_phi_3_0_1
+    w196 = w178 * (w175 + w193) - w180 * (w194 + rod_q6_dot * rod_rho_phi_5_2_1) - w176 * (w195 + w157 * rod_q5_dot + w160 * rod_q6_dot)
+    w197 = w56 * w191 - w66 * w152 - w196
+    w198 = rod_q1_dot * rod_rho_phi_0_0_2 + w124 * rod_q2_dot + rod_q3_dot * rod_rho_phi_2_0_2 + w126 * rod_q4_dot
+    w199 = w132 * rod_q1_dot + w134 * rod_q2_dot + w136 * rod_q3_dot + w138 * rod_q4_dot + w141 * rod_q5_dot
+    w200 = w180 * (w173 + w193) - w176 * (w198 + rod_q5_dot * rod_rho_phi_4_0_2 + w129 * rod_q6_dot) - w178 * (w199 + rod_q6_dot * rod_rho_phi_5_1_2)
+    w201 = w66 * w171 - w60 * w191 - w200
+    w202 = w52 * rod_first_moment_x
+    w203 = w48 * w75 - w54 * w202
+    w204 = w55 * w202
+    w205 = w204 - w48 * w73
+    w206 = w151 + w170
+    w207 = w55 * w131
+    w208 = w58 * w206 - w59 * w162 - w207
+    w209 = w151 + w190
+    w210 = w55 * w143
+    w211 = w58 * w162
+    w212 = w59 * w209 - w210 - w211
+    w213 = w170 + w190
+    w214 = w55 * w213 - w58 * w131 - w59 * w143
+    w215 = w54 * w208 + w58 * w212 + w53 * w214
+    w216 = w55 * w208 + w53 * w212 + w48 * w214
+    w217 = rod_x_ddot * w83 + w205 * rod_y_ddot + w203 * rod_z_ddot + rod_e0_ddot * w215 + rod_e1_ddot * w216
+    w218 = w50 * w208 + w55 * w212 + w54 * w214
+    w219 = w132 - w133
+    w220 = w153 - w154
+    w221 = w217 + rod_e2_ddot * w218 + rod_e3_ddot * (w58 * w208 + w59 * w212 + w55 * w214) + (w58 * w219 + w59 * c262 + w55 * w220) * rod_q1_ddot
+    w222 = w134 - w135
+    w223 = w125 - w124
+    w224 = w136 - w137
+    w225 = w155 - w156
+    w226 = w221 + (w58 * w222 + w59 * w223 + w55 * c263) * rod_q2_ddot + (w58 * w224 + w59 * c264 + w55 * w225) * rod_q3_ddot
+    w227 = w138 - w139
+    w228 = w127 - w126
+    w229 = w141 - w142
+    w230 = w157 - w158
+    w231 = w226 + (w58 * w227 + w59 * w228 + w55 * c265) * rod_q4_ddot + (w58 * w229 + w59 * c266 + w55 * w230) * rod_q5_ddot
+    w232 = w130 - w129
+    w233 = w160 - w161
+    w234 = w58 * w182 + w59 * w197 + w55 * w201 + w203 * gravity_z - (w231 + (w58 * c137 + w59 * w232 + w55 * w233) * rod_q6_ddot)
+    w235 = rod_e1 * w59
+    w236 = 1.0 - (w51 + w235)
+    w237 = rod_q2 * rod_small_end_shape_1_1 + rod_q4 * rod_small_end_shape_1_3
+    w238 = w48 * rod_e3
+    w239 = rod_e0 * w59
+    w240 = w238 - w239
+    w241 = rod_q1 * rod_small_end_shape_2_0 + rod_q3 * rod_small_end_shape_2_2 + rod_q5 * rod_small_end_shape_2_4
+    w242 = w74 * rod_small_end_x + w236 * w237 + w240 * w241
+    w243 = w52 * rod_small_end_x + w65 * w237 + w70 * w241
+    w244 = w48 * w242 - w54 * w243
+    w245 = w238 + w239
+    w246 = 1.0 - (w49 + w235)
+    w247 = w58 * w202
+    w248 = w54 * w75 - w247
+    w249 = w82 - w50 * w202
+    w250 = w76 - w204
+    w251 = rod_z_ddot * rod_mass + rod_e0_ddot * w248 + rod_e1_ddot * w249 + rod_e2_ddot * w250 + rod_e3_ddot * w203
+    w252 = c269 + (w62 * w72 - w67 * w245 - w71 * w246) - w251
+    w253 = w55 * w243
+    w254 = w72 * rod_small_end_x + w237 * w245 + w241 * w246
+    w255 = w253 - w48 * w254
+    w256 = w53 * w202 - w81
+    w257 = w247 - w79
+    w258 = w59 * w202 - w53 * w73
+    w259 = rod_y_ddot * rod_mass + rod_e0_ddot * w256 + rod_e1_ddot * w257 + rod_e2_ddot * w258 + rod_e3_ddot * w205
+    w260 = w62 * w74 - w67 * w236 - w71 * w240 - w259
+    w261 = w54 * w254
+    w262 = w55 * w242
+    w263 = w261 - w262
+    w264 = w234 - w244 * w252 - w255 * w260 - w85 * w263
+    w265 = w55 * w162
+    w266 = w54 * w131
+    w267 = w50 * w206 - w265 - w266
+    w268 = w55 * w209 - w54 * w143 - w50 * w162
+    w269 = w54 * w213 - w50 * w131 - w210
+    w270 = w54 * w267 + w58 * w268 + w53 * w269
+    w271 = w55 * w267 + w53 * w268 + w48 * w269
+    w272 = rod_x_ddot * w80 + rod_y_ddot * w258 + rod_z_ddot * w250 + rod_e0_ddot * w270 + rod_e1_ddot * w271
+    w273 = w272 + rod_e2_ddot * (w50 * w267 + w55 * w268 + w54 * w269) + rod_e3_ddot * w218 + rod_q1_ddot * (w50 * w219 + w55 * c262 + w54 * w220)
+    w274 = w273 + rod_q2_ddot * (w50 * w222 + w55 * w223 + w54 * c263) + rod_q3_ddot * (w50 * w224 + w55 * c264 + w54 * w225)
+    w275 = w274 + rod_q4_ddot * (w50 * w227 + w55 * w228 + w54 * c265) + rod_q5_ddot * (w50 * w229 + w55 * c266 + w54 * w230)
+    w276 = w50 * w182 + w55 * w197 + w54 * w201 + w250 * gravity_z - (w275 + rod_q6_ddot * (w50 * c137 + w55 * w232 + w54 * w233))
+    w277 = w53 * w242
+    w278 = w277 - w253
+    w279 = w59 * w243 - w53 * w254
+    w280 = w55 * w254
+    w281 = w280 - w59 * w242
+    w282 = w276 - w252 * w278 - w260 * w279 - w85 * w281
+    w283 = (slider_e0 * w120 - w121 * slider_e3 + (slider_e1 * w122 - slider_e2 * w123)) * w264 + (slider_e0 * w122 - w121 * slider_e2 + (slider_e3 * w123 - w120 * slider_e1)) * w282
+    w284 = w55 * w206 - w53 * w162 - w48 * w131
+    w285 = w53 * w209 - w48 * w143 - w265
+    w286 = w53 * w143
+    w287 = w48 * w213 - w207 - w286
+    w288 = w54 * w284 + w58 * w285 + w53 * w287
+    w289 = rod_x_ddot * w78 + rod_y_ddot * w257 + rod_z_ddot * w249 + rod_e0_ddot * w288 + rod_e1_ddot * (w55 * w284 + w53 * w285 + w48 * w287)
+    w290 = w289 + rod_e2_ddot * w271 + rod_e3_ddot * w216 + rod_q1_ddot * (w55 * w219 + w53 * c262 + w48 * w220)
+    w291 = w290 + rod_q2_ddot * (w55 * w222 + w53 * w223 + w48 * c263) + rod_q3_ddot * (w55 * w224 + w53 * c264 + w48 * w225)
+    w292 = w291 + rod_q4_ddot * (w55 * w227 + w53 * w228 + w48 * c265) + rod_q5_ddot * (w55 * w229 + w53 * c266 + w48 * w230)
+    w293 = w55 * w182 + w53 * w197 + w48 * w201 + w249 * gravity_z - (w292 + rod_q6_ddot * (w55 * c137 + w53 * w232 + w48 * w233))
+    w294 = w262 - w50 * w243
+    w295 = w58 * w243
+    w296 = w295 - w280
+    w297 = w50 * w254 - w58 * w242
+    w298 = w293 - w252 * w294 - w260 * w296 - w85 * w297
+    w299 = w54 * (w54 * w206 - w211 - w53 * w131) + w58 * (w58 * w209 - w286 - w54 * w162) + w53 * (w53 * w213 - w266 - w58 * w143)
+    w300 = rod_x_ddot * w77 + rod_y_ddot * w256 + rod_z_ddot * w248 + rod_e0_ddot * w299 + rod_e1_ddot * w288
+    w301 = w300 + rod_e2_ddot * w270 + rod_e3_ddot * w215 + rod_q1_ddot * (w54 * w219 + w58 * c262 + w53 * w220)
+    w302 = w301 + rod_q2_ddot * (w54 * w222 + w58 * w223 + w53 * c263) + rod_q3_ddot * (w54 * w224 + w58 * c264 + w53 * w225)
+    w303 = w302 + rod_q4_ddot * (w54 * w227 + w58 * w228 + w53 * c265) + rod_q5_ddot * (w54 * w229 + w58 * c266 + w53 * w230)
+    w304 = w54 * w182 + w58 * w197 + w53 * w201 + w248 * gravity_z - (w303 + rod_q6_ddot * (w54 * c137 + w58 * w232 + w53 * w233))
+    w305 = w54 * w242 - w295
+    w306 = w53 * w243 - w261
+    w307 = w58 * w254 - w277
+    w308 = w304 - w252 * w305 - w260 * w306 - w85 * w307
+    w309 = w283 + (slider_e0 * w123 - w121 * slider_e1 + (w120 * slider_e2 - slider_e3 * w122)) * w298 - (slider_e0 * w121 + (slider_e1 * w123 + w122 * slider_e2 + w120 * slider_e3)) * w308
+    w310 = rod_q2 * c2 + rod_q4 * c3
+    w311 = w102 * w104 * 0.5
+    w312 = w100**2
+    w313 = w102**2
+    w314 = w312 + w313
+    w315 = w104**2
+    w316 = 1.0 + (w314 + w315) * 0.25
+    w317 = (w311 - w100) / w316
+    w318 = ca.sin(fork_angle2)
+    w319 = ca.sin(fork_angle1)
+    w320 = w318 * w319
+    w321 = 1.0 - (w312 + w315) * 0.5 / w316
+    w322 = ca.cos(fork_angle1)
+    w323 = w100 * w102 * 0.5
+    w324 = (w104 + w323) / w316
+    w325 = ca.cos(fork_angle2)
+    w326 = w319 * w325
+    w327 = rod_q1 * c10 + rod_q3 * c11 + rod_q5 * c12
+    w328 = 1.0 - w314 * 0.5 / w316
+    w329 = (w100 + w311) / w316
+    w330 = w100 * w104 * 0.5
+    w331 = (w330 - w102) / w316
+    w332 = w310 * (w317 * w320 - (w321 * w322 + w324 * w326)) + w327 * (w320 * w328 - (w322 * w329 + w326 * w331))
+    w333 = (w102 + w330) / w316
+    w334 = (w323 - w104) / w316
+    w335 = 1.0 - (w313 + w315) * 0.5 / w316
+    w336 = w332 - (w320 * w333 - (w322 * w334 + w326 * w335)) * rod_small_end_x
+    w337 = w322 * w325
+    w338 = w318 * w322
+    w339 = w310 * (w319 * w321 - w324 * w337 + w317 * w338) + w327 * (w319 * w329 - w331 * w337 + w328 * w338)
+    w340 = w339 - (w319 * w334 - w335 * w337 + w333 * w338) * rod_small_end_x
+    w341 = (w309 + w87 * w336) / w340
+    w342 = w1 * w88
+    w343 = w94 / 2.0
+    w344 = w91 * w343
+    w345 = w96 * w343
+    w346 = w344 * slider_fork_quaternion_0_0_0 + w345 * slider_fork_quaternion_3_0_0
+    w347 = w345 * slider_fork_quaternion_0_0_0 - w344 * slider_fork_quaternion_3_0_0
+    w348 = w111 / 2.0
+    w349 = w91 * w348
+    w350 = w96 * w348
+    w351 = w349 * slider_fork_quaternion_3_0_0 - w350 * slider_fork_quaternion_0_0_0
+    w352 = w349 * slider_fork_quaternion_0_0_0 + w350 * slider_fork_quaternion_3_0_0
+    w353 = w119 * w346 - w117 * w347 - (w108 * w351 + w109 * w352)
+    w354 = w109 * w351 - (w108 * w352 - (w119 * w347 + w117 * w346))
+    w355 = w109 * w346 - w117 * w351 + (w119 * w352 + w108 * w347)
+    w356 = w109 * w347 - w119 * w351 - (w108 * w346 + w117 * w352)
+    w357 = w264 * (slider_e0 * w353 + slider_e3 * w354 + (slider_e1 * w355 - slider_e2 * w356)) + w282 * (slider_e0 * w355 + slider_e2 * w354 + (slider_e3 * w356 - slider_e1 * w353))
+    w358 = w357 + w298 * (slider_e0 * w356 + slider_e1 * w354 + (slider_e2 * w353 - slider_e3 * w355)) + w308 * (slider_e0 * w354 - (slider_e1 * w356 + slider_e2 * w355 + slider_e3 * w353))
+    w359 = w310 * (w318 * w324 + w317 * w325) + w327 * (w318 * w331 + w325 * w328) - (w318 * w335 + w325 * w333) * rod_small_end_x
+    w360 = (w358 - w87 * (w322 * w359) - w341 * (w319 * w359)) / (w319 * w336 + w322 * w340)
+    w361 = w44 + (w1 * w45 - w47) * w87 + (w2 * w88 - w89) * w341 - (w0 * w46 - w342) * w360
+    w362 = w3 * w19
+    w363 = w362 - w11 * w23
+    w364 = w11 * w29 - w1 * w19
+    w365 = w3 * w29
+    w366 = w24 - w365
+    w367 = crank_x_ddot * w364 + crank_y_ddot * w366 + crank_z_ddot * w363 + crank_e0_ddot * w36 + crank_e1_ddot * (w3 * w35 + w2 * (w2 * c243) + w6 * (w6 * c244))
+    w368 = crank_e3 * crank_e0 * c247 + w6 * w38
+    w369 = w2 * w41 + crank_e2 * crank_e0 * c246
+    w370 = w3 * w10 + w2 * w14 + w6 * w15 + w363 * gravity_z - (w367 + crank_e2_ddot * w368 + crank_e3_ddot * w369)
+    w371 = w3 * w45
+    w372 = w3 * w46
+    w373 = w370 + w87 * (w11 * w45 - w1 * w46) + w341 * (w342 - w371) - w360 * (w372 - w11 * w88)
+    w374 = w3 * w23
+    w375 = w30 - w374
+    w376 = w365 - w4 * w19
+    w377 = w4 * w23 - w2 * w29
+    w378 = crank_x_ddot * w376 + crank_y_ddot * w377 + crank_z_ddot * w375 + crank_e0_ddot * w39 + crank_e1_ddot * w368
+    w379 = w11 * w40 + crank_e1 * crank_e0 * c245
+    w380 = w10 * w11 + w3 * w14 + w0 * w15 + w375 * gravity_z - (w378 + crank_e2_ddot * (w11 * (w11 * c0) + w3 * w37 + w0 * w38) + crank_e3_ddot * w379)
+    w381 = w3 * w88
+    w382 = w380 + w87 * (w371 - w4 * w46) + w341 * (w4 * w88 - w2 * w45) - w360 * (w47 - w381)
+    w383 = w6 * w19 - w0 * w23
+    w384 = w32 - w362
+    w385 = w374 - w6 * w29
+    w386 = crank_x_ddot * w384 + crank_y_ddot * w385 + crank_z_ddot * w383 + crank_e0_ddot * w43 + crank_e1_ddot * w369
+    w387 = w1 * w10 + w4 * w14 + w3 * w15 + w383 * gravity_z - (w386 + crank_e2_ddot * w379 + crank_e3_ddot * (w1 * w40 + w4 * w41 + w3 * w42))
+    w388 = w387 + w87 * (w89 - w372) + w341 * (w381 - w6 * w45) - w360 * (w6 * w46 - w0 * w88)
+    w389 = w12 * c241
+    w390 = w7 * c241
+    w391 = w12 * w389 + w7 * w390
+    w392 = crank_e2 * w6
+    w393 = w5 * w389
+    w394 = crank_e3 * w4
+    w395 = crank_e0 * w6
+    w396 = w5 * w390
+    w397 = crank_x_ddot * crank_mass + w31 * crank_e0_ddot + crank_e1_ddot * w364 + crank_e2_ddot * w376 + crank_e3_ddot * w384
+    w398 = w87 + (w22 * w391 - (1.0 - (w17 + w392)) * w393 - (w394 + w395) * w396 - w397)
+    w399 = crank_y_ddot * crank_mass + w33 * crank_e0_ddot + crank_e1_ddot * w366 + crank_e2_ddot * w377 + crank_e3_ddot * w385
+    w400 = w341 + (w18 * w391 - w393 * (w20 + w21) - w396 * (w26 - w27) - w399)
+    w401 = crank_z_ddot * crank_mass + w25 * crank_e0_ddot + crank_e1_ddot * w363 + crank_e2_ddot * w375 + crank_e3_ddot * w383
+    w402 = c267 + (w28 * w391 - w393 * (w394 - w395) - w396 * (1.0 - (w16 + w392))) - w401 - w360
+    w403 = 2 * -slider_e1
+    w404 = 2 * -slider_e2
+    w405 = 2 * -slider_e3
+    w406 = 2 * slider_e0
+    w407 = 2 * slider_e1
+    w408 = slider_e0_dot * w404 + slider_e1_dot * w405 + slider_e2_dot * w406 + slider_e3_dot * w407
+    w409 = 2 * slider_e2
+    w410 = slider_e0_dot * w405 + slider_e1_dot * w409 + w403 * slider_e2_dot + w406 * slider_e3_dot
+    w411 = w410 * c249
+    w412 = w408 * c248
+    w413 = w408 * w411 - w410 * w412
+    w414 = 2 * slider_e3
+    w415 = w403 * slider_e0_dot + slider_e1_dot * w406 + slider_e2_dot * w414 + w404 * slider_e3_dot
+    w416 = w415 * c251
+    w417 = w410 * w416 - w411 * w415
+    w418 = w412 * w415 - w408 * w416
+    w419 = w406 * c250
+    w420 = w403 * w419 + slider_e3 * slider_e2 * c254
+    w421 = (w403 * (w403 * c250) + w404 * (w404 * c252) + w405 * (w405 * c253)) * slider_e0_ddot + w420 * slider_e1_ddot
+    w422 = w406 * c252
+    w423 = w403 * c253
+    w424 = w404 * w422 + slider_e3 * slider_e1 * c255
+    w425 = w404 * c250
+    w426 = w407 * c252
+    w427 = w406 * c253
+    w428 = slider_e1 * slider_e2 * c256 + w405 * w427
+    w429 = w91 * w94
+    w430 = w94 * w96
+    w431 = w429 * slider_fork_quaternion_0_0_0 + w430 * slider_fork_quaternion_3_0_0
+    w432 = w430 * slider_fork_quaternion_0_0_0 - w429 * slider_fork_quaternion_3_0_0
+    w433 = w91 * w111
+    w434 = w96 * w111
+    w435 = w433 * slider_fork_quaternion_0_0_0 + w434 * slider_fork_quaternion_3_0_0
+    w436 = w434 * slider_fork_quaternion_0_0_0 - w433 * slider_fork_quaternion_3_0_0
+    w437 = w109 * w431 - w108 * w432 + (w119 * w435 - w117 * w436)
+    w438 = rod_q2 * rod_big_end_shape_1_1 + rod_q4 * rod_big_end_shape_1_3
+    w439 = rod_q1 * rod_big_end_shape_2_0 + rod_q3 * rod_big_end_shape_2_2 + rod_q5 * rod_big_end_shape_2_4
+    w440 = w245 * w438 + w246 * w439
     w441 = w54 * w440
-    w442 = w64 * w436 + w70 * w437
-    w443 = w54 * w442
-    w444 = w250 + w358
-    w445 = w232 - w87 * (w439 - w441) - w339 * (w443 - w52 * w438) + w358 * (w52 * w440 - w53 * w442) - w242 * w444
-    w446 = w258 - w339
-    w447 = w85 - w87
-    w448 = w445 - w253 * w446 - w261 * w447
-    w449 = w401 * w411 + w407 * w415 + w402 * w416 - (w419 + w422 * slider_e2_ddot + w426 * slider_e3_ddot) + w435 * w448
-    w450 = w109 * w433 - w117 * w430 + (w108 * w434 - w119 * w429)
-    w451 = w54 * w438
-    w452 = w51 * w440
-    w453 = w274 - w87 * (w451 - w58 * w440) - w339 * (w58 * w442 - w51 * w438) + w358 * (w452 - w443) - w276 * w444
-    w454 = w453 - w277 * w446 - w279 * w447
-    w455 = w109 * w434 - w119 * w430 + (w117 * w429 - w108 * w433)
-    w456 = w57 * w442
-    w457 = w291 - w87 * (w65 * w438 - w57 * w440) - w339 * (w456 - w451) + w358 * (w441 - w65 * w442) - w292 * w444
-    w458 = w457 - w294 * w446 - w295 * w447
-    w459 = w109 * w430 + (w119 * w434 + w117 * w433 + w108 * w429)
-    w460 = w302 - w87 * (w57 * w438 - w452) - w339 * (w51 * w442 - w439) + w358 * (w53 * w440 - w456) - w303 * w444
-    w461 = w460 - w304 * w446 - w305 * w447
-    w462 = w449 + w450 * w454 + w455 * w458 + w459 * w461
-    w463 = slider_e0_ddot * w418 + slider_e1_ddot * (w404 * w417 + w402 * (w402 * c260) + w403 * (w403 * c261))
-    w464 = slider_e0 * slider_e3 * c265 + w403 * w421
-    w465 = w402 * w424 + slider_e0 * slider_e2 * c266
-    w466 = w404 * w411 + w402 * w415 + w403 * w416 - (w463 + slider_e2_ddot * w464 + slider_e3_ddot * w465) + w448 * w450
-    w467 = w466 - w435 * w454 + w458 * w459 - w455 * w461
-    w468 = slider_e0_ddot * w422 + slider_e1_ddot * w464 + slider_e2_ddot * (w412 * (w412 * c258) + w404 * w420 + w401 * w421)
-    w469 = w412 * w423 + slider_e0 * slider_e1 * c267
-    w470 = w411 * w412 + w404 * w415 + w401 * w416 - (w468 + slider_e3_ddot * w469) - w448 * w455 + w454 * w459
-    w471 = w470 + w435 * w458 - w450 * w461
-    w472 = slider_e0_ddot * w426 + slider_e1_ddot * w465 + slider_e2_ddot * w469 + slider_e3_ddot * (w407 * w423 + w408 * w424 + w404 * w425)
-    w473 = w407 * w411 + w408 * w415 + w404 * w416 - w472 + w448 * w459 + w454 * w455 - w450 * w458 - w435 * w461
-    w474 = w446 - slider_y_ddot * slider_mass
-    w475 = w444 + (c279 - slider_z_ddot * slider_mass)
-    w476 = crank_e2 * 0.5
-    w477 = crank_e3 * 0.5
-    w478 = crank_e0 * 0.5
-    w479 = crank_e1 * 0.5
-    w480 = slider_e1 * 0.5
-    w481 = slider_e0 * 0.5
-    w482 = slider_e3 * 0.5
-    w483 = slider_e2 * 0.5
-    w484 = rod_e1 * 0.5
-    w485 = slider_e2 * w404 + slider_e3 * w408
-    w486 = rod_e2 * 0.5
-    w487 = slider_e3 * w403 - slider_e1 * w404
-    w488 = rod_e3 * 0.5
-    w489 = 1.0 - 2 * slider_e1**2 - 2 * slider_e2**2
-    w490 = w484 * w485 + w486 * w487 + w488 * w489
-    w491 = w485 * w490 - w484
-    w492 = w50 * w332 + w64 * w319 + w70 * w327
-    w493 = w487 * w490 - w486
-    w494 = w74 * w332 + w234 * w319 + w238 * w327
-    w495 = w489 * w490 - w488
-    w496 = w72 * w332 + w243 * w319 + w244 * w327
-    w497 = w491 * w492 + w493 * w494 + w495 * w496
-    w498 = rod_e0 * 0.5
-    w499 = w485 * w498 + w487 * w488 - w486 * w489
-    w500 = w498 - w485 * w499
-    w501 = w486 + w489 * w499
-    w502 = w488 - w487 * w499
-    w503 = w496 * w501 - (w492 * w500 + w494 * w502)
-    w504 = w487 * w498 - w485 * w488 + w484 * w489
-    w505 = w488 + w485 * w504
-    w506 = w498 - w487 * w504
-    w507 = w484 - w489 * w504
-    w508 = w492 * w505 - w494 * w506 - w496 * w507
-    w509 = w485 * w486 - w484 * w487 + w489 * w498
-    w510 = w486 - w485 * w509
-    w511 = w484 + w487 * w509
-    w512 = w498 - w489 * w509
-    w513 = w494 * w511 - w492 * w510 - w496 * w512
-    w514 = (w492 * w497 - w491) * w461 - w458 * (w500 + w492 * w503) - w454 * (w492 * w508 - w505) - w448 * (w510 + w492 * w513)
-    w515 = (w494 * w497 - w493) * w461 - w458 * (w502 + w494 * w503) - w454 * (w506 + w494 * w508) - w448 * (w494 * w513 - w511)
-    w516 = (w496 * w497 - w495) * w461 - w458 * (w496 * w503 - w501) - w454 * (w507 + w496 * w508) - w448 * (w512 + w496 * w513)
+    w442 = w236 * w438 + w240 * w439
+    w443 = w55 * w442
+    w444 = w65 * w438 + w70 * w439
+    w445 = w55 * w444
+    w446 = w252 + w360
+    w447 = w234 - w87 * (w441 - w443) - w341 * (w445 - w48 * w440) + w360 * (w48 * w442 - w54 * w444) - w244 * w446
+    w448 = w260 - w341
+    w449 = w85 - w87
+    w450 = w447 - w255 * w448 - w263 * w449
+    w451 = w403 * w413 + w404 * w417 + w405 * w418 - (w421 + w424 * slider_e2_ddot + w428 * slider_e3_ddot) + w437 * w450
+    w452 = w109 * w435 - w117 * w432 + (w108 * w436 - w119 * w431)
+    w453 = w55 * w440
+    w454 = w53 * w442
+    w455 = w276 - w87 * (w453 - w59 * w442) - w341 * (w59 * w444 - w53 * w440) + w360 * (w454 - w445) - w278 * w446
+    w456 = w455 - w279 * w448 - w281 * w449
+    w457 = w109 * w436 - w119 * w432 + (w117 * w431 - w108 * w435)
+    w458 = w58 * w444
+    w459 = w293 - w87 * (w50 * w440 - w58 * w442) - w341 * (w458 - w453) + w360 * (w443 - w50 * w444) - w294 * w446
+    w460 = w459 - w296 * w448 - w297 * w449
+    w461 = w109 * w432 + (w119 * w436 + w117 * w435 + w108 * w431)
+    w462 = w304 - w87 * (w58 * w440 - w454) - w341 * (w53 * w444 - w441) + w360 * (w54 * w442 - w458) - w305 * w446
+    w463 = w462 - w306 * w448 - w307 * w449
+    w464 = w451 + w452 * w456 + w457 * w460 + w461 * w463
+    w465 = slider_e0_ddot * w420 + slider_e1_ddot * (w406 * w419 + w405 * (w405 * c252) + w409 * (w409 * c253))
+    w466 = slider_e0 * slider_e3 * c256 + w409 * w423
+    w467 = w405 * w426 + slider_e0 * slider_e2 * c255
+    w468 = w406 * w413 + w405 * w417 + w409 * w418 - (w465 + slider_e2_ddot * w466 + slider_e3_ddot * w467) + w450 * w452
+    w469 = w468 - w437 * w456 + w460 * w461 - w457 * w463
+    w470 = slider_e0_ddot * w424 + slider_e1_ddot * w466 + slider_e2_ddot * (w414 * (w414 * c250) + w406 * w422 + w403 * w423)
+    w471 = w414 * w425 + slider_e0 * slider_e1 * c254
+    w472 = w413 * w414 + w406 * w417 + w403 * w418 - (w470 + slider_e3_ddot * w471) - w450 * w457 + w456 * w461
+    w473 = w472 + w437 * w460 - w452 * w463
+    w474 = slider_e0_ddot * w428 + slider_e1_ddot * w467 + slider_e2_ddot * w471 + slider_e3_ddot * (w404 * w425 + w407 * w426 + w406 * w427)
+    w475 = w404 * w413 + w407 * w417 + w406 * w418 - w474 + w450 * w461 + w456 * w457 - w452 * w460 - w437 * w463
+    w476 = w448 - slider_y_ddot * slider_mass
+    w477 = w446 + (c268 - slider_z_ddot * slider_mass)
+    w478 = crank_e2 * 0.5
+    w479 = crank_e3 * 0.5
+    w480 = crank_e0 * 0.5
+    w481 = crank_e1 * 0.5
+    w482 = slider_e1 * 0.5
+    w483 = slider_e0 * 0.5
+    w484 = slider_e3 * 0.5
+    w485 = slider_e2 * 0.5
+    w486 = rod_e1 * 0.5
+    w487 = slider_e3 * w407 + slider_e0 * w409
+    w488 = rod_e2 * 0.5
+    w489 = slider_e3 * w409 - slider_e0 * w407
+    w490 = rod_e3 * 0.5
+    w491 = 1.0 - (slider_e1 * w407 + slider_e2 * w409)
+    w492 = w486 * w487 + w488 * w489 + w490 * w491
+    w493 = w487 * w492 - w486
+    w494 = w52 * w334 + w65 * w321 + w70 * w329
+    w495 = w489 * w492 - w488
+    w496 = w74 * w334 + w236 * w321 + w240 * w329
+    w497 = w491 * w492 - w490
+    w498 = w72 * w334 + w245 * w321 + w246 * w329
+    w499 = w493 * w494 + w495 * w496 + w497 * w498
+    w500 = rod_e0 * 0.5
+    w501 = w487 * w500 + w489 * w490 - w488 * w491
+    w502 = w500 - w487 * w501
+    w503 = w488 + w491 * w501
+    w504 = w490 - w489 * w501
+    w505 = w498 * w503 - (w494 * w502 + w496 * w504)
+    w506 = w489 * w500 - w487 * w490 + w486 * w491
+    w507 = w490 + w487 * w506
+    w508 = w500 - w489 * w506
+    w509 = w486 - w491 * w506
+    w510 = w494 * w507 - w496 * w508 - w498 * w509
+    w511 = w487 * w488 - w486 * w489 + w491 * w500
+    w512 = w488 - w487 * w511
+    w513 = w486 + w489 * w511
+    w514 = w500 - w491 * w511
+    w515 = w496 * w513 - w494 * w512 - w498 * w514
+    w516 = (w494 * w499 - w493) * w463 - w460 * (w502 + w494 * w505) - w456 * (w494 * w510 - w507) - w450 * (w512 + w494 * w515)
+    w517 = (w496 * w499 - w495) * w463 - w460 * (w504 + w496 * w505) - w456 * (w508 + w496 * w510) - w450 * (w496 * w515 - w513)
+    w518 = (w498 * w499 - w497) * w463 - w460 * (w498 * w505 - w503) - w456 * (w509 + w498 * w510) - w450 * (w514 + w498 * w515)
     # outputs
     lam = ca.vertcat(
-        w359,  # axle.e0
-        w371,  # axle.e1
-        w380,  # axle.e2
-        w386,  # axle.e3
-        w396,  # axle.x
-        w398,  # axle.y
-        w400,  # axle.z
-        w462,  # guide.e0
-        w467,  # guide.e1
-        w471,  # guide.e2
-        w473,  # guide.e3
-        w447 - w86,  # guide.x
-        w474,  # guide.y
-        w475,  # guide.z
-        w461,  # fork.e0
-        w458,  # fork.e1
-        w454,  # fork.e2
-        w448,  # fork.e3
-        w447,  # fork.x
-        w446,  # fork.y
-        w444,  # fork.z
+        w361,  # axle.e0
+        w373,  # axle.e1
+        w382,  # axle.e2
+        w388,  # axle.e3
+        w398,  # axle.x
+        w400,  # axle.y
+        w402,  # axle.z
+        w464,  # guide.e0
+        w469,  # guide.e1
+        w473,  # guide.e2
+        w475,  # guide.e3
+        w449 - w86,  # guide.x
+        w476,  # guide.y
+        w477,  # guide.z
+        w463,  # fork.e0
+        w460,  # fork.e1
+        w456,  # fork.e2
+        w450,  # fork.e3
+        w449,  # fork.x
+        w448,  # fork.y
+        w446,  # fork.z
         w87,  # pin.x
-        w339,  # pin.y
-        -w358,  # pin.z
+        w341,  # pin.y
+        -w360,  # pin.z
     )
     joint_forces = ca.horzcat(
         ca.vertcat(  # axle
-            -w396, -w398, -w400, 0.0, w359 * w476 - w371 * w477 - w380 * w478 + w386 * w479,
-            w359 * w477 + w371 * w476 - w380 * w479 - w386 * w478,
+            -w398, -w400, -w402, 0.0, w361 * w478 - w373 * w479 - w382 * w480 + w388 * w481,
+            w361 * w479 + w373 * w478 - w382 * w481 - w388 * w480,
         ),
         ca.vertcat(  # guide
-            0.0, -w474, -w475, w462 * w480 - w467 * w481 + w471 * w482 - w473 * w483,
-            w462 * w483 - w467 * w482 - w471 * w481 + w473 * w480,
-            w462 * w482 + w467 * w483 - w471 * w480 - w473 * w481,
+            0.0, -w476, -w477, w464 * w482 - w469 * w483 + w473 * w484 - w475 * w485,
+            w464 * w485 - w469 * w484 - w473 * w483 + w475 * w482,
+            w464 * w484 + w469 * w485 - w473 * w482 - w475 * w483,
         ),
-        ca.vertcat(-w447, -w446, -w444, w514, w515, w516),  # fork
-        ca.vertcat(-w87, -w339, w358, 0.0, 0.0, 0.0),  # pin
+        ca.vertcat(-w449, -w448, -w446, w516, w517, w518),  # fork
+        ca.vertcat(-w87, -w341, w360, 0.0, 0.0, 0.0),  # pin
     )
     inputs, outputs = [q, q_dot, q_ddot, c], [ca.densify(lam), ca.densify(joint_forces)]
     return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
@@ -5347,17 +5335,17 @@ def energy() -> ca.Function:
 
     takes q (n = 31) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 31) [mixed]: rates of all coordinates
-    takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    1072 operations.
+    1077 operations.
     """
     q = ca.SX.sym("q", 31)
     q_dot = ca.SX.sym("q_dot", 31)
-    c = ca.SX.sym("c", 344)
+    c = ca.SX.sym("c", 339)
     crank_z = q[2]
     crank_e0 = q[3]
     crank_e1 = q[4]
@@ -5522,15 +5510,20 @@ def energy() -> ca.Function:
     rod_M_ff_3_3 = c[239]
     rod_M_ff_4_4 = c[240]
     c241 = c[241]
-    c248 = c[248]
-    c249 = c[249]
+    c243 = c[243]
+    c244 = c[244]
+    c245 = c[245]
+    c246 = c[246]
+    c247 = c[247]
     c250 = c[250]
-    c251 = c[251]
     c252 = c[252]
     c253 = c[253]
     c254 = c[254]
     c255 = c[255]
+    c256 = c[256]
+    c257 = c[257]
     c258 = c[258]
+    c259 = c[259]
     c260 = c[260]
     c261 = c[261]
     c262 = c[262]
@@ -5538,126 +5531,115 @@ def energy() -> ca.Function:
     c264 = c[264]
     c265 = c[265]
     c266 = c[266]
-    c267 = c[267]
-    c268 = c[268]
-    c269 = c[269]
-    c270 = c[270]
     c271 = c[271]
-    c272 = c[272]
-    c273 = c[273]
-    c274 = c[274]
-    c275 = c[275]
-    c276 = c[276]
-    c277 = c[277]
-    c282 = c[282]
     # intermediate terms (234)
-    w0 = crank_e2 * -2.0
-    w1 = 2 * crank_e0
-    w2 = 2 * crank_e2
-    w3 = (w1 * crank_e1 + w2 * crank_e3) * c241
-    w4 = crank_e3 * -2.0
-    w5 = (1.0 - 2 * crank_e1**2 - 2 * crank_e3**2) * c241
-    w6 = w4 * w5
-    w7 = w0 * w3 - w6
-    w8 = 2 * crank_e3
-    w9 = w3 * w8 - w0 * w5
-    w10 = w1 * w3
-    w11 = 2 * crank_e1
-    w12 = w10 - w5 * w11
-    w13 = crank_e1 * -2.0
+    w0 = 2 * -crank_e2
+    w1 = 2 * crank_e2
+    w2 = 2 * crank_e1
+    w3 = (w1 * crank_e3 + w2 * crank_e0) * c241
+    w4 = 2 * -crank_e3
+    w5 = 2 * crank_e3
+    w6 = (1.0 - (crank_e1 * w2 + crank_e3 * w5)) * c241
+    w7 = w4 * w6
+    w8 = w0 * w3 - w7
+    w9 = w3 * w5 - w0 * w6
+    w10 = 2 * crank_e0
+    w11 = w3 * w10
+    w12 = w11 - w2 * w6
+    w13 = 2 * -crank_e1
     w14 = w3 * w13
-    w15 = w1 * w5
+    w15 = w6 * w10
     w16 = w14 - w15
-    w17 = crank_x_dot * crank_mass + w7 * crank_e0_dot + w9 * crank_e1_dot + w12 * crank_e2_dot + w16 * crank_e3_dot
-    w18 = (crank_e2 * w11 - w1 * crank_e3) * c241
+    w17 = crank_x_dot * crank_mass + w8 * crank_e0_dot + w9 * crank_e1_dot + w12 * crank_e2_dot + w16 * crank_e3_dot
+    w18 = (crank_e2 * w2 - crank_e0 * w5) * c241
     w19 = w4 * w18 - w14
     w20 = w0 * w18
-    w21 = w20 - w10
-    w22 = w11 * w18 - w3 * w4
-    w23 = w1 * w18
-    w24 = w23 - w2 * w3
+    w21 = w20 - w11
+    w22 = w2 * w18 - w3 * w4
+    w23 = w10 * w18
+    w24 = w23 - w1 * w3
     w25 = crank_y_dot * crank_mass + crank_e0_dot * w19 + crank_e1_dot * w21 + crank_e2_dot * w22 + crank_e3_dot * w24
-    w26 = w5 * w13 - w20
-    w27 = w15 - w8 * w18
-    w28 = w6 - w23
-    w29 = w2 * w5 - w13 * w18
+    w26 = w6 * w13 - w20
+    w27 = w15 - w5 * w18
+    w28 = w7 - w23
+    w29 = w1 * w6 - w13 * w18
     w30 = crank_z_dot * crank_mass + crank_e0_dot * w26 + crank_e1_dot * w27 + crank_e2_dot * w28 + crank_e3_dot * w29
-    w31 = crank_x_dot * w7 + crank_y_dot * w19 + crank_z_dot * w26 + crank_e0_dot * (w13 * (w13 * c0) + w0 * (w0 * c248) + w4 * (w4 * c249))
-    w32 = w1 * c0
-    w33 = w13 * w32 + crank_e2 * crank_e3 * c250
-    w34 = w1 * c248
-    w35 = w13 * c249
-    w36 = w0 * w34 + crank_e1 * crank_e3 * c251
+    w31 = crank_x_dot * w8 + crank_y_dot * w19 + crank_z_dot * w26 + crank_e0_dot * (w13 * (w13 * c0) + w0 * (w0 * c243) + w4 * (w4 * c244))
+    w32 = w10 * c0
+    w33 = w13 * w32 + crank_e2 * crank_e3 * c245
+    w34 = w10 * c243
+    w35 = w13 * c244
+    w36 = w0 * w34 + crank_e3 * crank_e1 * c246
     w37 = w0 * c0
-    w38 = w11 * c248
-    w39 = w1 * c249
-    w40 = crank_e2 * crank_e1 * c252 + w4 * w39
+    w38 = w2 * c243
+    w39 = w10 * c244
+    w40 = crank_e2 * crank_e1 * c247 + w4 * w39
     w41 = crank_x_dot * w17 + crank_y_dot * w25 + crank_z_dot * w30 + crank_e0_dot * (w31 + crank_e1_dot * w33 + crank_e2_dot * w36 + crank_e3_dot * w40)
-    w42 = crank_x_dot * w9 + crank_y_dot * w21 + crank_z_dot * w27 + crank_e0_dot * w33 + crank_e1_dot * (w1 * w32 + w4 * (w4 * c248) + w2 * (w2 * c249))
-    w43 = crank_e0 * crank_e3 * c253 + w2 * w35
-    w44 = w4 * w38 + crank_e2 * crank_e0 * c254
+    w42 = crank_x_dot * w9 + crank_y_dot * w21 + crank_z_dot * w27 + crank_e0_dot * w33 + crank_e1_dot * (w10 * w32 + w4 * (w4 * c243) + w1 * (w1 * c244))
+    w43 = crank_e3 * crank_e0 * c247 + w1 * w35
+    w44 = w4 * w38 + crank_e2 * crank_e0 * c246
     w45 = crank_x_dot * w12 + crank_y_dot * w22 + crank_z_dot * w28 + crank_e0_dot * w36 + crank_e1_dot * w43
-    w46 = w8 * w37 + crank_e0 * crank_e1 * c255
-    w47 = crank_e2_dot * (w45 + crank_e2_dot * (w8 * (w8 * c0) + w1 * w34 + w13 * w35) + crank_e3_dot * w46)
+    w46 = w5 * w37 + crank_e1 * crank_e0 * c245
+    w47 = crank_e2_dot * (w45 + crank_e2_dot * (w5 * (w5 * c0) + w10 * w34 + w13 * w35) + crank_e3_dot * w46)
     w48 = crank_x_dot * w16 + crank_y_dot * w24 + crank_z_dot * w29 + crank_e0_dot * w40 + crank_e1_dot * w44
-    w49 = w41 + crank_e1_dot * (w42 + crank_e2_dot * w43 + crank_e3_dot * w44) + w47 + crank_e3_dot * (w48 + crank_e2_dot * w46 + crank_e3_dot * (w0 * w37 + w11 * w38 + w1 * w39))
+    w49 = w41 + crank_e1_dot * (w42 + crank_e2_dot * w43 + crank_e3_dot * w44) + w47 + crank_e3_dot * (w48 + crank_e2_dot * w46 + crank_e3_dot * (w0 * w37 + w2 * w38 + w10 * w39))
     w50 = w49 + slider_x_dot * (slider_x_dot * slider_mass) + slider_y_dot * (slider_y_dot * slider_mass) + slider_z_dot * (slider_z_dot * slider_mass)
-    w51 = slider_e1 * -2.0
-    w52 = slider_e2 * -2.0
-    w53 = slider_e3 * -2.0
+    w51 = 2 * -slider_e1
+    w52 = 2 * -slider_e2
+    w53 = 2 * -slider_e3
     w54 = 2 * slider_e0
-    w55 = w54 * c258
+    w55 = w54 * c250
     w56 = 2 * slider_e2
-    w57 = w51 * w55 + slider_e2 * slider_e3 * c262
-    w58 = slider_e0_dot * (w51 * (w51 * c258) + w52 * (w52 * c260) + w53 * (w53 * c261)) + w57 * slider_e1_dot
+    w57 = w51 * w55 + slider_e2 * slider_e3 * c254
+    w58 = slider_e0_dot * (w51 * (w51 * c250) + w52 * (w52 * c252) + w53 * (w53 * c253)) + w57 * slider_e1_dot
     w59 = 2 * slider_e3
-    w60 = w54 * c260
-    w61 = w51 * c261
-    w62 = w52 * w60 + slider_e1 * slider_e3 * c263
-    w63 = w52 * c258
+    w60 = w54 * c252
+    w61 = w51 * c253
+    w62 = w52 * w60 + slider_e1 * slider_e3 * c255
+    w63 = w52 * c250
     w64 = 2 * slider_e1
-    w65 = w64 * c260
-    w66 = w54 * c261
-    w67 = slider_e1 * slider_e2 * c264 + w53 * w66
-    w68 = slider_e3 * slider_e0 * c265 + w56 * w61
-    w69 = slider_e0_dot * w57 + slider_e1_dot * (w54 * w55 + w53 * (w53 * c260) + w56 * (w56 * c261)) + slider_e2_dot * w68
-    w70 = w53 * w65 + slider_e2 * slider_e0 * c266
+    w65 = w64 * c252
+    w66 = w54 * c253
+    w67 = slider_e1 * slider_e2 * c256 + w53 * w66
+    w68 = slider_e3 * slider_e0 * c256 + w56 * w61
+    w69 = slider_e0_dot * w57 + slider_e1_dot * (w54 * w55 + w53 * (w53 * c252) + w56 * (w56 * c253)) + slider_e2_dot * w68
+    w70 = w53 * w65 + slider_e2 * slider_e0 * c255
     w71 = w50 + slider_e0_dot * (w58 + w62 * slider_e2_dot + w67 * slider_e3_dot) + slider_e1_dot * (w69 + slider_e3_dot * w70)
-    w72 = slider_e0_dot * w62 + slider_e1_dot * w68 + slider_e2_dot * (w59 * (w59 * c258) + w54 * w60 + w51 * w61)
-    w73 = w59 * w63 + slider_e1 * slider_e0 * c267
+    w72 = slider_e0_dot * w62 + slider_e1_dot * w68 + slider_e2_dot * (w59 * (w59 * c250) + w54 * w60 + w51 * w61)
+    w73 = w59 * w63 + slider_e1 * slider_e0 * c254
     w74 = slider_e0_dot * w67 + slider_e1_dot * w70 + slider_e2_dot * w73 + slider_e3_dot * (w52 * w63 + w64 * w65 + w54 * w66)
-    w75 = rod_e2 * -2.0
+    w75 = 2 * -rod_e2
     w76 = 2 * rod_e1
-    w77 = 2 * rod_e0
-    w78 = (w76 * rod_e3 - rod_e2 * w77) * rod_first_moment_x
-    w79 = rod_e3 * -2.0
-    w80 = (rod_e3 * w77 + rod_e2 * w76) * rod_first_moment_x
-    w81 = w79 * w80
-    w82 = w75 * w78 - w81
-    w83 = 2 * rod_e3
-    w84 = w78 * w83 - w75 * w80
-    w85 = w77 * w78
-    w86 = w85 - w76 * w80
-    w87 = rod_e1 * -2.0
-    w88 = w78 * w87
-    w89 = w77 * w80
-    w90 = w88 - w89
-    w91 = rod_x_dot * (rod_x_dot * rod_mass + w82 * rod_e0_dot + w84 * rod_e1_dot + w86 * rod_e2_dot + w90 * rod_e3_dot)
-    w92 = (1.0 - 2 * rod_e2**2 - 2 * rod_e3**2) * rod_first_moment_x
-    w93 = w79 * w92 - w88
-    w94 = w75 * w92
-    w95 = w94 - w85
-    w96 = w76 * w92 - w78 * w79
-    w97 = w77 * w92
-    w98 = 2 * rod_e2
-    w99 = w97 - w78 * w98
-    w100 = rod_y_dot * (rod_y_dot * rod_mass + rod_e0_dot * w93 + rod_e1_dot * w95 + rod_e2_dot * w96 + rod_e3_dot * w99)
-    w101 = w80 * w87 - w94
-    w102 = w89 - w83 * w92
-    w103 = w81 - w97
-    w104 = w80 * w98 - w87 * w92
+    w77 = 2 * rod_e2
+    w78 = (w76 * rod_e3 - w77 * rod_e0) * rod_first_moment_x
+    w79 = 2 * -rod_e3
+    w80 = 2 * rod_e3
+    w81 = (rod_e2 * w76 + rod_e0 * w80) * rod_first_moment_x
+    w82 = w79 * w81
+    w83 = w75 * w78 - w82
+    w84 = w78 * w80 - w75 * w81
+    w85 = 2 * rod_e0
+    w86 = w78 * w85
+    w87 = w86 - w76 * w81
+    w88 = 2 * -rod_e1
+    w89 = w78 * w88
+    w90 = w81 * w85
+    w91 = w89 - w90
+    w92 = rod_x_dot * (rod_x_dot * rod_mass + w83 * rod_e0_dot + w84 * rod_e1_dot + w87 * rod_e2_dot + w91 * rod_e3_dot)
+    w93 = (1.0 - (rod_e2 * w77 + rod_e3 * w80)) * rod_first_moment_x
+    w94 = w79 * w93 - w89
+    w95 = w75 * w93
+    w96 = w95 - w86
+    w97 = w76 * w93 - w78 * w79
+    w98 = w85 * w93
+    w99 = w98 - w77 * w78
+    w100 = rod_y_dot * (rod_y_dot * rod_mass + rod_e0_dot * w94 + rod_e1_dot * w96 + rod_e2_dot * w97 + rod_e3_dot * w99)
+    w101 = w81 * w88 - w95
+    w102 = w90 - w80 * w93
+    w103 = w82 - w98
+    w104 = w77 * w81 - w88 * w93
     w105 = rod_z_dot * rod_mass + rod_e0_dot * w101 + rod_e1_dot * w102 + rod_e2_dot * w103 + rod_e3_dot * w104
-    w106 = w71 + slider_e2_dot * (w72 + slider_e3_dot * w73) + slider_e3_dot * w74 + w91 + w100 + rod_z_dot * w105
+    w106 = w71 + slider_e2_dot * (w72 + slider_e3_dot * w73) + slider_e3_dot * w74 + w92 + w100 + rod_z_dot * w105
     w107 = rod_q1 * (rod_q1 * rod_phi_phi_0_0_1_1 + rod_q3 * rod_phi_phi_2_0_1_1 + rod_q5 * rod_phi_phi_4_0_1_1)
     w108 = rod_inertia_moments_1_1 + w107 + rod_q2 * (rod_q2 * rod_phi_phi_1_1_1_1 + rod_q4 * rod_phi_phi_3_1_1_1)
     w109 = rod_q3 * (rod_q1 * rod_phi_phi_0_2_1_1 + rod_q3 * rod_phi_phi_2_2_1_1 + rod_q5 * rod_phi_phi_4_2_1_1)
@@ -5675,7 +5657,7 @@ def energy() -> ca.Function:
     w121 = rod_q6 * rod_phi_phi_5_2_1_0
     w122 = rod_q6 * rod_phi_phi_5_4_0_1
     w123 = rod_q6 * rod_phi_phi_5_4_1_0
-    w124 = rod_q1 * ((w118 + w119) * 0.5) + rod_q2 * c268 + rod_q3 * ((w120 + w121) * 0.5) + rod_q4 * c269 + rod_q5 * ((w122 + w123) * 0.5)
+    w124 = rod_q1 * ((w118 + w119) * 0.5) + rod_q2 * c257 + rod_q3 * ((w120 + w121) * 0.5) + rod_q4 * c258 + rod_q5 * ((w122 + w123) * 0.5)
     w125 = rod_q1 * rod_phi_phi_0_5_0_1 + rod_q3 * rod_phi_phi_2_5_0_1 + rod_q5 * rod_phi_phi_4_5_0_1
     w126 = rod_q1 * rod_phi_phi_0_5_1_0 + rod_q3 * rod_phi_phi_2_5_1_0 + rod_q5 * rod_phi_phi_4_5_1_0
     w127 = w124 + rod_q6 * ((w125 + w126) * 0.5)
@@ -5684,7 +5666,7 @@ def energy() -> ca.Function:
     w130 = rod_q6 * rod_phi_phi_5_1_2_0
     w131 = rod_q6 * rod_phi_phi_5_3_0_2
     w132 = rod_q6 * rod_phi_phi_5_3_2_0
-    w133 = rod_q1 * c270 + rod_q2 * ((w129 + w130) * 0.5) + rod_q3 * c271 + rod_q4 * ((w131 + w132) * 0.5) + rod_q5 * c272
+    w133 = rod_q1 * c259 + rod_q2 * ((w129 + w130) * 0.5) + rod_q3 * c260 + rod_q4 * ((w131 + w132) * 0.5) + rod_q5 * c261
     w134 = rod_q2 * rod_phi_phi_1_5_0_2 + rod_q4 * rod_phi_phi_3_5_0_2
     w135 = rod_q2 * rod_phi_phi_1_5_2_0 + rod_q4 * rod_phi_phi_3_5_2_0
     w136 = w133 + rod_q6 * ((w134 + w135) * 0.5)
@@ -5708,71 +5690,71 @@ def energy() -> ca.Function:
     w154 = w151 + rod_q5 * ((w152 + w153) * 0.5) + rod_q6 * c129
     w155 = w79 * w154
     w156 = w111 + w141
-    w157 = w87 * w136
-    w158 = w87 * (w87 * w117 - w128 - w79 * w136) + w75 * (w75 * w142 - w87 * w127 - w155) + w79 * (w79 * w156 - (w157 + w75 * w154))
-    w159 = w77 * w117 - w79 * w127 - w98 * w136
-    w160 = w77 * w127
-    w161 = w79 * w142 - w160 - w98 * w154
-    w162 = w77 * w136
-    w163 = w98 * w156 - (w155 + w162)
-    w164 = w87 * w159 + w75 * w161 + w79 * w163
-    w165 = w83 * w117 - w160 - w157
-    w166 = w77 * w142 - w83 * w127 - w87 * w154
-    w167 = w77 * w154
-    w168 = w87 * w156 - (w83 * w136 + w167)
-    w169 = w87 * w165 + w75 * w166 + w79 * w168
-    w170 = rod_x_dot * w82 + rod_y_dot * w93 + rod_z_dot * w101 + rod_e0_dot * w158 + rod_e1_dot * w164 + rod_e2_dot * w169
+    w157 = w88 * w136
+    w158 = w88 * (w88 * w117 - w128 - w79 * w136) + w75 * (w75 * w142 - w155 - w88 * w127) + w79 * (w79 * w156 - w157 - w75 * w154)
+    w159 = w85 * w117 - w79 * w127 - w77 * w136
+    w160 = w85 * w127
+    w161 = w79 * w142 - w77 * w154 - w160
+    w162 = w85 * w136
+    w163 = w77 * w156 - w162 - w155
+    w164 = w88 * w159 + w75 * w161 + w79 * w163
+    w165 = w80 * w117 - w160 - w157
+    w166 = w85 * w142 - w88 * w154 - w80 * w127
+    w167 = w85 * w154
+    w168 = w88 * w156 - w80 * w136 - w167
+    w169 = w88 * w165 + w75 * w166 + w79 * w168
+    w170 = rod_x_dot * w83 + rod_y_dot * w94 + rod_z_dot * w101 + rod_e0_dot * w158 + rod_e1_dot * w164 + rod_e2_dot * w169
     w171 = w75 * w117 - w76 * w127 - w162
-    w172 = w76 * w142 - w128 - w167
-    w173 = w77 * w156 - (w75 * w136 + w76 * w154)
-    w174 = w87 * w171 + w75 * w172 + w79 * w173
+    w172 = w76 * w142 - w167 - w128
+    w173 = w85 * w156 - w75 * w136 - w76 * w154
+    w174 = w88 * w171 + w75 * w172 + w79 * w173
     w175 = w143 - w144
     w176 = w118 - w119
-    w177 = w87 * w175 + w75 * c273 + w79 * w176
+    w177 = w88 * w175 + w75 * c262 + w79 * w176
     w178 = w145 - w146
     w179 = w130 - w129
-    w180 = w87 * w178 + w75 * w179 + w79 * c274
+    w180 = w88 * w178 + w75 * w179 + w79 * c263
     w181 = w147 - w148
     w182 = w120 - w121
-    w183 = w87 * w181 + w75 * c275 + w79 * w182
+    w183 = w88 * w181 + w75 * c264 + w79 * w182
     w184 = w149 - w150
     w185 = w132 - w131
-    w186 = w87 * w184 + w75 * w185 + w79 * c276
+    w186 = w88 * w184 + w75 * w185 + w79 * c265
     w187 = w170 + rod_e3_dot * w174 + w177 * rod_q1_dot + w180 * rod_q2_dot + w183 * rod_q3_dot + w186 * rod_q4_dot
     w188 = w152 - w153
     w189 = w122 - w123
-    w190 = w87 * w188 + w75 * c277 + w79 * w189
+    w190 = w88 * w188 + w75 * c266 + w79 * w189
     w191 = w135 - w134
     w192 = w125 - w126
-    w193 = w87 * c137 + w75 * w191 + w79 * w192
-    w194 = rod_x_dot * w84 + rod_y_dot * w95 + rod_z_dot * w102 + rod_e0_dot * w164 + rod_e1_dot * (w77 * w159 + w79 * w161 + w98 * w163)
-    w195 = w77 * w165 + w79 * w166 + w98 * w168
-    w196 = w77 * w171 + w79 * w172 + w98 * w173
-    w197 = w77 * w175 + w79 * c273 + w98 * w176
-    w198 = w77 * w178 + w79 * w179 + w98 * c274
-    w199 = w77 * w181 + w79 * c275 + w98 * w182
+    w193 = w88 * c137 + w75 * w191 + w79 * w192
+    w194 = rod_x_dot * w84 + rod_y_dot * w96 + rod_z_dot * w102 + rod_e0_dot * w164 + rod_e1_dot * (w85 * w159 + w79 * w161 + w77 * w163)
+    w195 = w85 * w165 + w79 * w166 + w77 * w168
+    w196 = w85 * w171 + w79 * w172 + w77 * w173
+    w197 = w85 * w175 + w79 * c262 + w77 * w176
+    w198 = w85 * w178 + w79 * w179 + w77 * c263
+    w199 = w85 * w181 + w79 * c264 + w77 * w182
     w200 = w194 + rod_e2_dot * w195 + rod_e3_dot * w196 + rod_q1_dot * w197 + rod_q2_dot * w198 + rod_q3_dot * w199
-    w201 = w77 * w184 + w79 * w185 + w98 * c276
-    w202 = w77 * w188 + w79 * c277 + w98 * w189
-    w203 = w77 * c137 + w79 * w191 + w98 * w192
+    w201 = w85 * w184 + w79 * w185 + w77 * c265
+    w202 = w85 * w188 + w79 * c266 + w77 * w189
+    w203 = w85 * c137 + w79 * w191 + w77 * w192
     w204 = w106 + rod_e0_dot * (w187 + w190 * rod_q5_dot + w193 * rod_q6_dot) + rod_e1_dot * (w200 + rod_q4_dot * w201 + rod_q5_dot * w202 + rod_q6_dot * w203)
-    w205 = rod_x_dot * w86 + rod_y_dot * w96 + rod_z_dot * w103 + rod_e0_dot * w169 + rod_e1_dot * w195 + rod_e2_dot * (w83 * w165 + w77 * w166 + w87 * w168)
-    w206 = w83 * w171 + w77 * w172 + w87 * w173
-    w207 = w83 * w175 + w77 * c273 + w87 * w176
-    w208 = w83 * w178 + w77 * w179 + w87 * c274
-    w209 = w83 * w181 + w77 * c275 + w87 * w182
-    w210 = w83 * w184 + w77 * w185 + w87 * c276
+    w205 = rod_x_dot * w87 + rod_y_dot * w97 + rod_z_dot * w103 + rod_e0_dot * w169 + rod_e1_dot * w195 + rod_e2_dot * (w80 * w165 + w85 * w166 + w88 * w168)
+    w206 = w80 * w171 + w85 * w172 + w88 * w173
+    w207 = w80 * w175 + w85 * c262 + w88 * w176
+    w208 = w80 * w178 + w85 * w179 + w88 * c263
+    w209 = w80 * w181 + w85 * c264 + w88 * w182
+    w210 = w80 * w184 + w85 * w185 + w88 * c265
     w211 = w205 + rod_e3_dot * w206 + rod_q1_dot * w207 + rod_q2_dot * w208 + rod_q3_dot * w209 + rod_q4_dot * w210
-    w212 = w83 * w188 + w77 * c277 + w87 * w189
-    w213 = w83 * c137 + w77 * w191 + w87 * w192
-    w214 = rod_x_dot * w90 + rod_y_dot * w99 + rod_z_dot * w104 + rod_e0_dot * w174 + rod_e1_dot * w196 + rod_e2_dot * w206
-    w215 = w75 * w175 + w76 * c273 + w77 * w176
-    w216 = w75 * w178 + w76 * w179 + w77 * c274
-    w217 = w214 + rod_e3_dot * (w75 * w171 + w76 * w172 + w77 * w173) + rod_q1_dot * w215 + rod_q2_dot * w216
-    w218 = w75 * w181 + w76 * c275 + w77 * w182
-    w219 = w75 * w184 + w76 * w185 + w77 * c276
-    w220 = w75 * w188 + w76 * c277 + w77 * w189
-    w221 = w75 * c137 + w76 * w191 + w77 * w192
+    w212 = w80 * w188 + w85 * c266 + w88 * w189
+    w213 = w80 * c137 + w85 * w191 + w88 * w192
+    w214 = rod_x_dot * w91 + rod_y_dot * w99 + rod_z_dot * w104 + rod_e0_dot * w174 + rod_e1_dot * w196 + rod_e2_dot * w206
+    w215 = w75 * w175 + w76 * c262 + w85 * w176
+    w216 = w75 * w178 + w76 * w179 + w85 * c263
+    w217 = w214 + rod_e3_dot * (w75 * w171 + w76 * w172 + w85 * w173) + rod_q1_dot * w215 + rod_q2_dot * w216
+    w218 = w75 * w181 + w76 * c264 + w85 * w182
+    w219 = w75 * w184 + w76 * w185 + w85 * c265
+    w220 = w75 * w188 + w76 * c266 + w85 * w189
+    w221 = w75 * c137 + w76 * w191 + w85 * w192
     w222 = rod_e3_dot * (w217 + rod_q3_dot * w218 + rod_q4_dot * w219 + rod_q5_dot * w220 + rod_q6_dot * w221)
     w223 = rod_e0_dot * w177 + rod_e1_dot * w197 + rod_e2_dot * w207 + rod_e3_dot * w215 + rod_q1_dot * rod_M_ff_0_0
     w224 = rod_e0_dot * w180 + rod_e1_dot * w198 + rod_e2_dot * w208 + rod_e3_dot * w216 + rod_q2_dot * rod_M_ff_1_1
@@ -5788,7 +5770,7 @@ def energy() -> ca.Function:
     # outputs
     kinetic = ca.vertcat((w225 + rod_q3_dot * w226 + rod_q4_dot * w227 + rod_q5_dot * w228 + rod_q6_dot * w229) / 2.0)
     elastic = ca.vertcat(w231 / 2.0)
-    potential = ca.vertcat(slider_z * c282 - (w3 + crank_z * crank_mass + (w78 + rod_z * rod_mass)) * gravity_z)
+    potential = ca.vertcat(slider_z * c271 - (w3 + crank_z * crank_mass + (w78 + rod_z * rod_mass)) * gravity_z)
     power_dissipated = ca.vertcat(w233 + guide_travel_dot**2 * guide_damping)
     power_applied = ca.SX(1, 1)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
@@ -5800,7 +5782,7 @@ def poses() -> ca.Function:
 
     takes q (n = 31) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 3) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    78 operations.
+    72 operations.
     """
     q = ca.SX.sym("q", 31)
     crank_x = q[0]
@@ -5824,54 +5806,57 @@ def poses() -> ca.Function:
     rod_e1 = q[18]
     rod_e2 = q[19]
     rod_e3 = q[20]
-    # intermediate terms (33)
-    w0 = 2 * crank_e2**2
-    w1 = 2 * crank_e3**2
-    w2 = 2 * crank_e0
+    # intermediate terms (36)
+    w0 = 2 * crank_e2
+    w1 = crank_e2 * w0
+    w2 = 2 * crank_e3
     w3 = crank_e3 * w2
     w4 = 2 * crank_e1
     w5 = crank_e2 * w4
-    w6 = crank_e3 * w4
-    w7 = crank_e2 * w2
-    w8 = 1.0 - 2 * crank_e1**2
-    w9 = w2 * crank_e1
-    w10 = crank_e3 * (2 * crank_e2)
-    w11 = 2 * slider_e2**2
-    w12 = 2 * slider_e3**2
-    w13 = 2 * slider_e0
-    w14 = slider_e3 * w13
-    w15 = 2 * slider_e1
-    w16 = slider_e2 * w15
-    w17 = slider_e3 * w15
-    w18 = slider_e2 * w13
-    w19 = 1.0 - 2 * slider_e1**2
-    w20 = w13 * slider_e1
-    w21 = slider_e3 * (2 * slider_e2)
-    w22 = 2 * rod_e2**2
-    w23 = 2 * rod_e3**2
-    w24 = 2 * rod_e0
-    w25 = rod_e3 * w24
-    w26 = 2 * rod_e1
-    w27 = rod_e2 * w26
-    w28 = rod_e3 * w26
-    w29 = rod_e2 * w24
-    w30 = 1.0 - 2 * rod_e1**2
-    w31 = w24 * rod_e1
-    w32 = rod_e3 * (2 * rod_e2)
+    w6 = w2 * crank_e0
+    w7 = crank_e3 * w4
+    w8 = w0 * crank_e0
+    w9 = crank_e1 * w4
+    w10 = w0 * crank_e3
+    w11 = w4 * crank_e0
+    w12 = 2 * slider_e2
+    w13 = slider_e2 * w12
+    w14 = 2 * slider_e3
+    w15 = slider_e3 * w14
+    w16 = 2 * slider_e1
+    w17 = slider_e2 * w16
+    w18 = w14 * slider_e0
+    w19 = slider_e3 * w16
+    w20 = w12 * slider_e0
+    w21 = slider_e1 * w16
+    w22 = w12 * slider_e3
+    w23 = w16 * slider_e0
+    w24 = 2 * rod_e2
+    w25 = rod_e2 * w24
+    w26 = 2 * rod_e3
+    w27 = rod_e3 * w26
+    w28 = 2 * rod_e1
+    w29 = rod_e2 * w28
+    w30 = w26 * rod_e0
+    w31 = rod_e3 * w28
+    w32 = w24 * rod_e0
+    w33 = rod_e1 * w28
+    w34 = w24 * rod_e3
+    w35 = w28 * rod_e0
     # outputs
     poses = ca.vertcat(
         ca.horzcat(crank_x, slider_x, rod_x),
         ca.horzcat(crank_y, slider_y, rod_y),
         ca.horzcat(crank_z, slider_z, rod_z),
-        ca.horzcat(1.0 - w0 - w1, 1.0 - w11 - w12, 1.0 - w22 - w23),
-        ca.horzcat(w3 + w5, w14 + w16, w25 + w27),
-        ca.horzcat(w6 - w7, w17 - w18, w28 - w29),
-        ca.horzcat(w5 - w3, w16 - w14, w27 - w25),
-        ca.horzcat(w8 - w1, w19 - w12, w30 - w23),
-        ca.horzcat(w9 + w10, w20 + w21, w31 + w32),
-        ca.horzcat(w6 + w7, w17 + w18, w28 + w29),
-        ca.horzcat(w10 - w9, w21 - w20, w32 - w31),
-        ca.horzcat(w8 - w0, w19 - w11, w30 - w22),
+        ca.horzcat(1.0 - (w1 + w3), 1.0 - (w13 + w15), 1.0 - (w25 + w27)),
+        ca.horzcat(w5 + w6, w17 + w18, w29 + w30),
+        ca.horzcat(w7 - w8, w19 - w20, w31 - w32),
+        ca.horzcat(w5 - w6, w17 - w18, w29 - w30),
+        ca.horzcat(1.0 - (w3 + w9), 1.0 - (w15 + w21), 1.0 - (w27 + w33)),
+        ca.horzcat(w10 + w11, w22 + w23, w34 + w35),
+        ca.horzcat(w7 + w8, w19 + w20, w31 + w32),
+        ca.horzcat(w10 - w11, w22 - w23, w34 - w35),
+        ca.horzcat(1.0 - (w1 + w9), 1.0 - (w13 + w21), 1.0 - (w25 + w33)),
     )
     inputs, outputs = [q], [ca.densify(poses)]
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
@@ -5884,15 +5869,15 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 24) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 7 x 7) [SI]: total derivative of Q_hat by q_i, through q_d
-    6118 operations.
+    6181 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
-    c = ca.SX.sym("c", 344)
+    c = ca.SX.sym("c", 339)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -6049,11 +6034,17 @@ def dQ_hat_dq_i() -> ca.Function:
     rod_K_ff_4_4 = c[160]
     rod_K_ff_5_5 = c[163]
     rod_first_moment_x = c[218]
-    c242 = c[242]
-    c243 = c[243]
-    c244 = c[244]
-    c245 = c[245]
-    c246 = c[246]
+    c272 = c[272]
+    c273 = c[273]
+    c274 = c[274]
+    c275 = c[275]
+    c276 = c[276]
+    c277 = c[277]
+    c278 = c[278]
+    c279 = c[279]
+    c280 = c[280]
+    c281 = c[281]
+    c282 = c[282]
     c283 = c[283]
     c284 = c[284]
     c285 = c[285]
@@ -6085,13 +6076,7 @@ def dQ_hat_dq_i() -> ca.Function:
     c311 = c[311]
     c312 = c[312]
     c313 = c[313]
-    c314 = c[314]
-    c315 = c[315]
-    c316 = c[316]
-    c317 = c[317]
-    c318 = c[318]
-    c319 = c[319]
-    # intermediate terms (1054)
+    # intermediate terms (1052)
     w0 = ca.sin(fork_angle1)
     w1 = rod_q2 * c2 + rod_q4 * c3
     w2 = rod_q2 * rod_small_end_rotation_2_1 + rod_q4 * rod_small_end_rotation_2_3
@@ -6451,7 +6436,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w356 = w167 * w194 - w102 * w196 + 2 * w240 - (w18 * w353 + w179 * w352)
     w357 = w22 * w349 - w56 * w311 - w36 * w326
     w358 = w268 * w279 - w280 * w285 + (w288 * w332 - w333 * w334 - w335 * w336) + (w348 * w350 - w354 * w355 - w356 * w357)
-    w359 = w177 + c284
+    w359 = w177 + c278
     w360 = w287 + w359
     w361 = w102 + (w1 * w179 + w18 * w280)
     w362 = w52 * w270 - w26 * w271 + (w278 * w284 - w274 * w281)
@@ -6465,730 +6450,732 @@ def dQ_hat_dq_i() -> ca.Function:
     w370 = w156 * w198 - w177 * w194 + 2 * w226 + (w346 * rod_small_end_x + w345 * c54)
     w371 = w198 * w221 - w156 * w194 + 2 * w227 - (w1 * w346 + w204 * w345)
     w372 = w279 * rod_first_moment_x + w280 * w362 + (w336 * w368 - w332 * w335 - w334 * w361) + (w357 * w369 - w350 * w370 - w355 * w371)
-    w373 = w16 * w45 - w48 * w58
-    w374 = w22 * w45 - w50 * w58
-    w375 = w268 * w373 - w280 * w374
-    w376 = w26 * w45 - w52 * w58
-    w377 = w268 * w376 + w374 * rod_first_moment_x
-    w378 = w373 * rod_first_moment_x + w280 * w376
-    w379 = w376 * rod_mass
-    w380 = w373 * rod_mass
-    w381 = w374 * rod_mass
-    w382 = w341 * w374 - w346 * w373
-    w383 = w346 * w376 - w353 * w374
-    w384 = w353 * w373 - w341 * w376
-    w385 = w332 * w375 - w334 * w377 + w336 * w378 + (w362 * w379 + w279 * w380 + w285 * w381) + (w350 * w382 + w355 * w383 + w357 * w384)
-    w386 = w376 * (w245 * w281 - w248 * w278) + w373 * (w251 * w278 - w245 * w267) + w374 * (w248 * w267 - w251 * w281)
-    w387 = w57 * c145 - (w44 * w243 + w57 * w244) * crank_pin_y + (w267 * w358 + w281 * w367 + w278 * w372 + (w385 + w386))
-    w388 = w54 * w60 + w56 * w181
-    w389 = w40 * w319 + w34 * w320 + w37 * w321
-    w390 = w40 * w291 + w34 * w293 + w37 * w294
-    w391 = w40 * w313 + w34 * w317 + w37 * w318
-    w392 = w40 * w301 + w34 * w303 + w37 * w304
-    w393 = 2 * -w390
-    w394 = 2 * -w389
-    w395 = (w56 * w391 - w60 * w392 + (w349 * w393 + w326 * w394) + (w54 * w330 - w181 * w329)) * slider_mass
-    w396 = w22 * w252
-    w397 = w26 * w246
-    w398 = w26 * w249
-    w399 = w16 * w252
-    w400 = w40 * (w16 * w246 - w22 * w249) + w34 * (w396 - w397) + w37 * (w398 - w399)
-    w401 = w40 * w256 + w34 * w260 + w37 * w264
-    w402 = (w56 * w389 - w60 * w390 + (w54 * w349 - w181 * w326)) * guide_damping + (w395 + (w60 * w400 - w56 * w401))
-    w403 = w16 / w10 - w26 * w76 + w22 * w82
-    w404 = w48 / w10 - w52 * w76 + w50 * w82
-    w405 = w54 * w403 - w28 * w404
-    w406 = w34 / w10 - w40 * w76 + w37 * w82
-    w407 = w28 * w406 - w42 * w403
-    w408 = (w407 * rod_small_end_rotation_1_0 + w50 * c10) / w42
-    w409 = w42 * w404 - w54 * w406
-    w410 = (w409 * rod_small_end_rotation_1_0 + w22 * c10) / w55
-    w411 = w408 + w43 * w410
-    w412 = w405 * rod_small_end_rotation_1_0 + w37 * c10 + w54 * w411 + w181 * w410
-    w413 = w2 * 0.5 / w10
-    w414 = w413 * rod_small_end_rotation_1_0 - (w26 * w411 + w39 * w410)
-    w415 = w16 * w411 + w30 * w410 + rod_small_end_rotation_1_0 / w10
-    w416 = w3 * 0.5 / w10
-    w417 = w22 * w411 + w36 * w410 + w416 * rod_small_end_rotation_1_0
-    w418 = w86 - w87 + w204 * c10 + w1 * c285
-    w419 = w143 - w144
-    w420 = rod_q2_dot * c103 + rod_q4_dot * c104 - (rod_q2_dot * rod_phi_phi_1_0_2_1 + rod_q4_dot * rod_phi_phi_3_0_2_1)
-    w421 = 2 * w420 - (w198 * (w160 + w214) - w143 * w194 - w196 * c71) - w339 * c10 - w340 * c285
-    w422 = w351 * c10 - (w194 * (w160 + w171) - w86 * w196 - w144 * w198) + w352 * c285
-    w423 = rod_q6_dot * c242 - (w196 * (w171 + w214) - w198 * rod_rho_phi_0_2_0 - w87 * w194)
-    w424 = w332 * w418 + w334 * c286 + w336 * w419 - w285 * c285 + (w350 * w421 + w355 * w422 + w357 * w423)
-    w425 = w26 * w78 - w16 * w82 + w22 / w10
-    w426 = w52 * w78 - w48 * w82 + w50 / w10
-    w427 = w54 * w425 - w28 * w426
-    w428 = w40 * w78 - w34 * w82 + w37 / w10
-    w429 = w28 * w428 - w42 * w425
-    w430 = (w429 * rod_small_end_rotation_2_1 + w48 * c2) / w42
-    w431 = w42 * w426 - w54 * w428
-    w432 = (w431 * rod_small_end_rotation_2_1 + w16 * c2) / w55
-    w433 = w430 + w43 * w432
-    w434 = w427 * rod_small_end_rotation_2_1 + w34 * c2 + w54 * w433 + w181 * w432
-    w435 = w416 * rod_small_end_rotation_2_1 - (w16 * w433 + w30 * w432)
-    w436 = w4 * 0.5 / w10
-    w437 = w26 * w433 + w39 * w432 + w436 * rod_small_end_rotation_2_1
-    w438 = w22 * w433 + w36 * w432 + rod_small_end_rotation_2_1 / w10
-    w439 = w89 - w90 - w179 * c2 - w18 * c287
-    w440 = w62 - w61
-    w441 = rod_q1_dot * rod_phi_phi_0_1_1_2 + rod_q3_dot * rod_phi_phi_2_1_1_2 + rod_q5_dot * rod_phi_phi_4_1_1_2
-    w442 = 2 * (w441 - (rod_q1_dot * c110 + rod_q3_dot * c111 + rod_q5_dot * c112)) - (w198 * (w161 + w215) - w194 * c55 - w61 * w196)
-    w443 = w442 + w344 * c2 + w345 * c287
-    w444 = rod_q6_dot * c243 - (w194 * (w161 + w172) - w89 * w196 - w198 * rod_rho_phi_1_1_0)
-    w445 = w196 * (w172 + w215) - w62 * w198 - w90 * w194 + w351 * c2 + w352 * c287
-    w446 = w332 * w439 + w334 * w440 + w336 * c288 - w279 * c287 + (w350 * w443 + w355 * w444 - w357 * w445)
-    w447 = (w407 * rod_small_end_rotation_1_2 + w50 * c11) / w42
-    w448 = (w409 * rod_small_end_rotation_1_2 + w22 * c11) / w55
-    w449 = w447 + w43 * w448
-    w450 = w405 * rod_small_end_rotation_1_2 + w37 * c11 + w54 * w449 + w181 * w448
-    w451 = w413 * rod_small_end_rotation_1_2 - (w26 * w449 + w39 * w448)
-    w452 = w16 * w449 + w30 * w448 + rod_small_end_rotation_1_2 / w10
-    w453 = w22 * w449 + w36 * w448 + w416 * rod_small_end_rotation_1_2
-    w454 = w92 - w93 + w204 * c11 + w1 * c289
-    w455 = w146 - w147
-    w456 = rod_q2_dot * c113 + rod_q4_dot * c114 - (rod_q2_dot * rod_phi_phi_1_2_2_1 + rod_q4_dot * rod_phi_phi_3_2_2_1)
-    w457 = 2 * w456 - (w198 * (w162 + w216) - w146 * w194 - w196 * c76) - w339 * c11 - w340 * c289
-    w458 = w351 * c11 - (w194 * (w162 + w173) - w92 * w196 - w147 * w198) + w352 * c289
-    w459 = rod_q6_dot * c244 - (w196 * (w173 + w216) - w198 * rod_rho_phi_2_2_0 - w93 * w194)
-    w460 = w332 * w454 + w334 * c290 + w336 * w455 - w285 * c289 + (w350 * w457 + w355 * w458 + w357 * w459)
-    w461 = (w429 * rod_small_end_rotation_2_3 + w48 * c3) / w42
-    w462 = (w431 * rod_small_end_rotation_2_3 + w16 * c3) / w55
-    w463 = w461 + w43 * w462
-    w464 = w427 * rod_small_end_rotation_2_3 + w34 * c3 + w54 * w463 + w181 * w462
-    w465 = w416 * rod_small_end_rotation_2_3 - (w16 * w463 + w30 * w462)
-    w466 = w26 * w463 + w39 * w462 + w436 * rod_small_end_rotation_2_3
-    w467 = w22 * w463 + w36 * w462 + rod_small_end_rotation_2_3 / w10
-    w468 = w95 - w96 - w179 * c3 - w18 * c291
-    w469 = w65 - w64
-    w470 = rod_q1_dot * rod_phi_phi_0_3_1_2 + rod_q3_dot * rod_phi_phi_2_3_1_2 + rod_q5_dot * rod_phi_phi_4_3_1_2
-    w471 = 2 * (w470 - (rod_q1_dot * c120 + rod_q3_dot * c121 + rod_q5_dot * c122)) - (w198 * (w163 + w217) - w194 * c60 - w64 * w196)
-    w472 = w471 + w344 * c3 + w345 * c291
-    w473 = rod_q6_dot * c245 - (w194 * (w163 + w174) - w95 * w196 - w198 * rod_rho_phi_3_1_0)
-    w474 = w196 * (w174 + w217) - w65 * w198 - w96 * w194 + w351 * c3 + w352 * c291
-    w475 = w332 * w468 + w334 * w469 + w336 * c292 - w279 * c291 + (w350 * w472 + w355 * w473 - w357 * w474)
-    w476 = (w407 * rod_small_end_rotation_1_4 + w50 * c12) / w42
-    w477 = (w409 * rod_small_end_rotation_1_4 + w22 * c12) / w55
-    w478 = w476 + w43 * w477
-    w479 = w405 * rod_small_end_rotation_1_4 + w37 * c12 + w54 * w478 + w181 * w477
-    w480 = w413 * rod_small_end_rotation_1_4 - (w26 * w478 + w39 * w477)
-    w481 = w16 * w478 + w30 * w477 + rod_small_end_rotation_1_4 / w10
-    w482 = w22 * w478 + w36 * w477 + w416 * rod_small_end_rotation_1_4
-    w483 = w98 - w99 + w204 * c12 + w1 * c293
-    w484 = w149 - w150
-    w485 = rod_q2_dot * c123 + rod_q4_dot * c124 - (rod_q2_dot * rod_phi_phi_1_4_2_1 + rod_q4_dot * rod_phi_phi_3_4_2_1)
-    w486 = 2 * w485 - (w198 * (w164 + w218) - w149 * w194 - w196 * c81) - w339 * c12 - w340 * c293
-    w487 = w351 * c12 - (w194 * (w164 + w175) - w98 * w196 - w150 * w198) + w352 * c293
-    w488 = rod_q6_dot * c246 - (w196 * (w175 + w218) - w198 * rod_rho_phi_4_2_0 - w99 * w194)
-    w489 = w332 * w483 + w334 * c294 + w336 * w484 - w285 * c293 + (w350 * w486 + w355 * w487 + w357 * w488)
-    w490 = w26 / w10 + w16 * w76 - w22 * w78
-    w491 = w52 / w10 + w48 * w76 - w50 * w78
-    w492 = w40 / w10 + w34 * w76 - w37 * w78
-    w493 = (w28 * w492 - w42 * w490) * rod_small_end_rotation_0_5 / w42
-    w494 = (w42 * w491 - w54 * w492) * rod_small_end_rotation_0_5 / w55
-    w495 = w493 + w43 * w494
-    w496 = (w54 * w490 - w28 * w491) * rod_small_end_rotation_0_5 + w54 * w495 + w181 * w494
-    w497 = w436 * rod_small_end_rotation_0_5 - (w22 * w495 + w36 * w494)
-    w498 = w26 * w495 + w39 * w494 + rod_small_end_rotation_0_5 / w10
-    w499 = w16 * w495 + w30 * w494 + w413 * rod_small_end_rotation_0_5
-    w500 = w68 - w67
-    w501 = w153 - w154
-    w502 = rod_q2_dot * rod_phi_phi_1_5_2_0 + rod_q4_dot * rod_phi_phi_3_5_2_0 - (rod_q2_dot * rod_phi_phi_1_5_0_2 + rod_q4_dot * rod_phi_phi_3_5_0_2)
-    w503 = 2 * w502 - (w194 * (w166 + w176) - w196 * rod_rho_phi_5_1_2 - w154 * w198)
-    w504 = w198 * (w166 + w220) - w153 * w194 - w67 * w196
-    w505 = rod_q1_dot * rod_phi_phi_0_5_0_1 + rod_q3_dot * rod_phi_phi_2_5_0_1 + rod_q5_dot * rod_phi_phi_4_5_0_1
-    w506 = rod_q1_dot * rod_phi_phi_0_5_1_0 + rod_q3_dot * rod_phi_phi_2_5_1_0 + rod_q5_dot * rod_phi_phi_4_5_1_0
-    w507 = 2 * (w505 - w506) - (w196 * (w176 + w220) - w68 * w198 - w194 * rod_rho_phi_5_2_1)
-    w508 = w372 * w497 - (w358 * w498 + w367 * w499) + (w332 * c137 + w334 * w500 + w336 * w501 + (w355 * w503 - w350 * w504 + w357 * w507))
-    w509 = w246 / w10
-    w510 = w249 * w416 - w509
-    w511 = w252 * w416
-    w512 = w246 * w413
-    w513 = w511 + w512
-    w514 = w252 / w10
-    w515 = w249 * w413 + w514
-    w516 = w232 / w10
-    w517 = w416 * rod_small_end_x
-    w518 = w18 * w413
-    w519 = w517 - w518
-    w520 = rod_small_end_x / w10
-    w521 = w1 * w413 - w520
-    w522 = w211 * w416 - w516 + (w246 * w519 - w249 * w521)
-    w523 = w18 / w10
-    w524 = w1 * w416 - w523
-    w525 = w250 * w416
-    w526 = w232 * w413
-    w527 = w252 * w521 - w246 * w524 - (w525 + w526)
-    w528 = w250 / w10
-    w529 = w211 * w413 + w528 + (w249 * w524 - w252 * w519)
-    w530 = w253 * w510 - w233 * w513 - w247 * w515 - (w39 * w522 + w30 * w527 + w36 * w529)
-    w531 = w263 - w262
-    w532 = w530 * rod_small_end_rotation_1_0 + w531 * c10
-    w533 = w277 * w415 + w284 * w414
-    w534 = w274 * w414 + w277 * w417
-    w535 = w75 * w112
-    w536 = w535 / w10
-    w537 = w84 * w413
-    w538 = w80 * w416
-    w539 = w536 + (w537 + w538)
-    w540 = w73 * w75
-    w541 = w416 * w535
-    w542 = w540 - w541
-    w543 = w80 / w10
-    w544 = w542 + (w543 + w104 * w413)
-    w545 = w289 / w10
-    w546 = w18 * w539 + w1 * w544 + (w290 * w416 - w545)
-    w547 = w413 * w535
-    w548 = w75 * w77
-    w549 = w547 - w548
-    w550 = w84 / w10
-    w551 = w549 + (w104 * w416 - w550)
-    w552 = w292 * w416
-    w553 = w289 * w413
-    w554 = w544 * rod_small_end_x + w18 * w551 - (w552 + w553)
-    w555 = w292 / w10
-    w556 = w539 * rod_small_end_x - w1 * w551 + (w290 * w413 + w555)
-    w557 = w26 * w546 + w16 * w554 + w22 * w556
-    w558 = w26 * w104 - w16 * w80
-    w559 = (w557 * rod_small_end_rotation_1_0 + w558 * c10 + w325 * w410) / w55
-    w560 = 2 * w535
-    w561 = w75 * (w73**2 + w74**2 + w77**2)
-    w562 = w416 * w561
-    w563 = w198 * w536
-    w564 = w159 / w10 - w178 * w413 - w209 * w416 - (w542 * w560 + w562 + (w563 + w194 * w549))
-    w565 = w561 / w10 - w536 * w560
-    w566 = w196 * w549 - w198 * w542 - w565 + (w212 * w416 - (w213 * w413 + w229 / w10))
-    w567 = 2 * w539
-    w568 = 2 * -w544
-    w569 = w299 / w10
-    w570 = w1 * w564 - w18 * w566 + (w289 * w567 - w290 * w568) + (w300 * w416 - w569)
-    w571 = w196 * w536
-    w572 = w413 * w561
-    w573 = w194 * w542 + w571 - (w549 * w560 - w572) + (w203 * w413 + w142 / w10 + w170 * w416)
-    w574 = 2 * -w551
-    w575 = w302 * w416
-    w576 = w299 * w413
-    w577 = w564 * rod_small_end_x + w18 * w573 + (w292 * w568 - w289 * w574) - (w575 + w576)
-    w578 = w302 / w10
-    w579 = w290 * w574 - w292 * w567 - (w1 * w573 + w566 * rod_small_end_x) + (w300 * w413 + w578)
-    w580 = w52 * w570 + w48 * w577 + w50 * w579
-    w581 = w52 * w170 + w48 * w212 - w50 * w209
-    w582 = w52 * w546 + w48 * w554 + w50 * w556
-    w583 = w52 * w104 - w48 * w80
-    w584 = (w582 * rod_small_end_rotation_1_0 + w583 * c10 - w295 * w408) / w42
-    w585 = w324 * w559 - ((w580 * rod_small_end_rotation_1_0 + w581 * c10 - w296 * w584 - w305 * w408) / w42 + w323 * w410)
-    w586 = w26 * w570 + w16 * w577 + w22 * w579
-    w587 = w26 * w170 + w16 * w212 - w22 * w209
-    w588 = (w586 * rod_small_end_rotation_1_0 + w587 * c10 + w327 * w559 + w328 * w410) / w55
-    w589 = w585 - w43 * w588
-    w590 = 2 * w559
-    w591 = w26 * w589 + w316 * w410 + w314 * w590 - w39 * w588 - w573 * rod_small_end_rotation_1_0
-    w592 = w16 * w589 + w307 * w410 + w309 * w590 - w30 * w588 - w566 * rod_small_end_rotation_1_0
-    w593 = w22 * w589 + w308 * w410 + w311 * w590 - w36 * w588 - w564 * rod_small_end_rotation_1_0
-    w594 = w584 + w322 * w410 + w43 * w559
-    w595 = w314 * w410 - w26 * w594 - w39 * w559 - w551 * rod_small_end_rotation_1_0
-    w596 = w309 * w410 - w16 * w594 - w30 * w559 + w539 * rod_small_end_rotation_1_0
-    w597 = w311 * w410 - w22 * w594 - w36 * w559 - w544 * rod_small_end_rotation_1_0
-    w598 = w280 * w533 + w268 * w534 + (w288 * w591 - w333 * w592 - w335 * w593) + (w348 * w595 - w354 * w596 - w356 * w597)
-    w599 = 2 * w214
-    w600 = 2 * w160
-    w601 = rod_q1_dot * rod_phi_phi_0_0_1_1 + rod_q3_dot * rod_phi_phi_0_2_1_1 + rod_q5_dot * rod_phi_phi_0_4_1_1
-    w602 = rod_q1_dot * c35 + rod_q3_dot * c42 + rod_q5_dot * c47
-    w603 = w145 * w178 + w159 * w599 - w88 * w209 - (w213 * c73 - w88 * w229 + w212 * w600) - w222 * c34 + (w198 * (w601 + w602) - w194 * (rod_q6_dot * rod_phi_phi_0_5_1_0))
-    w604 = w230 + w204 * w209
-    w605 = w209 * rod_mass
-    w606 = w209 * c285
-    w607 = w212 * c285
-    w608 = w598 + (w603 - w604 * c10 + w231 * c10 - (w1 * w606 + w18 * w607))
-    w609 = w274 * w415 - w284 * w417
-    w610 = w533 * rod_first_moment_x - w268 * w609 + (w360 * w592 - w361 * w593 - w333 * w591) + (w364 * w596 - w365 * w597 - w366 * w595)
-    w611 = 2 * w171
-    w612 = rod_q1_dot * rod_phi_phi_0_0_0_0 + rod_q3_dot * rod_phi_phi_0_2_0_0 + rod_q5_dot * rod_phi_phi_0_4_0_0
-    w613 = w194 * (w602 + w612) - w196 * (rod_q2_dot * c110 + rod_q4_dot * c120) - w198 * (rod_q6_dot * rod_phi_phi_0_5_0_1)
-    w614 = w206 - w209 * c54 - w207
-    w615 = w187 * c34 + (w88 * w142 - w203 * c73 + w170 * w600 - (w178 * w611 + w145 * w159 - w209 * c73) + w614 * c10)
-    w616 = w170 * c285
-    w617 = w610 + (w613 + w615 - (w606 * rod_small_end_x - w18 * w616))
-    w618 = w534 * rod_first_moment_x + w280 * w609 + (w368 * w593 - w335 * w591 - w361 * w592) + (w369 * w597 - w370 * w595 - w371 * w596)
-    w619 = w196 * (w601 + w612) - w194 * (rod_q2_dot * rod_phi_phi_0_1_1_2 + rod_q4_dot * rod_phi_phi_0_3_1_2)
-    w620 = w212 * c54 + w170 * w204
-    w621 = w213 * w611 - w145 * w229 + w212 * c73 - (w142 * w599 - w145 * w203 + w88 * w170) + w619 - w620 * c10
-    w622 = w618 + (w621 - (w607 * rod_small_end_x + w1 * w616))
-    w623 = w375 * w591 - w377 * w592 + w378 * w593 + (w379 * w609 + w380 * w534 - w381 * w533) + (w382 * w595 + w383 * w596 + w384 * w597)
-    w624 = w376 * (w248 * w417 - w245 * w415 - w616) - w373 * (w607 + (w251 * w417 + w245 * w414)) + w374 * (w606 + (w248 * w414 + w251 * w415))
-    w625 = w40 * w546 + w34 * w554 + w37 * w556
-    w626 = w40 * w104 - w34 * w80
-    w627 = w390 * w411 - (w625 * rod_small_end_rotation_1_0 + w626 * c10) - w389 * w410 - (w54 * w594 + w181 * w559)
-    w628 = w40 * w570 + w34 * w577 + w37 * w579
-    w629 = w40 * w170 + w34 * w212 - w37 * w209
-    w630 = w392 * w411 - (w628 * rod_small_end_rotation_1_0 + w629 * c10) - w391 * w410 + (w394 * w559 - w393 * w594)
-    w631 = w40 * w510 - w34 * w513 + w37 * w515
-    w632 = (w630 + (w54 * w589 - w181 * w588)) * slider_mass + (w401 * w410 - w400 * w411 + w631 * rod_small_end_rotation_1_0)
-    w633 = w627 * guide_damping + w632
-    w634 = w26 * w522 + w16 * w527 + w22 * w529 + (w255 * w510 + w257 * w513 + w261 * w515)
-    w635 = w399 - w398
-    w636 = w265 * w410 + w634 * rod_small_end_rotation_1_0 + w635 * c10
-    w637 = w56 * w532 - (w267 * w608 + w281 * w617 + w278 * w622 + (w623 + w624) + w388 * w633 + w60 * w636)
-    w638 = w418 * w591 + w592 * c286 + w419 * w593 + w533 * c285 + (w421 * w595 + w422 * w596 + w423 * w597)
-    w639 = w211 + (w18 * w252 + w246 * rod_small_end_x)
-    w640 = w232 - (w249 * rod_small_end_x + w1 * w252)
-    w641 = w250 + (w1 * w246 - w18 * w249)
-    w642 = (w639 + (w3 * w640 - w2 * w641) * 0.5) / w10
-    w643 = w78 * w642
-    w644 = w643 * rod_small_end_rotation_1_0 - w515 * c10
-    w645 = w414 * w608 - w415 * w617 - w417 * w622 + w638 + w644 * rod_small_end_rotation_1_0 - (w203 * rod_phi_phi_0_0_0_0 + (w229 * rod_phi_phi_0_0_1_1 + w209 * c295))
-    w646 = w439 * w591 + w440 * w592 + w593 * c288 - w534 * c287 + (w443 * w595 + w444 * w596 - w445 * w597)
-    w647 = w249 * w436
-    w648 = w511 + w647
-    w649 = w75 * w641
-    w650 = (w640 + (w4 * w641 - w3 * w639) * 0.5) / w10
-    w651 = w649 - w78 * w650
-    w652 = w648 * c10 - w651 * rod_small_end_rotation_1_0
-    w653 = w435 * w617 - w437 * w608 - w438 * w622 + w646 + w652 * rod_small_end_rotation_2_1 + (w159 * rod_phi_phi_0_1_1_2 + w212 * c296)
-    w654 = w454 * w591 + w592 * c290 + w455 * w593 + w533 * c289 + (w457 * w595 + w458 * w596 + w459 * w597)
-    w655 = w451 * w608 - w452 * w617 - w453 * w622 + w654 + w644 * rod_small_end_rotation_1_2 - (w203 * rod_phi_phi_0_2_0_0 + (w229 * rod_phi_phi_0_2_1_1 + w209 * c297))
-    w656 = w468 * w591 + w469 * w592 + w593 * c292 - w534 * c291 + (w472 * w595 + w473 * w596 - w474 * w597)
-    w657 = w465 * w617 - w466 * w608 - w467 * w622 + w656 + w652 * rod_small_end_rotation_2_3 + (w159 * rod_phi_phi_0_3_1_2 + w212 * c298)
-    w658 = w483 * w591 + w592 * c294 + w484 * w593 + w533 * c293 + (w486 * w595 + w487 * w596 + w488 * w597)
-    w659 = w480 * w608 - w481 * w617 - w482 * w622 + w658 + w644 * rod_small_end_rotation_1_4 - (w203 * rod_phi_phi_0_4_0_0 + (w229 * rod_phi_phi_0_4_1_1 + w209 * c299))
-    w660 = w497 * w622 - (w498 * w608 + w499 * w617) + (w591 * c137 + w500 * w592 + w501 * w593 + (w503 * w596 - w504 * w595 + w507 * w597))
-    w661 = w75 * w640
-    w662 = (w641 + (w2 * w639 - w4 * w640) * 0.5) / w10
-    w663 = w661 + w78 * w662
-    w664 = w249 / w10
-    w665 = w252 * w413
-    w666 = w664 - w665
-    w667 = w660 + (w663 * rod_small_end_rotation_1_0 + w666 * c10) * rod_small_end_rotation_0_5 + (w142 * rod_phi_phi_0_5_1_0 + w213 * rod_phi_phi_0_5_0_1)
-    w668 = w664 + w246 * w416
-    w669 = w246 * w436
-    w670 = w669 - w514
-    w671 = w211 / w10
-    w672 = w520 + w18 * w436
-    w673 = w1 * w436
-    w674 = w517 - w673
-    w675 = w232 * w416 + w671 + (w246 * w672 - w249 * w674)
-    w676 = w1 / w10
-    w677 = w18 * w416 + w676
-    w678 = w232 * w436 - w528 + (w252 * w674 - w246 * w677)
-    w679 = w211 * w436
-    w680 = w249 * w677 - w252 * w672 - (w525 + w679)
-    w681 = w253 * w668 + w233 * w670 + w247 * w648 - (w39 * w675 + w30 * w678 + w36 * w680)
-    w682 = w259 - w258
-    w683 = w681 * rod_small_end_rotation_2_1 + w682 * c2
-    w684 = w277 * w438 - w274 * w437
-    w685 = w277 * w435 + w284 * w437
-    w686 = w290 / w10
-    w687 = w541 - w540
-    w688 = w687 + (w84 * w436 - w543)
-    w689 = w104 * w436
-    w690 = w536 + (w538 + w689)
-    w691 = w289 * w416 + w686 - (w18 * w688 + w1 * w690)
-    w692 = w74 * w75
-    w693 = w436 * w535
-    w694 = w692 - w693
-    w695 = w104 / w10
-    w696 = w694 + (w695 + w84 * w416)
-    w697 = w18 * w696 - w690 * rod_small_end_x + (w289 * w436 - w555)
-    w698 = w290 * w436
-    w699 = w1 * w696 + w688 * rod_small_end_x + (w552 + w698)
-    w700 = w26 * w691 + w16 * w697 - w22 * w699
-    w701 = w22 * w80 - w26 * w84
-    w702 = (w700 * rod_small_end_rotation_2_1 + w701 * c2 + w325 * w432) / w55
-    w703 = w198 * w687 - w194 * w694 - w565 + (w178 * w436 - w159 * w416 - w209 / w10)
-    w704 = w563 + w196 * w694 - (w560 * w687 - w562) + (w213 * w436 + w229 * w416 + w212 / w10)
-    w705 = 2 * -w688
-    w706 = 2 * w690
-    w707 = w300 / w10
-    w708 = w1 * w703 - w18 * w704 + (w289 * w705 - w290 * w706) + (w299 * w416 + w707)
-    w709 = w436 * w561
-    w710 = w194 * w536
-    w711 = w170 / w10 - (w203 * w436 + w142 * w416) - (w560 * w694 + w709 + (w710 + w196 * w687))
-    w712 = 2 * -w696
-    w713 = w703 * rod_small_end_x + w18 * w711 + (w292 * w706 - w289 * w712) + (w299 * w436 - w578)
-    w714 = w300 * w436
-    w715 = w290 * w712 - w292 * w705 - (w1 * w711 + w704 * rod_small_end_x) - (w575 + w714)
-    w716 = w52 * w708 + w48 * w713 + w50 * w715
-    w717 = w52 * w142 - w48 * w229 + w50 * w159
-    w718 = w52 * w691 + w48 * w697 - w50 * w699
-    w719 = w50 * w80 - w52 * w84
-    w720 = (w718 * rod_small_end_rotation_2_1 + w719 * c2 - w295 * w430) / w42
-    w721 = w324 * w702 - ((w716 * rod_small_end_rotation_2_1 + w717 * c2 - w296 * w720 - w305 * w430) / w42 + w323 * w432)
-    w722 = w26 * w708 + w16 * w713 + w22 * w715
-    w723 = w26 * w142 - w16 * w229 + w22 * w159
-    w724 = (w722 * rod_small_end_rotation_2_1 + w723 * c2 + w327 * w702 + w328 * w432) / w55
-    w725 = w721 - w43 * w724
-    w726 = 2 * w702
-    w727 = w26 * w725 + w316 * w432 + w314 * w726 - w39 * w724 - w711 * rod_small_end_rotation_2_1
-    w728 = w16 * w725 + w307 * w432 + w309 * w726 - w30 * w724 - w704 * rod_small_end_rotation_2_1
-    w729 = w22 * w725 + w308 * w432 + w311 * w726 - w36 * w724 - w703 * rod_small_end_rotation_2_1
-    w730 = w720 + w322 * w432 + w43 * w702
-    w731 = w314 * w432 - w26 * w730 - w39 * w702 - w696 * rod_small_end_rotation_2_1
-    w732 = w309 * w432 - w16 * w730 - w30 * w702 - w688 * rod_small_end_rotation_2_1
-    w733 = w311 * w432 - w22 * w730 - w36 * w702 + w690 * rod_small_end_rotation_2_1
-    w734 = w268 * w684 - w280 * w685 + (w288 * w727 - w333 * w728 - w335 * w729) + (w348 * w731 - w354 * w732 - w356 * w733)
-    w735 = 2 * w215
-    w736 = 2 * w161
-    w737 = rod_q2_dot * c20 + rod_q4_dot * c27
-    w738 = rod_q2_dot * rod_phi_phi_1_1_2_2
-    w739 = w208 + w179 * w229 - w210
-    w740 = w188 * c19 + (w178 * c57 + w159 * w735 - w91 * w209 - (w63 * w213 - w91 * w229 + w212 * w736) + w739 * c2)
-    w741 = w159 * c287
-    w742 = w229 * c287
-    w743 = w198 * (w737 + w738) - w196 * (rod_q6_dot * rod_phi_phi_1_5_2_0) + w740 + (w1 * w741 + w18 * w742)
-    w744 = w734 + w743
-    w745 = w284 * w438 + w274 * w435
-    w746 = w268 * w745 - w685 * rod_first_moment_x + (w360 * w728 - w361 * w729 - w333 * w727) + (w364 * w732 - w365 * w733 - w366 * w731)
-    w747 = 2 * w172
-    w748 = rod_q2_dot * rod_phi_phi_1_1_0_0 + rod_q4_dot * rod_phi_phi_1_3_0_0
-    w749 = rod_q1_dot * rod_phi_phi_1_0_2_1 + rod_q3_dot * rod_phi_phi_1_2_2_1 + rod_q5_dot * rod_phi_phi_1_4_2_1
-    w750 = w91 * w142 - w63 * w203 + w170 * w736 - (w178 * w747 + w159 * c57 - w63 * w209) + (w194 * (w738 + w748) - w196 * w749)
-    w751 = w142 * w179 + w159 * c54
-    w752 = w142 * c287
-    w753 = w746 + (w750 + w751 * c2 + (w18 * w752 + w741 * rod_small_end_x))
-    w754 = w684 * rod_first_moment_x - w280 * w745 + (w368 * w729 - w335 * w727 - w361 * w728) + (w369 * w733 - w370 * w731 - w371 * w732)
-    w755 = w196 * (w737 + w748) - w198 * (rod_q6_dot * rod_phi_phi_1_5_0_2) - w194 * (rod_q1_dot * c103 + rod_q3_dot * c113 + rod_q5_dot * c123)
-    w756 = w207 + (w229 * c54 - w205)
-    w757 = w213 * w747 - w229 * c57 + w63 * w212 - (w142 * w735 - w203 * c57 + w91 * w170) - w187 * c19 + w756 * c2
-    w758 = w754 + (w755 + w757 - (w1 * w752 - w742 * rod_small_end_x))
-    w759 = w375 * w727 - w377 * w728 + w378 * w729 + (w380 * w684 - w379 * w745 + w381 * w685) + (w382 * w731 + w383 * w732 + w384 * w733)
-    w760 = w373 * (w742 + (w245 * w437 - w251 * w438)) - w376 * (w752 - (w245 * w435 + w248 * w438)) - w374 * (w741 + (w248 * w437 + w251 * w435))
-    w761 = w40 * w691 + w34 * w697 - w37 * w699
-    w762 = w37 * w80 - w40 * w84
-    w763 = w390 * w433 - (w761 * rod_small_end_rotation_2_1 + w762 * c2) - w389 * w432 - (w54 * w730 + w181 * w702)
-    w764 = w40 * w708 + w34 * w713 + w37 * w715
-    w765 = w40 * w142 - w34 * w229 + w37 * w159
-    w766 = w392 * w433 - (w764 * rod_small_end_rotation_2_1 + w765 * c2) - w391 * w432 + (w394 * w702 - w393 * w730)
-    w767 = w40 * w668 + w34 * w670 - w37 * w648
-    w768 = (w766 + (w54 * w725 - w181 * w724)) * slider_mass + (w401 * w432 - w400 * w433 + w767 * rod_small_end_rotation_2_1)
-    w769 = w763 * guide_damping + w768
-    w770 = w26 * w675 + w16 * w678 + w22 * w680 + (w255 * w668 - w257 * w670 - w261 * w648)
-    w771 = w397 - w396
-    w772 = w265 * w432 + w770 * rod_small_end_rotation_2_1 + w771 * c2
-    w773 = w56 * w683 - (w267 * w744 + w281 * w753 + w278 * w758 + (w759 + w760) + w388 * w769 + w60 * w772)
-    w774 = w418 * w727 + w728 * c286 + w419 * w729 - w685 * c285 + (w421 * w731 + w422 * w732 + w423 * w733)
-    w775 = w649 + w76 * w642
-    w776 = w775 * rod_small_end_rotation_2_1 + w513 * c2
-    w777 = w414 * w744 - w415 * w753 - w417 * w758 + w774 + w776 * rod_small_end_rotation_1_0 + (w212 * rod_phi_phi_1_0_2_1 + w159 * c300)
-    w778 = w439 * w727 + w440 * w728 + w729 * c288 - w684 * c287 + (w443 * w731 + w444 * w732 - w445 * w733)
-    w779 = w76 * w650
-    w780 = w514 - w669
-    w781 = w779 * rod_small_end_rotation_2_1 + w780 * c2
-    w782 = w435 * w753 - w437 * w744 - w438 * w758 + w778 + w781 * rod_small_end_rotation_2_1 - (w203 * rod_phi_phi_1_1_0_0 + (w209 * rod_phi_phi_1_1_2_2 + w229 * c301))
-    w783 = w454 * w727 + w728 * c290 + w455 * w729 - w685 * c289 + (w457 * w731 + w458 * w732 + w459 * w733)
-    w784 = w451 * w744 - w452 * w753 - w453 * w758 + w783 + w776 * rod_small_end_rotation_1_2 + (w212 * rod_phi_phi_1_2_2_1 + w159 * c302)
-    w785 = w468 * w727 + w469 * w728 + w729 * c292 - w684 * c291 + (w472 * w731 + w473 * w732 - w474 * w733)
-    w786 = w465 * w753 - w466 * w744 - w467 * w758 + w785 + w781 * rod_small_end_rotation_2_3 - (w203 * rod_phi_phi_1_3_0_0 + w229 * c303)
-    w787 = w483 * w727 + w728 * c294 + w484 * w729 - w685 * c293 + (w486 * w731 + w487 * w732 + w488 * w733)
-    w788 = w480 * w744 - w481 * w753 - w482 * w758 + w787 + w776 * rod_small_end_rotation_1_4 + (w212 * rod_phi_phi_1_4_2_1 + w159 * c304)
-    w789 = w497 * w758 - (w498 * w744 + w499 * w753) + (w727 * c137 + w500 * w728 + w501 * w729 + (w503 * w732 - w504 * w731 + w507 * w733))
-    w790 = w75 * w639
-    w791 = w790 - w76 * w662
-    w792 = w509 + w252 * w436
-    w793 = w789 - (w791 * rod_small_end_rotation_2_1 + w792 * c2) * rod_small_end_rotation_0_5 + (w170 * rod_phi_phi_1_5_2_0 + w178 * rod_phi_phi_1_5_0_2)
-    w794 = w530 * rod_small_end_rotation_1_2 + w531 * c11
-    w795 = w277 * w452 + w284 * w451
-    w796 = w274 * w451 + w277 * w453
-    w797 = (w557 * rod_small_end_rotation_1_2 + w558 * c11 + w325 * w448) / w55
-    w798 = (w582 * rod_small_end_rotation_1_2 + w583 * c11 - w295 * w447) / w42
-    w799 = w324 * w797 - ((w580 * rod_small_end_rotation_1_2 + w581 * c11 - w296 * w798 - w305 * w447) / w42 + w323 * w448)
-    w800 = (w586 * rod_small_end_rotation_1_2 + w587 * c11 + w327 * w797 + w328 * w448) / w55
-    w801 = w799 - w43 * w800
-    w802 = 2 * w797
-    w803 = w26 * w801 + w316 * w448 + w314 * w802 - w39 * w800 - w573 * rod_small_end_rotation_1_2
-    w804 = w16 * w801 + w307 * w448 + w309 * w802 - w30 * w800 - w566 * rod_small_end_rotation_1_2
-    w805 = w22 * w801 + w308 * w448 + w311 * w802 - w36 * w800 - w564 * rod_small_end_rotation_1_2
-    w806 = w798 + w322 * w448 + w43 * w797
-    w807 = w314 * w448 - w26 * w806 - w39 * w797 - w551 * rod_small_end_rotation_1_2
-    w808 = w309 * w448 - w16 * w806 - w30 * w797 + w539 * rod_small_end_rotation_1_2
-    w809 = w311 * w448 - w22 * w806 - w36 * w797 - w544 * rod_small_end_rotation_1_2
-    w810 = w280 * w795 + w268 * w796 + (w288 * w803 - w333 * w804 - w335 * w805) + (w348 * w807 - w354 * w808 - w356 * w809)
-    w811 = 2 * w216
-    w812 = 2 * w162
-    w813 = rod_q1_dot * rod_phi_phi_2_0_1_1 + rod_q3_dot * rod_phi_phi_2_2_1_1 + rod_q5_dot * rod_phi_phi_2_4_1_1
-    w814 = rod_q1_dot * c37 + rod_q3_dot * c43 + rod_q5_dot * c49
-    w815 = w148 * w178 + w159 * w811 - w94 * w209 - (w213 * c78 - w94 * w229 + w212 * w812) - w222 * c36 + (w198 * (w813 + w814) - w194 * (rod_q6_dot * rod_phi_phi_2_5_1_0))
-    w816 = w209 * c36 + w605 * c11
-    w817 = w212 * c289
-    w818 = w810 + (w815 - w604 * c11 + w231 * c11 - (w1 * w816 + w18 * w817))
-    w819 = w274 * w452 - w284 * w453
-    w820 = w795 * rod_first_moment_x - w268 * w819 + (w360 * w804 - w361 * w805 - w333 * w803) + (w364 * w808 - w365 * w809 - w366 * w807)
-    w821 = 2 * w173
-    w822 = rod_q1_dot * rod_phi_phi_2_0_0_0 + rod_q3_dot * rod_phi_phi_2_2_0_0 + rod_q5_dot * rod_phi_phi_2_4_0_0
-    w823 = w194 * (w814 + w822) - w196 * (rod_q2_dot * c111 + rod_q4_dot * c121) - w198 * (rod_q6_dot * rod_phi_phi_2_5_0_1)
-    w824 = w187 * c36 + (w94 * w142 - w203 * c78 + w170 * w812 - (w178 * w821 + w148 * w159 - w209 * c78) + w614 * c11)
-    w825 = w170 * c289
-    w826 = w820 + (w823 + w824 - (w816 * rod_small_end_x - w18 * w825))
-    w827 = w796 * rod_first_moment_x + w280 * w819 + (w368 * w805 - w335 * w803 - w361 * w804) + (w369 * w809 - w370 * w807 - w371 * w808)
-    w828 = w196 * (w813 + w822) - w194 * (rod_q2_dot * rod_phi_phi_2_1_1_2 + rod_q4_dot * rod_phi_phi_2_3_1_2)
-    w829 = w213 * w821 - w148 * w229 + w212 * c78 - (w142 * w811 - w148 * w203 + w94 * w170) + w828 - w620 * c11
-    w830 = w827 + (w829 - (w817 * rod_small_end_x + w1 * w825))
-    w831 = w375 * w803 - w377 * w804 + w378 * w805 + (w379 * w819 + w380 * w796 - w381 * w795) + (w382 * w807 + w383 * w808 + w384 * w809)
-    w832 = w376 * (w248 * w453 - w245 * w452 - w825) - w373 * (w817 + (w251 * w453 + w245 * w451)) + w374 * (w816 + (w248 * w451 + w251 * w452))
-    w833 = w390 * w449 - (w625 * rod_small_end_rotation_1_2 + w626 * c11) - w389 * w448 - (w54 * w806 + w181 * w797)
-    w834 = w392 * w449 - (w628 * rod_small_end_rotation_1_2 + w629 * c11) - w391 * w448 + (w394 * w797 - w393 * w806)
-    w835 = (w834 + (w54 * w801 - w181 * w800)) * slider_mass + (w401 * w448 - w400 * w449 + w631 * rod_small_end_rotation_1_2)
-    w836 = w833 * guide_damping + w835
-    w837 = w265 * w448 + w634 * rod_small_end_rotation_1_2 + w635 * c11
-    w838 = w56 * w794 - (w267 * w818 + w281 * w826 + w278 * w830 + (w831 + w832) + w388 * w836 + w60 * w837)
-    w839 = w418 * w803 + w804 * c286 + w419 * w805 + w795 * c285 + (w421 * w807 + w422 * w808 + w423 * w809)
-    w840 = w643 * rod_small_end_rotation_1_2 - w515 * c11
-    w841 = w414 * w818 - w415 * w826 - w417 * w830 + w839 + w840 * rod_small_end_rotation_1_0 - (w229 * rod_phi_phi_2_0_1_1 + (w203 * rod_phi_phi_2_0_0_0 + w209 * c305) + w816 * c10)
-    w842 = w439 * w803 + w440 * w804 + w805 * c288 - w796 * c287 + (w443 * w807 + w444 * w808 - w445 * w809)
-    w843 = w648 * c11 - w651 * rod_small_end_rotation_1_2
-    w844 = w435 * w826 - w437 * w818 - w438 * w830 + w842 + w843 * rod_small_end_rotation_2_1 + (w159 * rod_phi_phi_2_1_1_2 + w212 * c306)
-    w845 = w454 * w803 + w804 * c290 + w455 * w805 + w795 * c289 + (w457 * w807 + w458 * w808 + w459 * w809)
-    w846 = w451 * w818 - w452 * w826 - w453 * w830 + w845 + w840 * rod_small_end_rotation_1_2 - (w229 * rod_phi_phi_2_2_1_1 + (w203 * rod_phi_phi_2_2_0_0 + w209 * c307) + w816 * c11)
-    w847 = w468 * w803 + w469 * w804 + w805 * c292 - w796 * c291 + (w472 * w807 + w473 * w808 - w474 * w809)
-    w848 = w465 * w826 - w466 * w818 - w467 * w830 + w847 + w843 * rod_small_end_rotation_2_3 + (w159 * rod_phi_phi_2_3_1_2 + w212 * c308)
-    w849 = w483 * w803 + w804 * c294 + w484 * w805 + w795 * c293 + (w486 * w807 + w487 * w808 + w488 * w809)
-    w850 = w480 * w818 - w481 * w826 - w482 * w830 + w849 + w840 * rod_small_end_rotation_1_4 - (w229 * rod_phi_phi_2_4_1_1 + (w203 * rod_phi_phi_2_4_0_0 + w209 * c309) + w816 * c12)
-    w851 = w497 * w830 - (w498 * w818 + w499 * w826) + (w803 * c137 + w500 * w804 + w501 * w805 + (w503 * w808 - w504 * w807 + w507 * w809))
-    w852 = w851 + (w663 * rod_small_end_rotation_1_2 + w666 * c11) * rod_small_end_rotation_0_5 + (w142 * rod_phi_phi_2_5_1_0 + w213 * rod_phi_phi_2_5_0_1)
-    w853 = w681 * rod_small_end_rotation_2_3 + w682 * c3
-    w854 = w277 * w467 - w274 * w466
-    w855 = w277 * w465 + w284 * w466
-    w856 = (w700 * rod_small_end_rotation_2_3 + w701 * c3 + w325 * w462) / w55
-    w857 = (w718 * rod_small_end_rotation_2_3 + w719 * c3 - w295 * w461) / w42
-    w858 = w324 * w856 - ((w716 * rod_small_end_rotation_2_3 + w717 * c3 - w296 * w857 - w305 * w461) / w42 + w323 * w462)
-    w859 = (w722 * rod_small_end_rotation_2_3 + w723 * c3 + w327 * w856 + w328 * w462) / w55
-    w860 = w858 - w43 * w859
-    w861 = 2 * w856
-    w862 = w26 * w860 + w316 * w462 + w314 * w861 - w39 * w859 - w711 * rod_small_end_rotation_2_3
-    w863 = w16 * w860 + w307 * w462 + w309 * w861 - w30 * w859 - w704 * rod_small_end_rotation_2_3
-    w864 = w22 * w860 + w308 * w462 + w311 * w861 - w36 * w859 - w703 * rod_small_end_rotation_2_3
-    w865 = w857 + w322 * w462 + w43 * w856
-    w866 = w314 * w462 - w26 * w865 - w39 * w856 - w696 * rod_small_end_rotation_2_3
-    w867 = w309 * w462 - w16 * w865 - w30 * w856 - w688 * rod_small_end_rotation_2_3
-    w868 = w311 * w462 - w22 * w865 - w36 * w856 + w690 * rod_small_end_rotation_2_3
-    w869 = w268 * w854 - w280 * w855 + (w288 * w862 - w333 * w863 - w335 * w864) + (w348 * w866 - w354 * w867 - w356 * w868)
-    w870 = 2 * w217
-    w871 = 2 * w163
-    w872 = rod_q2_dot * c22 + rod_q4_dot * c28
-    w873 = rod_q4_dot * rod_phi_phi_3_3_2_2
-    w874 = w188 * c21 + (w178 * c62 + w159 * w870 - w97 * w209 - (w66 * w213 - w97 * w229 + w212 * w871) + w739 * c3)
-    w875 = w159 * c291
-    w876 = w229 * c21 + w229 * rod_mass * c3
-    w877 = w198 * (w872 + w873) - w196 * (rod_q6_dot * rod_phi_phi_3_5_2_0) + w874 + (w1 * w875 + w18 * w876)
-    w878 = w869 + w877
-    w879 = w284 * w467 + w274 * w465
-    w880 = w268 * w879 - w855 * rod_first_moment_x + (w360 * w863 - w361 * w864 - w333 * w862) + (w364 * w867 - w365 * w868 - w366 * w866)
-    w881 = 2 * w174
-    w882 = rod_q2_dot * rod_phi_phi_3_1_0_0 + rod_q4_dot * rod_phi_phi_3_3_0_0
-    w883 = rod_q1_dot * rod_phi_phi_3_0_2_1 + rod_q3_dot * rod_phi_phi_3_2_2_1 + rod_q5_dot * rod_phi_phi_3_4_2_1
-    w884 = w97 * w142 - w66 * w203 + w170 * w871 - (w178 * w881 + w159 * c62 - w66 * w209) + (w194 * (w873 + w882) - w196 * w883)
-    w885 = w142 * c291
-    w886 = w880 + (w884 + w751 * c3 + (w18 * w885 + w875 * rod_small_end_x))
-    w887 = w854 * rod_first_moment_x - w280 * w879 + (w368 * w864 - w335 * w862 - w361 * w863) + (w369 * w868 - w370 * w866 - w371 * w867)
-    w888 = w196 * (w872 + w882) - w198 * (rod_q6_dot * rod_phi_phi_3_5_0_2) - w194 * (rod_q1_dot * c104 + rod_q3_dot * c114 + rod_q5_dot * c124)
-    w889 = w213 * w881 - w229 * c62 + w66 * w212 - (w142 * w870 - w203 * c62 + w97 * w170) - w187 * c21 + w756 * c3
-    w890 = w887 + (w888 + w889 - (w1 * w885 - w876 * rod_small_end_x))
-    w891 = w375 * w862 - w377 * w863 + w378 * w864 + (w380 * w854 - w379 * w879 + w381 * w855) + (w382 * w866 + w383 * w867 + w384 * w868)
-    w892 = w373 * (w876 + (w245 * w466 - w251 * w467)) - w376 * (w885 - (w245 * w465 + w248 * w467)) - w374 * (w875 + (w248 * w466 + w251 * w465))
-    w893 = w390 * w463 - (w761 * rod_small_end_rotation_2_3 + w762 * c3) - w389 * w462 - (w54 * w865 + w181 * w856)
-    w894 = w392 * w463 - (w764 * rod_small_end_rotation_2_3 + w765 * c3) - w391 * w462 + (w394 * w856 - w393 * w865)
-    w895 = (w894 + (w54 * w860 - w181 * w859)) * slider_mass + (w401 * w462 - w400 * w463 + w767 * rod_small_end_rotation_2_3)
-    w896 = w893 * guide_damping + w895
-    w897 = w265 * w462 + w770 * rod_small_end_rotation_2_3 + w771 * c3
-    w898 = w56 * w853 - (w267 * w878 + w281 * w886 + w278 * w890 + (w891 + w892) + w388 * w896 + w60 * w897)
-    w899 = w418 * w862 + w863 * c286 + w419 * w864 - w855 * c285 + (w421 * w866 + w422 * w867 + w423 * w868)
-    w900 = w775 * rod_small_end_rotation_2_3 + w513 * c3
-    w901 = w414 * w878 - w415 * w886 - w417 * w890 + w899 + w900 * rod_small_end_rotation_1_0 + (w212 * rod_phi_phi_3_0_2_1 + w159 * c310)
-    w902 = w439 * w862 + w440 * w863 + w864 * c288 - w854 * c287 + (w443 * w866 + w444 * w867 - w445 * w868)
-    w903 = w779 * rod_small_end_rotation_2_3 + w780 * c3
-    w904 = w435 * w886 - w437 * w878 - w438 * w890 + w902 + w903 * rod_small_end_rotation_2_1 - (w203 * rod_phi_phi_3_1_0_0 + w229 * c311 + w876 * c2)
-    w905 = w454 * w862 + w863 * c290 + w455 * w864 - w855 * c289 + (w457 * w866 + w458 * w867 + w459 * w868)
-    w906 = w451 * w878 - w452 * w886 - w453 * w890 + w905 + w900 * rod_small_end_rotation_1_2 + (w212 * rod_phi_phi_3_2_2_1 + w159 * c312)
-    w907 = w468 * w862 + w469 * w863 + w864 * c292 - w854 * c291 + (w472 * w866 + w473 * w867 - w474 * w868)
-    w908 = w465 * w886 - w466 * w878 - w467 * w890 + w907 + w903 * rod_small_end_rotation_2_3 - (w209 * rod_phi_phi_3_3_2_2 + (w203 * rod_phi_phi_3_3_0_0 + w229 * c313) + w876 * c3)
-    w909 = w483 * w862 + w863 * c294 + w484 * w864 - w855 * c293 + (w486 * w866 + w487 * w867 + w488 * w868)
-    w910 = w480 * w878 - w481 * w886 - w482 * w890 + w909 + w900 * rod_small_end_rotation_1_4 + (w212 * rod_phi_phi_3_4_2_1 + w159 * c314)
-    w911 = w497 * w890 - (w498 * w878 + w499 * w886) + (w862 * c137 + w500 * w863 + w501 * w864 + (w503 * w867 - w504 * w866 + w507 * w868))
-    w912 = w911 - (w791 * rod_small_end_rotation_2_3 + w792 * c3) * rod_small_end_rotation_0_5 + (w170 * rod_phi_phi_3_5_2_0 + w178 * rod_phi_phi_3_5_0_2)
-    w913 = w530 * rod_small_end_rotation_1_4 + w531 * c12
-    w914 = w277 * w481 + w284 * w480
-    w915 = w274 * w480 + w277 * w482
-    w916 = (w557 * rod_small_end_rotation_1_4 + w558 * c12 + w325 * w477) / w55
-    w917 = (w582 * rod_small_end_rotation_1_4 + w583 * c12 - w295 * w476) / w42
-    w918 = w324 * w916 - ((w580 * rod_small_end_rotation_1_4 + w581 * c12 - w296 * w917 - w305 * w476) / w42 + w323 * w477)
-    w919 = (w586 * rod_small_end_rotation_1_4 + w587 * c12 + w327 * w916 + w328 * w477) / w55
-    w920 = w918 - w43 * w919
-    w921 = 2 * w916
-    w922 = w26 * w920 + w316 * w477 + w314 * w921 - w39 * w919 - w573 * rod_small_end_rotation_1_4
-    w923 = w16 * w920 + w307 * w477 + w309 * w921 - w30 * w919 - w566 * rod_small_end_rotation_1_4
-    w924 = w22 * w920 + w308 * w477 + w311 * w921 - w36 * w919 - w564 * rod_small_end_rotation_1_4
-    w925 = w917 + w322 * w477 + w43 * w916
-    w926 = w314 * w477 - w26 * w925 - w39 * w916 - w551 * rod_small_end_rotation_1_4
-    w927 = w309 * w477 - w16 * w925 - w30 * w916 + w539 * rod_small_end_rotation_1_4
-    w928 = w311 * w477 - w22 * w925 - w36 * w916 - w544 * rod_small_end_rotation_1_4
-    w929 = w280 * w914 + w268 * w915 + (w288 * w922 - w333 * w923 - w335 * w924) + (w348 * w926 - w354 * w927 - w356 * w928)
-    w930 = 2 * w218
-    w931 = 2 * w164
-    w932 = rod_q1_dot * rod_phi_phi_4_0_1_1 + rod_q3_dot * rod_phi_phi_4_2_1_1 + rod_q5_dot * rod_phi_phi_4_4_1_1
-    w933 = rod_q1_dot * c39 + rod_q3_dot * c44 + rod_q5_dot * c50
-    w934 = w151 * w178 + w159 * w930 - w100 * w209 - (w213 * c83 - w100 * w229 + w212 * w931) - w222 * c38 + (w198 * (w932 + w933) - w194 * (rod_q6_dot * rod_phi_phi_4_5_1_0))
-    w935 = w209 * c38 + w605 * c12
-    w936 = w212 * c293
-    w937 = w929 + (w934 - w604 * c12 + w231 * c12 - (w1 * w935 + w18 * w936))
-    w938 = w274 * w481 - w284 * w482
-    w939 = w914 * rod_first_moment_x - w268 * w938 + (w360 * w923 - w361 * w924 - w333 * w922) + (w364 * w927 - w365 * w928 - w366 * w926)
-    w940 = 2 * w175
-    w941 = rod_q1_dot * rod_phi_phi_4_0_0_0 + rod_q3_dot * rod_phi_phi_4_2_0_0 + rod_q5_dot * rod_phi_phi_4_4_0_0
-    w942 = w194 * (w933 + w941) - w196 * (rod_q2_dot * c112 + rod_q4_dot * c122) - w198 * (rod_q6_dot * rod_phi_phi_4_5_0_1)
-    w943 = w187 * c38 + (w100 * w142 - w203 * c83 + w170 * w931 - (w178 * w940 + w151 * w159 - w209 * c83) + w614 * c12)
-    w944 = w170 * c293
-    w945 = w939 + (w942 + w943 - (w935 * rod_small_end_x - w18 * w944))
-    w946 = w915 * rod_first_moment_x + w280 * w938 + (w368 * w924 - w335 * w922 - w361 * w923) + (w369 * w928 - w370 * w926 - w371 * w927)
-    w947 = w196 * (w932 + w941) - w194 * (rod_q2_dot * rod_phi_phi_4_1_1_2 + rod_q4_dot * rod_phi_phi_4_3_1_2)
-    w948 = w213 * w940 - w151 * w229 + w212 * c83 - (w142 * w930 - w151 * w203 + w100 * w170) + w947 - w620 * c12
-    w949 = w946 + (w948 - (w936 * rod_small_end_x + w1 * w944))
-    w950 = w375 * w922 - w377 * w923 + w378 * w924 + (w379 * w938 + w380 * w915 - w381 * w914) + (w382 * w926 + w383 * w927 + w384 * w928)
-    w951 = w376 * (w248 * w482 - w245 * w481 - w944) - w373 * (w936 + (w251 * w482 + w245 * w480)) + w374 * (w935 + (w248 * w480 + w251 * w481))
-    w952 = w390 * w478 - (w625 * rod_small_end_rotation_1_4 + w626 * c12) - w389 * w477 - (w54 * w925 + w181 * w916)
-    w953 = w392 * w478 - (w628 * rod_small_end_rotation_1_4 + w629 * c12) - w391 * w477 + (w394 * w916 - w393 * w925)
-    w954 = (w953 + (w54 * w920 - w181 * w919)) * slider_mass + (w401 * w477 - w400 * w478 + w631 * rod_small_end_rotation_1_4)
-    w955 = w952 * guide_damping + w954
-    w956 = w265 * w477 + w634 * rod_small_end_rotation_1_4 + w635 * c12
-    w957 = w56 * w913 - (w267 * w937 + w281 * w945 + w278 * w949 + (w950 + w951) + w388 * w955 + w60 * w956)
-    w958 = w418 * w922 + w923 * c286 + w419 * w924 + w914 * c285 + (w421 * w926 + w422 * w927 + w423 * w928)
-    w959 = w643 * rod_small_end_rotation_1_4 - w515 * c12
-    w960 = w414 * w937 - w415 * w945 - w417 * w949 + w958 + w959 * rod_small_end_rotation_1_0 - (w229 * rod_phi_phi_4_0_1_1 + (w203 * rod_phi_phi_4_0_0_0 + w209 * c315) + w935 * c10)
-    w961 = w439 * w922 + w440 * w923 + w924 * c288 - w915 * c287 + (w443 * w926 + w444 * w927 - w445 * w928)
-    w962 = w648 * c12 - w651 * rod_small_end_rotation_1_4
-    w963 = w435 * w945 - w437 * w937 - w438 * w949 + w961 + w962 * rod_small_end_rotation_2_1 + (w159 * rod_phi_phi_4_1_1_2 + w212 * c316)
-    w964 = w454 * w922 + w923 * c290 + w455 * w924 + w914 * c289 + (w457 * w926 + w458 * w927 + w459 * w928)
-    w965 = w451 * w937 - w452 * w945 - w453 * w949 + w964 + w959 * rod_small_end_rotation_1_2 - (w229 * rod_phi_phi_4_2_1_1 + (w203 * rod_phi_phi_4_2_0_0 + w209 * c317) + w935 * c11)
-    w966 = w468 * w922 + w469 * w923 + w924 * c292 - w915 * c291 + (w472 * w926 + w473 * w927 - w474 * w928)
-    w967 = w465 * w945 - w466 * w937 - w467 * w949 + w966 + w962 * rod_small_end_rotation_2_3 + (w159 * rod_phi_phi_4_3_1_2 + w212 * c318)
-    w968 = w483 * w922 + w923 * c294 + w484 * w924 + w914 * c293 + (w486 * w926 + w487 * w927 + w488 * w928)
-    w969 = w480 * w937 - w481 * w945 - w482 * w949 + w968 + w959 * rod_small_end_rotation_1_4 - (w229 * rod_phi_phi_4_4_1_1 + (w203 * rod_phi_phi_4_4_0_0 + w209 * c319) + w935 * c12)
-    w970 = w497 * w949 - (w498 * w937 + w499 * w945) + (w922 * c137 + w500 * w923 + w501 * w924 + (w503 * w927 - w504 * w926 + w507 * w928))
-    w971 = w970 + (w663 * rod_small_end_rotation_1_4 + w666 * c12) * rod_small_end_rotation_0_5 + (w142 * rod_phi_phi_4_5_1_0 + w213 * rod_phi_phi_4_5_0_1)
-    w972 = w512 + w647
-    w973 = w665 - w664
-    w974 = w523 - w436 * rod_small_end_x
-    w975 = w676 + w413 * rod_small_end_x
-    w976 = w246 * w974 + w249 * w975 - (w526 + w679)
-    w977 = w518 + w673
-    w978 = w516 + w250 * w436 + (w246 * w977 - w252 * w975)
-    w979 = w250 * w413 - w671 - (w249 * w977 + w252 * w974)
-    w980 = (w233 * w792 - w253 * w972 - w247 * w973 - (w39 * w976 + w30 * w978 + w36 * w979)) * rod_small_end_rotation_0_5
-    w981 = w693 - w692
-    w982 = w981 + (w80 * w413 - w695)
-    w983 = w548 - w547
-    w984 = w983 + (w550 + w80 * w436)
-    w985 = w1 * w982 - w18 * w984 - (w553 + w698)
-    w986 = w536 + (w537 + w689)
-    w987 = w982 * rod_small_end_x - w18 * w986 + (w545 + w292 * w436)
-    w988 = w1 * w986 - w984 * rod_small_end_x + (w292 * w413 - w686)
-    w989 = ((w26 * w985 + w16 * w987 + w22 * w988) * rod_small_end_rotation_0_5 + w325 * w494) / w55
-    w990 = w710 + w198 * w983 - (w560 * w981 - w709) + (w178 / w10 + w159 * w413 + w209 * w436)
-    w991 = w213 / w10 - w229 * w413 - w212 * w436 - (w572 + w560 * w983 + (w571 + w198 * w981))
-    w992 = 2 * -w984
-    w993 = 2 * -w982
-    w994 = w1 * w990 - w18 * w991 + (w289 * w992 - w290 * w993) - (w576 + w714)
-    w995 = w194 * w981 - w196 * w983 - w565 + (w142 * w413 - w203 / w10 - w170 * w436)
-    w996 = 2 * w986
-    w997 = w990 * rod_small_end_x + w18 * w995 + (w292 * w993 - w289 * w996) + (w569 + w302 * w436)
-    w998 = w290 * w996 - w292 * w992 - (w1 * w995 + w991 * rod_small_end_x) + (w302 * w413 - w707)
-    w999 = ((w52 * w985 + w48 * w987 + w50 * w988) * rod_small_end_rotation_0_5 - w295 * w493) / w42
-    w1000 = ((w52 * w994 + w48 * w997 + w50 * w998) * rod_small_end_rotation_0_5 - w296 * w999 - w305 * w493) / w42
-    w1001 = ((w26 * w994 + w16 * w997 + w22 * w998) * rod_small_end_rotation_0_5 + w327 * w989 + w328 * w494) / w55
-    w1002 = w324 * w989 - (w1000 + w323 * w494) - w43 * w1001
-    w1003 = 2 * w989
-    w1004 = w26 * w1002 + w316 * w494 + w314 * w1003 - w39 * w1001 - w995 * rod_small_end_rotation_0_5
-    w1005 = w16 * w1002 + w307 * w494 + w309 * w1003 - w30 * w1001 - w991 * rod_small_end_rotation_0_5
-    w1006 = w22 * w1002 + w308 * w494 + w311 * w1003 - w36 * w1001 - w990 * rod_small_end_rotation_0_5
-    w1007 = w284 * w498 - w277 * w499
-    w1008 = w274 * w498 + w277 * w497
-    w1009 = w999 + w322 * w494 + w43 * w989
-    w1010 = w314 * w494 - w26 * w1009 - w39 * w989 + w986 * rod_small_end_rotation_0_5
-    w1011 = w309 * w494 - w16 * w1009 - w30 * w989 - w984 * rod_small_end_rotation_0_5
-    w1012 = w311 * w494 - w22 * w1009 - w36 * w989 - w982 * rod_small_end_rotation_0_5
-    w1013 = w288 * w1004 - w333 * w1005 - w335 * w1006 - (w280 * w1007 + w268 * w1008) + (w348 * w1010 - w354 * w1011 - w356 * w1012)
-    w1014 = 2 * w220
-    w1015 = 2 * w166
-    w1016 = rod_q6_dot * rod_phi_phi_5_5_1_1
-    w1017 = rod_q6_dot * rod_phi_phi_5_5_2_2
-    w1018 = rod_q1_dot * rod_phi_phi_5_0_1_0 + rod_q3_dot * rod_phi_phi_5_2_1_0 + rod_q5_dot * rod_phi_phi_5_4_1_0
-    w1019 = w198 * (w1016 + w1017) - w194 * w1018 - w196 * (rod_q2_dot * rod_phi_phi_5_1_2_0 + rod_q4_dot * rod_phi_phi_5_3_2_0)
-    w1020 = w1013 + (w155 * w178 + w159 * w1014 - w209 * c129 - (w69 * w213 - w229 * c129 + w212 * w1015) + w1019)
-    w1021 = w284 * w497 + w274 * w499
-    w1022 = w360 * w1005 - w361 * w1006 - w333 * w1004 - (w268 * w1021 + w1007 * rod_first_moment_x) + (w364 * w1011 - w365 * w1012 - w366 * w1010)
-    w1023 = 2 * w176
-    w1024 = rod_q6_dot * rod_phi_phi_5_5_0_0
-    w1025 = rod_q1_dot * rod_phi_phi_5_0_0_1 + rod_q3_dot * rod_phi_phi_5_2_0_1 + rod_q5_dot * rod_phi_phi_5_4_0_1
-    w1026 = w142 * c129 - w69 * w203 + w170 * w1015 - (w178 * w1023 + w155 * w159 - w69 * w209) + (w194 * (w1017 + w1024) - w198 * w1025)
-    w1027 = w1022 + w1026
-    w1028 = w280 * w1021 - w1008 * rod_first_moment_x + (w368 * w1006 - w335 * w1004 - w361 * w1005) + (w369 * w1012 - w370 * w1010 - w371 * w1011)
-    w1029 = w196 * (w1016 + w1024) - w198 * (rod_q2_dot * rod_phi_phi_5_1_0_2 + rod_q4_dot * rod_phi_phi_5_3_0_2)
-    w1030 = w1028 + (w213 * w1023 - w155 * w229 + w69 * w212 - (w142 * w1014 - w155 * w203 + w170 * c129) + w1029)
-    w1031 = w375 * w1004 - w377 * w1005 + w378 * w1006 + (w379 * w1021 - w380 * w1008 + w381 * w1007) + (w382 * w1010 + w383 * w1011 + w384 * w1012)
-    w1032 = w373 * (w251 * w497 + w245 * w498) - w376 * (w245 * w499 + w248 * w497) + w374 * (w251 * w499 - w248 * w498)
-    w1033 = w390 * w495 - (w40 * w985 + w34 * w987 + w37 * w988) * rod_small_end_rotation_0_5 - w389 * w494 - (w54 * w1009 + w181 * w989)
-    w1034 = w392 * w495 - (w40 * w994 + w34 * w997 + w37 * w998) * rod_small_end_rotation_0_5 - w391 * w494 + (w394 * w989 - w393 * w1009)
-    w1035 = (w1034 + (w54 * w1002 - w181 * w1001)) * slider_mass + (w401 * w494 - w400 * w495 + (w34 * w792 - w40 * w972 + w37 * w973) * rod_small_end_rotation_0_5)
-    w1036 = w1033 * guide_damping + w1035
-    w1037 = (w26 * w976 + w16 * w978 + w22 * w979 + (w261 * w973 - (w255 * w972 + w257 * w792))) * rod_small_end_rotation_0_5
-    w1038 = w265 * w494 + w1037
-    w1039 = w56 * w980 - (w267 * w1020 + w281 * w1027 + w278 * w1030 + (w1031 + w1032) + w388 * w1036 + w60 * w1038)
-    w1040 = w418 * w1004 + w1005 * c286 + w419 * w1006 - w1007 * c285 + (w421 * w1010 + w422 * w1011 + w423 * w1012)
-    w1041 = (w661 - w82 * w642) * rod_small_end_rotation_0_5
-    w1042 = w414 * w1020 - w415 * w1027 - w417 * w1030 + w1040 - w1041 * rod_small_end_rotation_1_0 + (w142 * rod_phi_phi_5_0_1_0 + w213 * rod_phi_phi_5_0_0_1)
-    w1043 = w439 * w1004 + w440 * w1005 + w1006 * c288 + w1008 * c287 + (w443 * w1010 + w444 * w1011 - w445 * w1012)
-    w1044 = (w790 + w82 * w650) * rod_small_end_rotation_0_5
-    w1045 = w435 * w1027 - w437 * w1020 - w438 * w1030 + w1043 + w1044 * rod_small_end_rotation_2_1 + (w170 * rod_phi_phi_5_1_2_0 + w178 * rod_phi_phi_5_1_0_2)
-    w1046 = w454 * w1004 + w1005 * c290 + w455 * w1006 - w1007 * c289 + (w457 * w1010 + w458 * w1011 + w459 * w1012)
-    w1047 = w451 * w1020 - w452 * w1027 - w453 * w1030 + w1046 - w1041 * rod_small_end_rotation_1_2 + (w142 * rod_phi_phi_5_2_1_0 + w213 * rod_phi_phi_5_2_0_1)
-    w1048 = w468 * w1004 + w469 * w1005 + w1006 * c292 + w1008 * c291 + (w472 * w1010 + w473 * w1011 - w474 * w1012)
-    w1049 = w465 * w1027 - w466 * w1020 - w467 * w1030 + w1048 + w1044 * rod_small_end_rotation_2_3 + (w170 * rod_phi_phi_5_3_2_0 + w178 * rod_phi_phi_5_3_0_2)
-    w1050 = w483 * w1004 + w1005 * c294 + w484 * w1006 - w1007 * c293 + (w486 * w1010 + w487 * w1011 + w488 * w1012)
-    w1051 = w480 * w1020 - w481 * w1027 - w482 * w1030 + w1050 - w1041 * rod_small_end_rotation_1_4 + (w142 * rod_phi_phi_5_4_1_0 + w213 * rod_phi_phi_5_4_0_1)
-    w1052 = w497 * w1030 - (w498 * w1020 + w499 * w1027) + (w1004 * c137 + w500 * w1005 + w501 * w1006 + (w503 * w1011 - w504 * w1010 + w507 * w1012))
-    w1053 = w1052 + w82 * w662 * c283 - (w203 * rod_phi_phi_5_5_0_0 + w229 * rod_phi_phi_5_5_1_1 + w209 * rod_phi_phi_5_5_2_2)
+    w373 = w26 * w45 - w52 * w58
+    w374 = w362 * rod_mass + (w280 * w336 - w268 * w334) + (w346 * w355 - w341 * w357) + (w245 * w281 - w248 * w278)
+    w375 = w16 * w45 - w48 * w58
+    w376 = w279 * rod_mass + (w336 * rod_first_moment_x + w268 * w332) + (w353 * w357 - w346 * w350) + (w251 * w278 - w245 * w267)
+    w377 = w22 * w45 - w50 * w58
+    w378 = w285 * rod_mass - (w280 * w332 + w334 * rod_first_moment_x) + (w341 * w350 - w353 * w355) + (w248 * w267 - w251 * w281)
+    w379 = w57 * c145 - (w44 * w243 + w57 * w244) * crank_pin_y + (w267 * w358 + w281 * w367 + w278 * w372 + (w373 * w374 + w375 * w376 + w377 * w378))
+    w380 = w54 * w60 + w56 * w181
+    w381 = w40 * w319 + w34 * w320 + w37 * w321
+    w382 = w40 * w291 + w34 * w293 + w37 * w294
+    w383 = w40 * w313 + w34 * w317 + w37 * w318
+    w384 = w40 * w301 + w34 * w303 + w37 * w304
+    w385 = 2 * -w382
+    w386 = 2 * -w381
+    w387 = (w56 * w383 - w60 * w384 + (w349 * w385 + w326 * w386) + (w54 * w330 - w181 * w329)) * slider_mass
+    w388 = w22 * w252
+    w389 = w26 * w246
+    w390 = w26 * w249
+    w391 = w16 * w252
+    w392 = w40 * (w16 * w246 - w22 * w249) + w34 * (w388 - w389) + w37 * (w390 - w391)
+    w393 = w40 * w256 + w34 * w260 + w37 * w264
+    w394 = (w56 * w381 - w60 * w382 + (w54 * w349 - w181 * w326)) * guide_damping + (w387 + (w60 * w392 - w56 * w393))
+    w395 = w16 / w10 - w26 * w76 + w22 * w82
+    w396 = w48 / w10 - w52 * w76 + w50 * w82
+    w397 = w54 * w395 - w28 * w396
+    w398 = w34 / w10 - w40 * w76 + w37 * w82
+    w399 = w28 * w398 - w42 * w395
+    w400 = (w399 * rod_small_end_rotation_1_0 + w50 * c10) / w42
+    w401 = w42 * w396 - w54 * w398
+    w402 = (w401 * rod_small_end_rotation_1_0 + w22 * c10) / w55
+    w403 = w400 + w43 * w402
+    w404 = w397 * rod_small_end_rotation_1_0 + w37 * c10 + w54 * w403 + w181 * w402
+    w405 = w2 * 0.5 / w10
+    w406 = w405 * rod_small_end_rotation_1_0 - (w26 * w403 + w39 * w402)
+    w407 = w16 * w403 + w30 * w402 + rod_small_end_rotation_1_0 / w10
+    w408 = w3 * 0.5 / w10
+    w409 = w22 * w403 + w36 * w402 + w408 * rod_small_end_rotation_1_0
+    w410 = w86 - w87 + w204 * c10 + w1 * c279
+    w411 = w143 - w144
+    w412 = rod_q2_dot * c103 + rod_q4_dot * c104 - (rod_q2_dot * rod_phi_phi_1_0_2_1 + rod_q4_dot * rod_phi_phi_3_0_2_1)
+    w413 = 2 * w412 - (w198 * (w160 + w214) - w143 * w194 - w196 * c71) - w339 * c10 - w340 * c279
+    w414 = w351 * c10 - (w194 * (w160 + w171) - w86 * w196 - w144 * w198) + w352 * c279
+    w415 = rod_q6_dot * c273 - (w196 * (w171 + w214) - w198 * rod_rho_phi_0_2_0 - w87 * w194)
+    w416 = w332 * w410 + w334 * c280 + w336 * w411 - w285 * c279 + (w350 * w413 + w355 * w414 + w357 * w415)
+    w417 = w26 * w78 - w16 * w82 + w22 / w10
+    w418 = w52 * w78 - w48 * w82 + w50 / w10
+    w419 = w54 * w417 - w28 * w418
+    w420 = w40 * w78 - w34 * w82 + w37 / w10
+    w421 = w28 * w420 - w42 * w417
+    w422 = (w421 * rod_small_end_rotation_2_1 + w48 * c2) / w42
+    w423 = w42 * w418 - w54 * w420
+    w424 = (w423 * rod_small_end_rotation_2_1 + w16 * c2) / w55
+    w425 = w422 + w43 * w424
+    w426 = w419 * rod_small_end_rotation_2_1 + w34 * c2 + w54 * w425 + w181 * w424
+    w427 = w408 * rod_small_end_rotation_2_1 - (w16 * w425 + w30 * w424)
+    w428 = w4 * 0.5 / w10
+    w429 = w26 * w425 + w39 * w424 + w428 * rod_small_end_rotation_2_1
+    w430 = w22 * w425 + w36 * w424 + rod_small_end_rotation_2_1 / w10
+    w431 = w89 - w90 - w179 * c2 - w18 * c281
+    w432 = w62 - w61
+    w433 = rod_q1_dot * rod_phi_phi_0_1_1_2 + rod_q3_dot * rod_phi_phi_2_1_1_2 + rod_q5_dot * rod_phi_phi_4_1_1_2
+    w434 = 2 * (w433 - (rod_q1_dot * c110 + rod_q3_dot * c111 + rod_q5_dot * c112)) - (w198 * (w161 + w215) - w194 * c55 - w61 * w196)
+    w435 = w434 + w344 * c2 + w345 * c281
+    w436 = rod_q6_dot * c274 - (w194 * (w161 + w172) - w89 * w196 - w198 * rod_rho_phi_1_1_0)
+    w437 = w196 * (w172 + w215) - w62 * w198 - w90 * w194 + w351 * c2 + w352 * c281
+    w438 = w332 * w431 + w334 * w432 + w336 * c282 - w279 * c281 + (w350 * w435 + w355 * w436 - w357 * w437)
+    w439 = (w399 * rod_small_end_rotation_1_2 + w50 * c11) / w42
+    w440 = (w401 * rod_small_end_rotation_1_2 + w22 * c11) / w55
+    w441 = w439 + w43 * w440
+    w442 = w397 * rod_small_end_rotation_1_2 + w37 * c11 + w54 * w441 + w181 * w440
+    w443 = w405 * rod_small_end_rotation_1_2 - (w26 * w441 + w39 * w440)
+    w444 = w16 * w441 + w30 * w440 + rod_small_end_rotation_1_2 / w10
+    w445 = w22 * w441 + w36 * w440 + w408 * rod_small_end_rotation_1_2
+    w446 = w92 - w93 + w204 * c11 + w1 * c283
+    w447 = w146 - w147
+    w448 = rod_q2_dot * c113 + rod_q4_dot * c114 - (rod_q2_dot * rod_phi_phi_1_2_2_1 + rod_q4_dot * rod_phi_phi_3_2_2_1)
+    w449 = 2 * w448 - (w198 * (w162 + w216) - w146 * w194 - w196 * c76) - w339 * c11 - w340 * c283
+    w450 = w351 * c11 - (w194 * (w162 + w173) - w92 * w196 - w147 * w198) + w352 * c283
+    w451 = rod_q6_dot * c275 - (w196 * (w173 + w216) - w198 * rod_rho_phi_2_2_0 - w93 * w194)
+    w452 = w332 * w446 + w334 * c284 + w336 * w447 - w285 * c283 + (w350 * w449 + w355 * w450 + w357 * w451)
+    w453 = (w421 * rod_small_end_rotation_2_3 + w48 * c3) / w42
+    w454 = (w423 * rod_small_end_rotation_2_3 + w16 * c3) / w55
+    w455 = w453 + w43 * w454
+    w456 = w419 * rod_small_end_rotation_2_3 + w34 * c3 + w54 * w455 + w181 * w454
+    w457 = w408 * rod_small_end_rotation_2_3 - (w16 * w455 + w30 * w454)
+    w458 = w26 * w455 + w39 * w454 + w428 * rod_small_end_rotation_2_3
+    w459 = w22 * w455 + w36 * w454 + rod_small_end_rotation_2_3 / w10
+    w460 = w95 - w96 - w179 * c3 - w18 * c285
+    w461 = w65 - w64
+    w462 = rod_q1_dot * rod_phi_phi_0_3_1_2 + rod_q3_dot * rod_phi_phi_2_3_1_2 + rod_q5_dot * rod_phi_phi_4_3_1_2
+    w463 = 2 * (w462 - (rod_q1_dot * c120 + rod_q3_dot * c121 + rod_q5_dot * c122)) - (w198 * (w163 + w217) - w194 * c60 - w64 * w196)
+    w464 = w463 + w344 * c3 + w345 * c285
+    w465 = rod_q6_dot * c276 - (w194 * (w163 + w174) - w95 * w196 - w198 * rod_rho_phi_3_1_0)
+    w466 = w196 * (w174 + w217) - w65 * w198 - w96 * w194 + w351 * c3 + w352 * c285
+    w467 = w332 * w460 + w334 * w461 + w336 * c286 - w279 * c285 + (w350 * w464 + w355 * w465 - w357 * w466)
+    w468 = (w399 * rod_small_end_rotation_1_4 + w50 * c12) / w42
+    w469 = (w401 * rod_small_end_rotation_1_4 + w22 * c12) / w55
+    w470 = w468 + w43 * w469
+    w471 = w397 * rod_small_end_rotation_1_4 + w37 * c12 + w54 * w470 + w181 * w469
+    w472 = w405 * rod_small_end_rotation_1_4 - (w26 * w470 + w39 * w469)
+    w473 = w16 * w470 + w30 * w469 + rod_small_end_rotation_1_4 / w10
+    w474 = w22 * w470 + w36 * w469 + w408 * rod_small_end_rotation_1_4
+    w475 = w98 - w99 + w204 * c12 + w1 * c287
+    w476 = w149 - w150
+    w477 = rod_q2_dot * c123 + rod_q4_dot * c124 - (rod_q2_dot * rod_phi_phi_1_4_2_1 + rod_q4_dot * rod_phi_phi_3_4_2_1)
+    w478 = 2 * w477 - (w198 * (w164 + w218) - w149 * w194 - w196 * c81) - w339 * c12 - w340 * c287
+    w479 = w351 * c12 - (w194 * (w164 + w175) - w98 * w196 - w150 * w198) + w352 * c287
+    w480 = rod_q6_dot * c277 - (w196 * (w175 + w218) - w198 * rod_rho_phi_4_2_0 - w99 * w194)
+    w481 = w332 * w475 + w334 * c288 + w336 * w476 - w285 * c287 + (w350 * w478 + w355 * w479 + w357 * w480)
+    w482 = w26 / w10 + w16 * w76 - w22 * w78
+    w483 = w52 / w10 + w48 * w76 - w50 * w78
+    w484 = w40 / w10 + w34 * w76 - w37 * w78
+    w485 = (w28 * w484 - w42 * w482) * rod_small_end_rotation_0_5 / w42
+    w486 = (w42 * w483 - w54 * w484) * rod_small_end_rotation_0_5 / w55
+    w487 = w485 + w43 * w486
+    w488 = (w54 * w482 - w28 * w483) * rod_small_end_rotation_0_5 + w54 * w487 + w181 * w486
+    w489 = w428 * rod_small_end_rotation_0_5 - (w22 * w487 + w36 * w486)
+    w490 = w26 * w487 + w39 * w486 + rod_small_end_rotation_0_5 / w10
+    w491 = w16 * w487 + w30 * w486 + w405 * rod_small_end_rotation_0_5
+    w492 = w68 - w67
+    w493 = w153 - w154
+    w494 = rod_q2_dot * rod_phi_phi_1_5_2_0 + rod_q4_dot * rod_phi_phi_3_5_2_0 - (rod_q2_dot * rod_phi_phi_1_5_0_2 + rod_q4_dot * rod_phi_phi_3_5_0_2)
+    w495 = 2 * w494 - (w194 * (w166 + w176) - w196 * rod_rho_phi_5_1_2 - w154 * w198)
+    w496 = w198 * (w166 + w220) - w153 * w194 - w67 * w196
+    w497 = rod_q1_dot * rod_phi_phi_0_5_0_1 + rod_q3_dot * rod_phi_phi_2_5_0_1 + rod_q5_dot * rod_phi_phi_4_5_0_1
+    w498 = rod_q1_dot * rod_phi_phi_0_5_1_0 + rod_q3_dot * rod_phi_phi_2_5_1_0 + rod_q5_dot * rod_phi_phi_4_5_1_0
+    w499 = 2 * (w497 - w498) - (w196 * (w176 + w220) - w68 * w198 - w194 * rod_rho_phi_5_2_1)
+    w500 = w372 * w489 - (w358 * w490 + w367 * w491) + (w332 * c137 + w334 * w492 + w336 * w493 + (w355 * w495 - w350 * w496 + w357 * w499))
+    w501 = w246 / w10
+    w502 = w249 * w408 - w501
+    w503 = w252 * w408
+    w504 = w246 * w405
+    w505 = w503 + w504
+    w506 = w252 / w10
+    w507 = w249 * w405 + w506
+    w508 = w232 / w10
+    w509 = w408 * rod_small_end_x
+    w510 = w18 * w405
+    w511 = w509 - w510
+    w512 = rod_small_end_x / w10
+    w513 = w1 * w405 - w512
+    w514 = w211 * w408 - w508 + (w246 * w511 - w249 * w513)
+    w515 = w18 / w10
+    w516 = w1 * w408 - w515
+    w517 = w250 * w408
+    w518 = w232 * w405
+    w519 = w252 * w513 - w246 * w516 - (w517 + w518)
+    w520 = w250 / w10
+    w521 = w211 * w405 + w520 + (w249 * w516 - w252 * w511)
+    w522 = w253 * w502 - w233 * w505 - w247 * w507 - (w39 * w514 + w30 * w519 + w36 * w521)
+    w523 = w263 - w262
+    w524 = w522 * rod_small_end_rotation_1_0 + w523 * c10
+    w525 = w277 * w407 + w284 * w406
+    w526 = w274 * w406 + w277 * w409
+    w527 = w75 * w112
+    w528 = w527 / w10
+    w529 = w84 * w405
+    w530 = w80 * w408
+    w531 = w528 + (w529 + w530)
+    w532 = w73 * w75
+    w533 = w408 * w527
+    w534 = w532 - w533
+    w535 = w80 / w10
+    w536 = w534 + (w535 + w104 * w405)
+    w537 = w289 / w10
+    w538 = w18 * w531 + w1 * w536 + (w290 * w408 - w537)
+    w539 = w405 * w527
+    w540 = w75 * w77
+    w541 = w539 - w540
+    w542 = w84 / w10
+    w543 = w541 + (w104 * w408 - w542)
+    w544 = w292 * w408
+    w545 = w289 * w405
+    w546 = w536 * rod_small_end_x + w18 * w543 - (w544 + w545)
+    w547 = w292 / w10
+    w548 = w531 * rod_small_end_x - w1 * w543 + (w290 * w405 + w547)
+    w549 = w26 * w538 + w16 * w546 + w22 * w548
+    w550 = w26 * w104 - w16 * w80
+    w551 = (w549 * rod_small_end_rotation_1_0 + w550 * c10 + w325 * w402) / w55
+    w552 = 2 * w527
+    w553 = w75 * (w73**2 + w74**2 + w77**2)
+    w554 = w408 * w553
+    w555 = w198 * w528
+    w556 = w159 / w10 - w178 * w405 - w209 * w408 - (w534 * w552 + w554 + (w555 + w194 * w541))
+    w557 = w553 / w10 - w528 * w552
+    w558 = w196 * w541 - w198 * w534 - w557 + (w212 * w408 - (w213 * w405 + w229 / w10))
+    w559 = 2 * w531
+    w560 = 2 * -w536
+    w561 = w299 / w10
+    w562 = w1 * w556 - w18 * w558 + (w289 * w559 - w290 * w560) + (w300 * w408 - w561)
+    w563 = w196 * w528
+    w564 = w405 * w553
+    w565 = w194 * w534 + w563 - (w541 * w552 - w564) + (w203 * w405 + w142 / w10 + w170 * w408)
+    w566 = 2 * -w543
+    w567 = w302 * w408
+    w568 = w299 * w405
+    w569 = w556 * rod_small_end_x + w18 * w565 + (w292 * w560 - w289 * w566) - (w567 + w568)
+    w570 = w302 / w10
+    w571 = w290 * w566 - w292 * w559 - (w1 * w565 + w558 * rod_small_end_x) + (w300 * w405 + w570)
+    w572 = w52 * w562 + w48 * w569 + w50 * w571
+    w573 = w52 * w170 + w48 * w212 - w50 * w209
+    w574 = w52 * w538 + w48 * w546 + w50 * w548
+    w575 = w52 * w104 - w48 * w80
+    w576 = (w574 * rod_small_end_rotation_1_0 + w575 * c10 - w295 * w400) / w42
+    w577 = w324 * w551 - ((w572 * rod_small_end_rotation_1_0 + w573 * c10 - w296 * w576 - w305 * w400) / w42 + w323 * w402)
+    w578 = w26 * w562 + w16 * w569 + w22 * w571
+    w579 = w26 * w170 + w16 * w212 - w22 * w209
+    w580 = (w578 * rod_small_end_rotation_1_0 + w579 * c10 + w327 * w551 + w328 * w402) / w55
+    w581 = w577 - w43 * w580
+    w582 = 2 * w551
+    w583 = w26 * w581 + w316 * w402 + w314 * w582 - w39 * w580 - w565 * rod_small_end_rotation_1_0
+    w584 = w16 * w581 + w307 * w402 + w309 * w582 - w30 * w580 - w558 * rod_small_end_rotation_1_0
+    w585 = w22 * w581 + w308 * w402 + w311 * w582 - w36 * w580 - w556 * rod_small_end_rotation_1_0
+    w586 = w576 + w322 * w402 + w43 * w551
+    w587 = w314 * w402 - w26 * w586 - w39 * w551 - w543 * rod_small_end_rotation_1_0
+    w588 = w309 * w402 - w16 * w586 - w30 * w551 + w531 * rod_small_end_rotation_1_0
+    w589 = w311 * w402 - w22 * w586 - w36 * w551 - w536 * rod_small_end_rotation_1_0
+    w590 = w280 * w525 + w268 * w526 + (w288 * w583 - w333 * w584 - w335 * w585) + (w348 * w587 - w354 * w588 - w356 * w589)
+    w591 = 2 * w214
+    w592 = 2 * w160
+    w593 = rod_q1_dot * rod_phi_phi_0_0_1_1 + rod_q3_dot * rod_phi_phi_0_2_1_1 + rod_q5_dot * rod_phi_phi_0_4_1_1
+    w594 = rod_q1_dot * c35 + rod_q3_dot * c42 + rod_q5_dot * c47
+    w595 = w145 * w178 + w159 * w591 - w88 * w209 - (w213 * c73 - w88 * w229 + w212 * w592) - w222 * c34 + (w198 * (w593 + w594) - w194 * (rod_q6_dot * rod_phi_phi_0_5_1_0))
+    w596 = w230 + w204 * w209
+    w597 = w209 * rod_mass
+    w598 = w209 * c279
+    w599 = w212 * c279
+    w600 = w590 + (w595 - w596 * c10 + w231 * c10 - (w1 * w598 + w18 * w599))
+    w601 = w274 * w407 - w284 * w409
+    w602 = w525 * rod_first_moment_x - w268 * w601 + (w360 * w584 - w361 * w585 - w333 * w583) + (w364 * w588 - w365 * w589 - w366 * w587)
+    w603 = 2 * w171
+    w604 = rod_q1_dot * rod_phi_phi_0_0_0_0 + rod_q3_dot * rod_phi_phi_0_2_0_0 + rod_q5_dot * rod_phi_phi_0_4_0_0
+    w605 = w194 * (w594 + w604) - w196 * (rod_q2_dot * c110 + rod_q4_dot * c120) - w198 * (rod_q6_dot * rod_phi_phi_0_5_0_1)
+    w606 = w206 - w209 * c54 - w207
+    w607 = w187 * c34 + (w88 * w142 - w203 * c73 + w170 * w592 - (w178 * w603 + w145 * w159 - w209 * c73) + w606 * c10)
+    w608 = w170 * c279
+    w609 = w602 + (w605 + w607 - (w598 * rod_small_end_x - w18 * w608))
+    w610 = w526 * rod_first_moment_x + w280 * w601 + (w368 * w585 - w335 * w583 - w361 * w584) + (w369 * w589 - w370 * w587 - w371 * w588)
+    w611 = w196 * (w593 + w604) - w194 * (rod_q2_dot * rod_phi_phi_0_1_1_2 + rod_q4_dot * rod_phi_phi_0_3_1_2)
+    w612 = w212 * c54 + w170 * w204
+    w613 = w213 * w603 - w145 * w229 + w212 * c73 - (w142 * w591 - w145 * w203 + w88 * w170) + w611 - w612 * c10
+    w614 = w610 + (w613 - (w599 * rod_small_end_x + w1 * w608))
+    w615 = w601 * rod_mass + (w280 * w585 - w268 * w584) + (w346 * w588 - w341 * w589) + (w248 * w409 - w245 * w407 - w608)
+    w616 = w526 * rod_mass + (w585 * rod_first_moment_x + w268 * w583) + (w353 * w589 - w346 * w587) - (w599 + (w251 * w409 + w245 * w406))
+    w617 = w341 * w587 - w353 * w588 - (w525 * rod_mass + (w280 * w583 + w584 * rod_first_moment_x)) + (w598 + (w248 * w406 + w251 * w407))
+    w618 = w40 * w538 + w34 * w546 + w37 * w548
+    w619 = w40 * w104 - w34 * w80
+    w620 = w382 * w403 - (w618 * rod_small_end_rotation_1_0 + w619 * c10) - w381 * w402 - (w54 * w586 + w181 * w551)
+    w621 = w40 * w562 + w34 * w569 + w37 * w571
+    w622 = w40 * w170 + w34 * w212 - w37 * w209
+    w623 = w384 * w403 - (w621 * rod_small_end_rotation_1_0 + w622 * c10) - w383 * w402 + (w386 * w551 - w385 * w586)
+    w624 = w40 * w502 - w34 * w505 + w37 * w507
+    w625 = (w623 + (w54 * w581 - w181 * w580)) * slider_mass + (w393 * w402 - w392 * w403 + w624 * rod_small_end_rotation_1_0)
+    w626 = w620 * guide_damping + w625
+    w627 = w267 * w600 + w281 * w609 + w278 * w614 + (w373 * w615 + w375 * w616 + w377 * w617) + w380 * w626
+    w628 = w26 * w514 + w16 * w519 + w22 * w521 + (w255 * w502 + w257 * w505 + w261 * w507)
+    w629 = w391 - w390
+    w630 = w265 * w402 + w628 * rod_small_end_rotation_1_0 + w629 * c10
+    w631 = w410 * w583 + w584 * c280 + w411 * w585 + w525 * c279 + (w413 * w587 + w414 * w588 + w415 * w589)
+    w632 = w211 + (w18 * w252 + w246 * rod_small_end_x)
+    w633 = w232 - (w249 * rod_small_end_x + w1 * w252)
+    w634 = w250 + (w1 * w246 - w18 * w249)
+    w635 = (w632 + (w3 * w633 - w2 * w634) * 0.5) / w10
+    w636 = w78 * w635
+    w637 = w636 * rod_small_end_rotation_1_0 - w507 * c10
+    w638 = w406 * w600 - w407 * w609 - w409 * w614 + w631 + w637 * rod_small_end_rotation_1_0 - (w203 * rod_phi_phi_0_0_0_0 + (w229 * rod_phi_phi_0_0_1_1 + w209 * c289))
+    w639 = w431 * w583 + w432 * w584 + w585 * c282 - w526 * c281 + (w435 * w587 + w436 * w588 - w437 * w589)
+    w640 = w249 * w428
+    w641 = w503 + w640
+    w642 = w75 * w634
+    w643 = (w633 + (w4 * w634 - w3 * w632) * 0.5) / w10
+    w644 = w642 - w78 * w643
+    w645 = w641 * c10 - w644 * rod_small_end_rotation_1_0
+    w646 = w427 * w609 - w429 * w600 - w430 * w614 + w639 + w645 * rod_small_end_rotation_2_1 + (w159 * rod_phi_phi_0_1_1_2 + w212 * c290)
+    w647 = w446 * w583 + w584 * c284 + w447 * w585 + w525 * c283 + (w449 * w587 + w450 * w588 + w451 * w589)
+    w648 = w443 * w600 - w444 * w609 - w445 * w614 + w647 + w637 * rod_small_end_rotation_1_2 - (w203 * rod_phi_phi_0_2_0_0 + (w229 * rod_phi_phi_0_2_1_1 + w209 * c291))
+    w649 = w460 * w583 + w461 * w584 + w585 * c286 - w526 * c285 + (w464 * w587 + w465 * w588 - w466 * w589)
+    w650 = w457 * w609 - w458 * w600 - w459 * w614 + w649 + w645 * rod_small_end_rotation_2_3 + (w159 * rod_phi_phi_0_3_1_2 + w212 * c292)
+    w651 = w475 * w583 + w584 * c288 + w476 * w585 + w525 * c287 + (w478 * w587 + w479 * w588 + w480 * w589)
+    w652 = w472 * w600 - w473 * w609 - w474 * w614 + w651 + w637 * rod_small_end_rotation_1_4 - (w203 * rod_phi_phi_0_4_0_0 + (w229 * rod_phi_phi_0_4_1_1 + w209 * c293))
+    w653 = w489 * w614 - (w490 * w600 + w491 * w609) + (w583 * c137 + w492 * w584 + w493 * w585 + (w495 * w588 - w496 * w587 + w499 * w589))
+    w654 = w75 * w633
+    w655 = (w634 + (w2 * w632 - w4 * w633) * 0.5) / w10
+    w656 = w654 + w78 * w655
+    w657 = w249 / w10
+    w658 = w252 * w405
+    w659 = w657 - w658
+    w660 = w653 + (w656 * rod_small_end_rotation_1_0 + w659 * c10) * rod_small_end_rotation_0_5 + (w142 * rod_phi_phi_0_5_1_0 + w213 * rod_phi_phi_0_5_0_1)
+    w661 = w657 + w246 * w408
+    w662 = w246 * w428
+    w663 = w662 - w506
+    w664 = w211 / w10
+    w665 = w512 + w18 * w428
+    w666 = w1 * w428
+    w667 = w509 - w666
+    w668 = w232 * w408 + w664 + (w246 * w665 - w249 * w667)
+    w669 = w1 / w10
+    w670 = w18 * w408 + w669
+    w671 = w232 * w428 - w520 + (w252 * w667 - w246 * w670)
+    w672 = w211 * w428
+    w673 = w249 * w670 - w252 * w665 - (w517 + w672)
+    w674 = w253 * w661 + w233 * w663 + w247 * w641 - (w39 * w668 + w30 * w671 + w36 * w673)
+    w675 = w259 - w258
+    w676 = w674 * rod_small_end_rotation_2_1 + w675 * c2
+    w677 = w277 * w430 - w274 * w429
+    w678 = w277 * w427 + w284 * w429
+    w679 = w290 / w10
+    w680 = w533 - w532
+    w681 = w680 + (w84 * w428 - w535)
+    w682 = w104 * w428
+    w683 = w528 + (w530 + w682)
+    w684 = w289 * w408 + w679 - (w18 * w681 + w1 * w683)
+    w685 = w74 * w75
+    w686 = w428 * w527
+    w687 = w685 - w686
+    w688 = w104 / w10
+    w689 = w687 + (w688 + w84 * w408)
+    w690 = w18 * w689 - w683 * rod_small_end_x + (w289 * w428 - w547)
+    w691 = w290 * w428
+    w692 = w1 * w689 + w681 * rod_small_end_x + (w544 + w691)
+    w693 = w26 * w684 + w16 * w690 - w22 * w692
+    w694 = w22 * w80 - w26 * w84
+    w695 = (w693 * rod_small_end_rotation_2_1 + w694 * c2 + w325 * w424) / w55
+    w696 = w198 * w680 - w194 * w687 - w557 + (w178 * w428 - w159 * w408 - w209 / w10)
+    w697 = w555 + w196 * w687 - (w552 * w680 - w554) + (w213 * w428 + w229 * w408 + w212 / w10)
+    w698 = 2 * -w681
+    w699 = 2 * w683
+    w700 = w300 / w10
+    w701 = w1 * w696 - w18 * w697 + (w289 * w698 - w290 * w699) + (w299 * w408 + w700)
+    w702 = w428 * w553
+    w703 = w194 * w528
+    w704 = w170 / w10 - (w203 * w428 + w142 * w408) - (w552 * w687 + w702 + (w703 + w196 * w680))
+    w705 = 2 * -w689
+    w706 = w696 * rod_small_end_x + w18 * w704 + (w292 * w699 - w289 * w705) + (w299 * w428 - w570)
+    w707 = w300 * w428
+    w708 = w290 * w705 - w292 * w698 - (w1 * w704 + w697 * rod_small_end_x) - (w567 + w707)
+    w709 = w52 * w701 + w48 * w706 + w50 * w708
+    w710 = w52 * w142 - w48 * w229 + w50 * w159
+    w711 = w52 * w684 + w48 * w690 - w50 * w692
+    w712 = w50 * w80 - w52 * w84
+    w713 = (w711 * rod_small_end_rotation_2_1 + w712 * c2 - w295 * w422) / w42
+    w714 = w324 * w695 - ((w709 * rod_small_end_rotation_2_1 + w710 * c2 - w296 * w713 - w305 * w422) / w42 + w323 * w424)
+    w715 = w26 * w701 + w16 * w706 + w22 * w708
+    w716 = w26 * w142 - w16 * w229 + w22 * w159
+    w717 = (w715 * rod_small_end_rotation_2_1 + w716 * c2 + w327 * w695 + w328 * w424) / w55
+    w718 = w714 - w43 * w717
+    w719 = 2 * w695
+    w720 = w26 * w718 + w316 * w424 + w314 * w719 - w39 * w717 - w704 * rod_small_end_rotation_2_1
+    w721 = w16 * w718 + w307 * w424 + w309 * w719 - w30 * w717 - w697 * rod_small_end_rotation_2_1
+    w722 = w22 * w718 + w308 * w424 + w311 * w719 - w36 * w717 - w696 * rod_small_end_rotation_2_1
+    w723 = w713 + w322 * w424 + w43 * w695
+    w724 = w314 * w424 - w26 * w723 - w39 * w695 - w689 * rod_small_end_rotation_2_1
+    w725 = w309 * w424 - w16 * w723 - w30 * w695 - w681 * rod_small_end_rotation_2_1
+    w726 = w311 * w424 - w22 * w723 - w36 * w695 + w683 * rod_small_end_rotation_2_1
+    w727 = w268 * w677 - w280 * w678 + (w288 * w720 - w333 * w721 - w335 * w722) + (w348 * w724 - w354 * w725 - w356 * w726)
+    w728 = 2 * w215
+    w729 = 2 * w161
+    w730 = rod_q2_dot * c20 + rod_q4_dot * c27
+    w731 = rod_q2_dot * rod_phi_phi_1_1_2_2
+    w732 = w208 + w179 * w229 - w210
+    w733 = w188 * c19 + (w178 * c57 + w159 * w728 - w91 * w209 - (w63 * w213 - w91 * w229 + w212 * w729) + w732 * c2)
+    w734 = w159 * c281
+    w735 = w229 * c281
+    w736 = w198 * (w730 + w731) - w196 * (rod_q6_dot * rod_phi_phi_1_5_2_0) + w733 + (w1 * w734 + w18 * w735)
+    w737 = w727 + w736
+    w738 = w284 * w430 + w274 * w427
+    w739 = w268 * w738 - w678 * rod_first_moment_x + (w360 * w721 - w361 * w722 - w333 * w720) + (w364 * w725 - w365 * w726 - w366 * w724)
+    w740 = 2 * w172
+    w741 = rod_q2_dot * rod_phi_phi_1_1_0_0 + rod_q4_dot * rod_phi_phi_1_3_0_0
+    w742 = rod_q1_dot * rod_phi_phi_1_0_2_1 + rod_q3_dot * rod_phi_phi_1_2_2_1 + rod_q5_dot * rod_phi_phi_1_4_2_1
+    w743 = w91 * w142 - w63 * w203 + w170 * w729 - (w178 * w740 + w159 * c57 - w63 * w209) + (w194 * (w731 + w741) - w196 * w742)
+    w744 = w142 * w179 + w159 * c54
+    w745 = w142 * c281
+    w746 = w739 + (w743 + w744 * c2 + (w18 * w745 + w734 * rod_small_end_x))
+    w747 = w677 * rod_first_moment_x - w280 * w738 + (w368 * w722 - w335 * w720 - w361 * w721) + (w369 * w726 - w370 * w724 - w371 * w725)
+    w748 = w196 * (w730 + w741) - w198 * (rod_q6_dot * rod_phi_phi_1_5_0_2) - w194 * (rod_q1_dot * c103 + rod_q3_dot * c113 + rod_q5_dot * c123)
+    w749 = w207 + (w229 * c54 - w205)
+    w750 = w213 * w740 - w229 * c57 + w63 * w212 - (w142 * w728 - w203 * c57 + w91 * w170) - w187 * c19 + w749 * c2
+    w751 = w747 + (w748 + w750 - (w1 * w745 - w735 * rod_small_end_x))
+    w752 = w280 * w722 - w268 * w721 - w738 * rod_mass + (w346 * w725 - w341 * w726) - (w745 - (w245 * w427 + w248 * w430))
+    w753 = w677 * rod_mass + (w722 * rod_first_moment_x + w268 * w720) + (w353 * w726 - w346 * w724) + (w735 + (w245 * w429 - w251 * w430))
+    w754 = w678 * rod_mass - (w280 * w720 + w721 * rod_first_moment_x) + (w341 * w724 - w353 * w725) - (w734 + (w248 * w429 + w251 * w427))
+    w755 = w40 * w684 + w34 * w690 - w37 * w692
+    w756 = w37 * w80 - w40 * w84
+    w757 = w382 * w425 - (w755 * rod_small_end_rotation_2_1 + w756 * c2) - w381 * w424 - (w54 * w723 + w181 * w695)
+    w758 = w40 * w701 + w34 * w706 + w37 * w708
+    w759 = w40 * w142 - w34 * w229 + w37 * w159
+    w760 = w384 * w425 - (w758 * rod_small_end_rotation_2_1 + w759 * c2) - w383 * w424 + (w386 * w695 - w385 * w723)
+    w761 = w40 * w661 + w34 * w663 - w37 * w641
+    w762 = (w760 + (w54 * w718 - w181 * w717)) * slider_mass + (w393 * w424 - w392 * w425 + w761 * rod_small_end_rotation_2_1)
+    w763 = w757 * guide_damping + w762
+    w764 = w267 * w737 + w281 * w746 + w278 * w751 + (w373 * w752 + w375 * w753 + w377 * w754) + w380 * w763
+    w765 = w26 * w668 + w16 * w671 + w22 * w673 + (w255 * w661 - w257 * w663 - w261 * w641)
+    w766 = w389 - w388
+    w767 = w265 * w424 + w765 * rod_small_end_rotation_2_1 + w766 * c2
+    w768 = w410 * w720 + w721 * c280 + w411 * w722 - w678 * c279 + (w413 * w724 + w414 * w725 + w415 * w726)
+    w769 = w642 + w76 * w635
+    w770 = w769 * rod_small_end_rotation_2_1 + w505 * c2
+    w771 = w406 * w737 - w407 * w746 - w409 * w751 + w768 + w770 * rod_small_end_rotation_1_0 + (w212 * rod_phi_phi_1_0_2_1 + w159 * c294)
+    w772 = w431 * w720 + w432 * w721 + w722 * c282 - w677 * c281 + (w435 * w724 + w436 * w725 - w437 * w726)
+    w773 = w76 * w643
+    w774 = w506 - w662
+    w775 = w773 * rod_small_end_rotation_2_1 + w774 * c2
+    w776 = w427 * w746 - w429 * w737 - w430 * w751 + w772 + w775 * rod_small_end_rotation_2_1 - (w203 * rod_phi_phi_1_1_0_0 + (w209 * rod_phi_phi_1_1_2_2 + w229 * c295))
+    w777 = w446 * w720 + w721 * c284 + w447 * w722 - w678 * c283 + (w449 * w724 + w450 * w725 + w451 * w726)
+    w778 = w443 * w737 - w444 * w746 - w445 * w751 + w777 + w770 * rod_small_end_rotation_1_2 + (w212 * rod_phi_phi_1_2_2_1 + w159 * c296)
+    w779 = w460 * w720 + w461 * w721 + w722 * c286 - w677 * c285 + (w464 * w724 + w465 * w725 - w466 * w726)
+    w780 = w457 * w746 - w458 * w737 - w459 * w751 + w779 + w775 * rod_small_end_rotation_2_3 - (w203 * rod_phi_phi_1_3_0_0 + w229 * c297)
+    w781 = w475 * w720 + w721 * c288 + w476 * w722 - w678 * c287 + (w478 * w724 + w479 * w725 + w480 * w726)
+    w782 = w472 * w737 - w473 * w746 - w474 * w751 + w781 + w770 * rod_small_end_rotation_1_4 + (w212 * rod_phi_phi_1_4_2_1 + w159 * c298)
+    w783 = w489 * w751 - (w490 * w737 + w491 * w746) + (w720 * c137 + w492 * w721 + w493 * w722 + (w495 * w725 - w496 * w724 + w499 * w726))
+    w784 = w75 * w632
+    w785 = w784 - w76 * w655
+    w786 = w501 + w252 * w428
+    w787 = w783 - (w785 * rod_small_end_rotation_2_1 + w786 * c2) * rod_small_end_rotation_0_5 + (w170 * rod_phi_phi_1_5_2_0 + w178 * rod_phi_phi_1_5_0_2)
+    w788 = w522 * rod_small_end_rotation_1_2 + w523 * c11
+    w789 = w277 * w444 + w284 * w443
+    w790 = w274 * w443 + w277 * w445
+    w791 = (w549 * rod_small_end_rotation_1_2 + w550 * c11 + w325 * w440) / w55
+    w792 = (w574 * rod_small_end_rotation_1_2 + w575 * c11 - w295 * w439) / w42
+    w793 = w324 * w791 - ((w572 * rod_small_end_rotation_1_2 + w573 * c11 - w296 * w792 - w305 * w439) / w42 + w323 * w440)
+    w794 = (w578 * rod_small_end_rotation_1_2 + w579 * c11 + w327 * w791 + w328 * w440) / w55
+    w795 = w793 - w43 * w794
+    w796 = 2 * w791
+    w797 = w26 * w795 + w316 * w440 + w314 * w796 - w39 * w794 - w565 * rod_small_end_rotation_1_2
+    w798 = w16 * w795 + w307 * w440 + w309 * w796 - w30 * w794 - w558 * rod_small_end_rotation_1_2
+    w799 = w22 * w795 + w308 * w440 + w311 * w796 - w36 * w794 - w556 * rod_small_end_rotation_1_2
+    w800 = w792 + w322 * w440 + w43 * w791
+    w801 = w314 * w440 - w26 * w800 - w39 * w791 - w543 * rod_small_end_rotation_1_2
+    w802 = w309 * w440 - w16 * w800 - w30 * w791 + w531 * rod_small_end_rotation_1_2
+    w803 = w311 * w440 - w22 * w800 - w36 * w791 - w536 * rod_small_end_rotation_1_2
+    w804 = w280 * w789 + w268 * w790 + (w288 * w797 - w333 * w798 - w335 * w799) + (w348 * w801 - w354 * w802 - w356 * w803)
+    w805 = 2 * w216
+    w806 = 2 * w162
+    w807 = rod_q1_dot * rod_phi_phi_2_0_1_1 + rod_q3_dot * rod_phi_phi_2_2_1_1 + rod_q5_dot * rod_phi_phi_2_4_1_1
+    w808 = rod_q1_dot * c37 + rod_q3_dot * c43 + rod_q5_dot * c49
+    w809 = w148 * w178 + w159 * w805 - w94 * w209 - (w213 * c78 - w94 * w229 + w212 * w806) - w222 * c36 + (w198 * (w807 + w808) - w194 * (rod_q6_dot * rod_phi_phi_2_5_1_0))
+    w810 = w209 * c36 + w597 * c11
+    w811 = w212 * c283
+    w812 = w804 + (w809 - w596 * c11 + w231 * c11 - (w1 * w810 + w18 * w811))
+    w813 = w274 * w444 - w284 * w445
+    w814 = w789 * rod_first_moment_x - w268 * w813 + (w360 * w798 - w361 * w799 - w333 * w797) + (w364 * w802 - w365 * w803 - w366 * w801)
+    w815 = 2 * w173
+    w816 = rod_q1_dot * rod_phi_phi_2_0_0_0 + rod_q3_dot * rod_phi_phi_2_2_0_0 + rod_q5_dot * rod_phi_phi_2_4_0_0
+    w817 = w194 * (w808 + w816) - w196 * (rod_q2_dot * c111 + rod_q4_dot * c121) - w198 * (rod_q6_dot * rod_phi_phi_2_5_0_1)
+    w818 = w187 * c36 + (w94 * w142 - w203 * c78 + w170 * w806 - (w178 * w815 + w148 * w159 - w209 * c78) + w606 * c11)
+    w819 = w170 * c283
+    w820 = w814 + (w817 + w818 - (w810 * rod_small_end_x - w18 * w819))
+    w821 = w790 * rod_first_moment_x + w280 * w813 + (w368 * w799 - w335 * w797 - w361 * w798) + (w369 * w803 - w370 * w801 - w371 * w802)
+    w822 = w196 * (w807 + w816) - w194 * (rod_q2_dot * rod_phi_phi_2_1_1_2 + rod_q4_dot * rod_phi_phi_2_3_1_2)
+    w823 = w213 * w815 - w148 * w229 + w212 * c78 - (w142 * w805 - w148 * w203 + w94 * w170) + w822 - w612 * c11
+    w824 = w821 + (w823 - (w811 * rod_small_end_x + w1 * w819))
+    w825 = w813 * rod_mass + (w280 * w799 - w268 * w798) + (w346 * w802 - w341 * w803) + (w248 * w445 - w245 * w444 - w819)
+    w826 = w790 * rod_mass + (w799 * rod_first_moment_x + w268 * w797) + (w353 * w803 - w346 * w801) - (w811 + (w251 * w445 + w245 * w443))
+    w827 = w341 * w801 - w353 * w802 - (w789 * rod_mass + (w280 * w797 + w798 * rod_first_moment_x)) + (w810 + (w248 * w443 + w251 * w444))
+    w828 = w382 * w441 - (w618 * rod_small_end_rotation_1_2 + w619 * c11) - w381 * w440 - (w54 * w800 + w181 * w791)
+    w829 = w384 * w441 - (w621 * rod_small_end_rotation_1_2 + w622 * c11) - w383 * w440 + (w386 * w791 - w385 * w800)
+    w830 = (w829 + (w54 * w795 - w181 * w794)) * slider_mass + (w393 * w440 - w392 * w441 + w624 * rod_small_end_rotation_1_2)
+    w831 = w828 * guide_damping + w830
+    w832 = w267 * w812 + w281 * w820 + w278 * w824 + (w373 * w825 + w375 * w826 + w377 * w827) + w380 * w831
+    w833 = w265 * w440 + w628 * rod_small_end_rotation_1_2 + w629 * c11
+    w834 = w410 * w797 + w798 * c280 + w411 * w799 + w789 * c279 + (w413 * w801 + w414 * w802 + w415 * w803)
+    w835 = w636 * rod_small_end_rotation_1_2 - w507 * c11
+    w836 = w406 * w812 - w407 * w820 - w409 * w824 + w834 + w835 * rod_small_end_rotation_1_0 - (w229 * rod_phi_phi_2_0_1_1 + (w203 * rod_phi_phi_2_0_0_0 + w209 * c299) + w810 * c10)
+    w837 = w431 * w797 + w432 * w798 + w799 * c282 - w790 * c281 + (w435 * w801 + w436 * w802 - w437 * w803)
+    w838 = w641 * c11 - w644 * rod_small_end_rotation_1_2
+    w839 = w427 * w820 - w429 * w812 - w430 * w824 + w837 + w838 * rod_small_end_rotation_2_1 + (w159 * rod_phi_phi_2_1_1_2 + w212 * c300)
+    w840 = w446 * w797 + w798 * c284 + w447 * w799 + w789 * c283 + (w449 * w801 + w450 * w802 + w451 * w803)
+    w841 = w443 * w812 - w444 * w820 - w445 * w824 + w840 + w835 * rod_small_end_rotation_1_2 - (w229 * rod_phi_phi_2_2_1_1 + (w203 * rod_phi_phi_2_2_0_0 + w209 * c301) + w810 * c11)
+    w842 = w460 * w797 + w461 * w798 + w799 * c286 - w790 * c285 + (w464 * w801 + w465 * w802 - w466 * w803)
+    w843 = w457 * w820 - w458 * w812 - w459 * w824 + w842 + w838 * rod_small_end_rotation_2_3 + (w159 * rod_phi_phi_2_3_1_2 + w212 * c302)
+    w844 = w475 * w797 + w798 * c288 + w476 * w799 + w789 * c287 + (w478 * w801 + w479 * w802 + w480 * w803)
+    w845 = w472 * w812 - w473 * w820 - w474 * w824 + w844 + w835 * rod_small_end_rotation_1_4 - (w229 * rod_phi_phi_2_4_1_1 + (w203 * rod_phi_phi_2_4_0_0 + w209 * c303) + w810 * c12)
+    w846 = w489 * w824 - (w490 * w812 + w491 * w820) + (w797 * c137 + w492 * w798 + w493 * w799 + (w495 * w802 - w496 * w801 + w499 * w803))
+    w847 = w846 + (w656 * rod_small_end_rotation_1_2 + w659 * c11) * rod_small_end_rotation_0_5 + (w142 * rod_phi_phi_2_5_1_0 + w213 * rod_phi_phi_2_5_0_1)
+    w848 = w674 * rod_small_end_rotation_2_3 + w675 * c3
+    w849 = w277 * w459 - w274 * w458
+    w850 = w277 * w457 + w284 * w458
+    w851 = (w693 * rod_small_end_rotation_2_3 + w694 * c3 + w325 * w454) / w55
+    w852 = (w711 * rod_small_end_rotation_2_3 + w712 * c3 - w295 * w453) / w42
+    w853 = w324 * w851 - ((w709 * rod_small_end_rotation_2_3 + w710 * c3 - w296 * w852 - w305 * w453) / w42 + w323 * w454)
+    w854 = (w715 * rod_small_end_rotation_2_3 + w716 * c3 + w327 * w851 + w328 * w454) / w55
+    w855 = w853 - w43 * w854
+    w856 = 2 * w851
+    w857 = w26 * w855 + w316 * w454 + w314 * w856 - w39 * w854 - w704 * rod_small_end_rotation_2_3
+    w858 = w16 * w855 + w307 * w454 + w309 * w856 - w30 * w854 - w697 * rod_small_end_rotation_2_3
+    w859 = w22 * w855 + w308 * w454 + w311 * w856 - w36 * w854 - w696 * rod_small_end_rotation_2_3
+    w860 = w852 + w322 * w454 + w43 * w851
+    w861 = w314 * w454 - w26 * w860 - w39 * w851 - w689 * rod_small_end_rotation_2_3
+    w862 = w309 * w454 - w16 * w860 - w30 * w851 - w681 * rod_small_end_rotation_2_3
+    w863 = w311 * w454 - w22 * w860 - w36 * w851 + w683 * rod_small_end_rotation_2_3
+    w864 = w268 * w849 - w280 * w850 + (w288 * w857 - w333 * w858 - w335 * w859) + (w348 * w861 - w354 * w862 - w356 * w863)
+    w865 = 2 * w217
+    w866 = 2 * w163
+    w867 = rod_q2_dot * c22 + rod_q4_dot * c28
+    w868 = rod_q4_dot * rod_phi_phi_3_3_2_2
+    w869 = w188 * c21 + (w178 * c62 + w159 * w865 - w97 * w209 - (w66 * w213 - w97 * w229 + w212 * w866) + w732 * c3)
+    w870 = w159 * c285
+    w871 = w229 * c21 + w229 * rod_mass * c3
+    w872 = w198 * (w867 + w868) - w196 * (rod_q6_dot * rod_phi_phi_3_5_2_0) + w869 + (w1 * w870 + w18 * w871)
+    w873 = w864 + w872
+    w874 = w284 * w459 + w274 * w457
+    w875 = w268 * w874 - w850 * rod_first_moment_x + (w360 * w858 - w361 * w859 - w333 * w857) + (w364 * w862 - w365 * w863 - w366 * w861)
+    w876 = 2 * w174
+    w877 = rod_q2_dot * rod_phi_phi_3_1_0_0 + rod_q4_dot * rod_phi_phi_3_3_0_0
+    w878 = rod_q1_dot * rod_phi_phi_3_0_2_1 + rod_q3_dot * rod_phi_phi_3_2_2_1 + rod_q5_dot * rod_phi_phi_3_4_2_1
+    w879 = w97 * w142 - w66 * w203 + w170 * w866 - (w178 * w876 + w159 * c62 - w66 * w209) + (w194 * (w868 + w877) - w196 * w878)
+    w880 = w142 * c285
+    w881 = w875 + (w879 + w744 * c3 + (w18 * w880 + w870 * rod_small_end_x))
+    w882 = w849 * rod_first_moment_x - w280 * w874 + (w368 * w859 - w335 * w857 - w361 * w858) + (w369 * w863 - w370 * w861 - w371 * w862)
+    w883 = w196 * (w867 + w877) - w198 * (rod_q6_dot * rod_phi_phi_3_5_0_2) - w194 * (rod_q1_dot * c104 + rod_q3_dot * c114 + rod_q5_dot * c124)
+    w884 = w213 * w876 - w229 * c62 + w66 * w212 - (w142 * w865 - w203 * c62 + w97 * w170) - w187 * c21 + w749 * c3
+    w885 = w882 + (w883 + w884 - (w1 * w880 - w871 * rod_small_end_x))
+    w886 = w280 * w859 - w268 * w858 - w874 * rod_mass + (w346 * w862 - w341 * w863) - (w880 - (w245 * w457 + w248 * w459))
+    w887 = w849 * rod_mass + (w859 * rod_first_moment_x + w268 * w857) + (w353 * w863 - w346 * w861) + (w871 + (w245 * w458 - w251 * w459))
+    w888 = w850 * rod_mass - (w280 * w857 + w858 * rod_first_moment_x) + (w341 * w861 - w353 * w862) - (w870 + (w248 * w458 + w251 * w457))
+    w889 = w382 * w455 - (w755 * rod_small_end_rotation_2_3 + w756 * c3) - w381 * w454 - (w54 * w860 + w181 * w851)
+    w890 = w384 * w455 - (w758 * rod_small_end_rotation_2_3 + w759 * c3) - w383 * w454 + (w386 * w851 - w385 * w860)
+    w891 = (w890 + (w54 * w855 - w181 * w854)) * slider_mass + (w393 * w454 - w392 * w455 + w761 * rod_small_end_rotation_2_3)
+    w892 = w889 * guide_damping + w891
+    w893 = w267 * w873 + w281 * w881 + w278 * w885 + (w373 * w886 + w375 * w887 + w377 * w888) + w380 * w892
+    w894 = w265 * w454 + w765 * rod_small_end_rotation_2_3 + w766 * c3
+    w895 = w410 * w857 + w858 * c280 + w411 * w859 - w850 * c279 + (w413 * w861 + w414 * w862 + w415 * w863)
+    w896 = w769 * rod_small_end_rotation_2_3 + w505 * c3
+    w897 = w406 * w873 - w407 * w881 - w409 * w885 + w895 + w896 * rod_small_end_rotation_1_0 + (w212 * rod_phi_phi_3_0_2_1 + w159 * c304)
+    w898 = w431 * w857 + w432 * w858 + w859 * c282 - w849 * c281 + (w435 * w861 + w436 * w862 - w437 * w863)
+    w899 = w773 * rod_small_end_rotation_2_3 + w774 * c3
+    w900 = w427 * w881 - w429 * w873 - w430 * w885 + w898 + w899 * rod_small_end_rotation_2_1 - (w203 * rod_phi_phi_3_1_0_0 + w229 * c305 + w871 * c2)
+    w901 = w446 * w857 + w858 * c284 + w447 * w859 - w850 * c283 + (w449 * w861 + w450 * w862 + w451 * w863)
+    w902 = w443 * w873 - w444 * w881 - w445 * w885 + w901 + w896 * rod_small_end_rotation_1_2 + (w212 * rod_phi_phi_3_2_2_1 + w159 * c306)
+    w903 = w460 * w857 + w461 * w858 + w859 * c286 - w849 * c285 + (w464 * w861 + w465 * w862 - w466 * w863)
+    w904 = w457 * w881 - w458 * w873 - w459 * w885 + w903 + w899 * rod_small_end_rotation_2_3 - (w209 * rod_phi_phi_3_3_2_2 + (w203 * rod_phi_phi_3_3_0_0 + w229 * c307) + w871 * c3)
+    w905 = w475 * w857 + w858 * c288 + w476 * w859 - w850 * c287 + (w478 * w861 + w479 * w862 + w480 * w863)
+    w906 = w472 * w873 - w473 * w881 - w474 * w885 + w905 + w896 * rod_small_end_rotation_1_4 + (w212 * rod_phi_phi_3_4_2_1 + w159 * c308)
+    w907 = w489 * w885 - (w490 * w873 + w491 * w881) + (w857 * c137 + w492 * w858 + w493 * w859 + (w495 * w862 - w496 * w861 + w499 * w863))
+    w908 = w907 - (w785 * rod_small_end_rotation_2_3 + w786 * c3) * rod_small_end_rotation_0_5 + (w170 * rod_phi_phi_3_5_2_0 + w178 * rod_phi_phi_3_5_0_2)
+    w909 = w522 * rod_small_end_rotation_1_4 + w523 * c12
+    w910 = w277 * w473 + w284 * w472
+    w911 = w274 * w472 + w277 * w474
+    w912 = (w549 * rod_small_end_rotation_1_4 + w550 * c12 + w325 * w469) / w55
+    w913 = (w574 * rod_small_end_rotation_1_4 + w575 * c12 - w295 * w468) / w42
+    w914 = w324 * w912 - ((w572 * rod_small_end_rotation_1_4 + w573 * c12 - w296 * w913 - w305 * w468) / w42 + w323 * w469)
+    w915 = (w578 * rod_small_end_rotation_1_4 + w579 * c12 + w327 * w912 + w328 * w469) / w55
+    w916 = w914 - w43 * w915
+    w917 = 2 * w912
+    w918 = w26 * w916 + w316 * w469 + w314 * w917 - w39 * w915 - w565 * rod_small_end_rotation_1_4
+    w919 = w16 * w916 + w307 * w469 + w309 * w917 - w30 * w915 - w558 * rod_small_end_rotation_1_4
+    w920 = w22 * w916 + w308 * w469 + w311 * w917 - w36 * w915 - w556 * rod_small_end_rotation_1_4
+    w921 = w913 + w322 * w469 + w43 * w912
+    w922 = w314 * w469 - w26 * w921 - w39 * w912 - w543 * rod_small_end_rotation_1_4
+    w923 = w309 * w469 - w16 * w921 - w30 * w912 + w531 * rod_small_end_rotation_1_4
+    w924 = w311 * w469 - w22 * w921 - w36 * w912 - w536 * rod_small_end_rotation_1_4
+    w925 = w280 * w910 + w268 * w911 + (w288 * w918 - w333 * w919 - w335 * w920) + (w348 * w922 - w354 * w923 - w356 * w924)
+    w926 = 2 * w218
+    w927 = 2 * w164
+    w928 = rod_q1_dot * rod_phi_phi_4_0_1_1 + rod_q3_dot * rod_phi_phi_4_2_1_1 + rod_q5_dot * rod_phi_phi_4_4_1_1
+    w929 = rod_q1_dot * c39 + rod_q3_dot * c44 + rod_q5_dot * c50
+    w930 = w151 * w178 + w159 * w926 - w100 * w209 - (w213 * c83 - w100 * w229 + w212 * w927) - w222 * c38 + (w198 * (w928 + w929) - w194 * (rod_q6_dot * rod_phi_phi_4_5_1_0))
+    w931 = w209 * c38 + w597 * c12
+    w932 = w212 * c287
+    w933 = w925 + (w930 - w596 * c12 + w231 * c12 - (w1 * w931 + w18 * w932))
+    w934 = w274 * w473 - w284 * w474
+    w935 = w910 * rod_first_moment_x - w268 * w934 + (w360 * w919 - w361 * w920 - w333 * w918) + (w364 * w923 - w365 * w924 - w366 * w922)
+    w936 = 2 * w175
+    w937 = rod_q1_dot * rod_phi_phi_4_0_0_0 + rod_q3_dot * rod_phi_phi_4_2_0_0 + rod_q5_dot * rod_phi_phi_4_4_0_0
+    w938 = w194 * (w929 + w937) - w196 * (rod_q2_dot * c112 + rod_q4_dot * c122) - w198 * (rod_q6_dot * rod_phi_phi_4_5_0_1)
+    w939 = w187 * c38 + (w100 * w142 - w203 * c83 + w170 * w927 - (w178 * w936 + w151 * w159 - w209 * c83) + w606 * c12)
+    w940 = w170 * c287
+    w941 = w935 + (w938 + w939 - (w931 * rod_small_end_x - w18 * w940))
+    w942 = w911 * rod_first_moment_x + w280 * w934 + (w368 * w920 - w335 * w918 - w361 * w919) + (w369 * w924 - w370 * w922 - w371 * w923)
+    w943 = w196 * (w928 + w937) - w194 * (rod_q2_dot * rod_phi_phi_4_1_1_2 + rod_q4_dot * rod_phi_phi_4_3_1_2)
+    w944 = w213 * w936 - w151 * w229 + w212 * c83 - (w142 * w926 - w151 * w203 + w100 * w170) + w943 - w612 * c12
+    w945 = w942 + (w944 - (w932 * rod_small_end_x + w1 * w940))
+    w946 = w934 * rod_mass + (w280 * w920 - w268 * w919) + (w346 * w923 - w341 * w924) + (w248 * w474 - w245 * w473 - w940)
+    w947 = w911 * rod_mass + (w920 * rod_first_moment_x + w268 * w918) + (w353 * w924 - w346 * w922) - (w932 + (w251 * w474 + w245 * w472))
+    w948 = w341 * w922 - w353 * w923 - (w910 * rod_mass + (w280 * w918 + w919 * rod_first_moment_x)) + (w931 + (w248 * w472 + w251 * w473))
+    w949 = w382 * w470 - (w618 * rod_small_end_rotation_1_4 + w619 * c12) - w381 * w469 - (w54 * w921 + w181 * w912)
+    w950 = w384 * w470 - (w621 * rod_small_end_rotation_1_4 + w622 * c12) - w383 * w469 + (w386 * w912 - w385 * w921)
+    w951 = (w950 + (w54 * w916 - w181 * w915)) * slider_mass + (w393 * w469 - w392 * w470 + w624 * rod_small_end_rotation_1_4)
+    w952 = w949 * guide_damping + w951
+    w953 = w267 * w933 + w281 * w941 + w278 * w945 + (w373 * w946 + w375 * w947 + w377 * w948) + w380 * w952
+    w954 = w265 * w469 + w628 * rod_small_end_rotation_1_4 + w629 * c12
+    w955 = w410 * w918 + w919 * c280 + w411 * w920 + w910 * c279 + (w413 * w922 + w414 * w923 + w415 * w924)
+    w956 = w636 * rod_small_end_rotation_1_4 - w507 * c12
+    w957 = w406 * w933 - w407 * w941 - w409 * w945 + w955 + w956 * rod_small_end_rotation_1_0 - (w229 * rod_phi_phi_4_0_1_1 + (w203 * rod_phi_phi_4_0_0_0 + w209 * c309) + w931 * c10)
+    w958 = w431 * w918 + w432 * w919 + w920 * c282 - w911 * c281 + (w435 * w922 + w436 * w923 - w437 * w924)
+    w959 = w641 * c12 - w644 * rod_small_end_rotation_1_4
+    w960 = w427 * w941 - w429 * w933 - w430 * w945 + w958 + w959 * rod_small_end_rotation_2_1 + (w159 * rod_phi_phi_4_1_1_2 + w212 * c310)
+    w961 = w446 * w918 + w919 * c284 + w447 * w920 + w910 * c283 + (w449 * w922 + w450 * w923 + w451 * w924)
+    w962 = w443 * w933 - w444 * w941 - w445 * w945 + w961 + w956 * rod_small_end_rotation_1_2 - (w229 * rod_phi_phi_4_2_1_1 + (w203 * rod_phi_phi_4_2_0_0 + w209 * c311) + w931 * c11)
+    w963 = w460 * w918 + w461 * w919 + w920 * c286 - w911 * c285 + (w464 * w922 + w465 * w923 - w466 * w924)
+    w964 = w457 * w941 - w458 * w933 - w459 * w945 + w963 + w959 * rod_small_end_rotation_2_3 + (w159 * rod_phi_phi_4_3_1_2 + w212 * c312)
+    w965 = w475 * w918 + w919 * c288 + w476 * w920 + w910 * c287 + (w478 * w922 + w479 * w923 + w480 * w924)
+    w966 = w472 * w933 - w473 * w941 - w474 * w945 + w965 + w956 * rod_small_end_rotation_1_4 - (w229 * rod_phi_phi_4_4_1_1 + (w203 * rod_phi_phi_4_4_0_0 + w209 * c313) + w931 * c12)
+    w967 = w489 * w945 - (w490 * w933 + w491 * w941) + (w918 * c137 + w492 * w919 + w493 * w920 + (w495 * w923 - w496 * w922 + w499 * w924))
+    w968 = w967 + (w656 * rod_small_end_rotation_1_4 + w659 * c12) * rod_small_end_rotation_0_5 + (w142 * rod_phi_phi_4_5_1_0 + w213 * rod_phi_phi_4_5_0_1)
+    w969 = w504 + w640
+    w970 = w658 - w657
+    w971 = w515 - w428 * rod_small_end_x
+    w972 = w669 + w405 * rod_small_end_x
+    w973 = w246 * w971 + w249 * w972 - (w518 + w672)
+    w974 = w510 + w666
+    w975 = w508 + w250 * w428 + (w246 * w974 - w252 * w972)
+    w976 = w250 * w405 - w664 - (w249 * w974 + w252 * w971)
+    w977 = (w233 * w786 - w253 * w969 - w247 * w970 - (w39 * w973 + w30 * w975 + w36 * w976)) * rod_small_end_rotation_0_5
+    w978 = w686 - w685
+    w979 = w978 + (w80 * w405 - w688)
+    w980 = w540 - w539
+    w981 = w980 + (w542 + w80 * w428)
+    w982 = w1 * w979 - w18 * w981 - (w545 + w691)
+    w983 = w528 + (w529 + w682)
+    w984 = w979 * rod_small_end_x - w18 * w983 + (w537 + w292 * w428)
+    w985 = w1 * w983 - w981 * rod_small_end_x + (w292 * w405 - w679)
+    w986 = ((w26 * w982 + w16 * w984 + w22 * w985) * rod_small_end_rotation_0_5 + w325 * w486) / w55
+    w987 = w703 + w198 * w980 - (w552 * w978 - w702) + (w178 / w10 + w159 * w405 + w209 * w428)
+    w988 = w213 / w10 - w229 * w405 - w212 * w428 - (w564 + w552 * w980 + (w563 + w198 * w978))
+    w989 = 2 * -w981
+    w990 = 2 * -w979
+    w991 = w1 * w987 - w18 * w988 + (w289 * w989 - w290 * w990) - (w568 + w707)
+    w992 = w194 * w978 - w196 * w980 - w557 + (w142 * w405 - w203 / w10 - w170 * w428)
+    w993 = 2 * w983
+    w994 = w987 * rod_small_end_x + w18 * w992 + (w292 * w990 - w289 * w993) + (w561 + w302 * w428)
+    w995 = w290 * w993 - w292 * w989 - (w1 * w992 + w988 * rod_small_end_x) + (w302 * w405 - w700)
+    w996 = ((w52 * w982 + w48 * w984 + w50 * w985) * rod_small_end_rotation_0_5 - w295 * w485) / w42
+    w997 = ((w52 * w991 + w48 * w994 + w50 * w995) * rod_small_end_rotation_0_5 - w296 * w996 - w305 * w485) / w42
+    w998 = ((w26 * w991 + w16 * w994 + w22 * w995) * rod_small_end_rotation_0_5 + w327 * w986 + w328 * w486) / w55
+    w999 = w324 * w986 - (w997 + w323 * w486) - w43 * w998
+    w1000 = 2 * w986
+    w1001 = w26 * w999 + w316 * w486 + w314 * w1000 - w39 * w998 - w992 * rod_small_end_rotation_0_5
+    w1002 = w16 * w999 + w307 * w486 + w309 * w1000 - w30 * w998 - w988 * rod_small_end_rotation_0_5
+    w1003 = w22 * w999 + w308 * w486 + w311 * w1000 - w36 * w998 - w987 * rod_small_end_rotation_0_5
+    w1004 = w284 * w490 - w277 * w491
+    w1005 = w274 * w490 + w277 * w489
+    w1006 = w996 + w322 * w486 + w43 * w986
+    w1007 = w314 * w486 - w26 * w1006 - w39 * w986 + w983 * rod_small_end_rotation_0_5
+    w1008 = w309 * w486 - w16 * w1006 - w30 * w986 - w981 * rod_small_end_rotation_0_5
+    w1009 = w311 * w486 - w22 * w1006 - w36 * w986 - w979 * rod_small_end_rotation_0_5
+    w1010 = w288 * w1001 - w333 * w1002 - w335 * w1003 - (w280 * w1004 + w268 * w1005) + (w348 * w1007 - w354 * w1008 - w356 * w1009)
+    w1011 = 2 * w220
+    w1012 = 2 * w166
+    w1013 = rod_q6_dot * rod_phi_phi_5_5_1_1
+    w1014 = rod_q6_dot * rod_phi_phi_5_5_2_2
+    w1015 = rod_q1_dot * rod_phi_phi_5_0_1_0 + rod_q3_dot * rod_phi_phi_5_2_1_0 + rod_q5_dot * rod_phi_phi_5_4_1_0
+    w1016 = w198 * (w1013 + w1014) - w194 * w1015 - w196 * (rod_q2_dot * rod_phi_phi_5_1_2_0 + rod_q4_dot * rod_phi_phi_5_3_2_0)
+    w1017 = w1010 + (w155 * w178 + w159 * w1011 - w209 * c129 - (w69 * w213 - w229 * c129 + w212 * w1012) + w1016)
+    w1018 = w284 * w489 + w274 * w491
+    w1019 = w360 * w1002 - w361 * w1003 - w333 * w1001 - (w268 * w1018 + w1004 * rod_first_moment_x) + (w364 * w1008 - w365 * w1009 - w366 * w1007)
+    w1020 = 2 * w176
+    w1021 = rod_q6_dot * rod_phi_phi_5_5_0_0
+    w1022 = rod_q1_dot * rod_phi_phi_5_0_0_1 + rod_q3_dot * rod_phi_phi_5_2_0_1 + rod_q5_dot * rod_phi_phi_5_4_0_1
+    w1023 = w142 * c129 - w69 * w203 + w170 * w1012 - (w178 * w1020 + w155 * w159 - w69 * w209) + (w194 * (w1014 + w1021) - w198 * w1022)
+    w1024 = w1019 + w1023
+    w1025 = w280 * w1018 - w1005 * rod_first_moment_x + (w368 * w1003 - w335 * w1001 - w361 * w1002) + (w369 * w1009 - w370 * w1007 - w371 * w1008)
+    w1026 = w196 * (w1013 + w1021) - w198 * (rod_q2_dot * rod_phi_phi_5_1_0_2 + rod_q4_dot * rod_phi_phi_5_3_0_2)
+    w1027 = w1025 + (w213 * w1020 - w155 * w229 + w69 * w212 - (w142 * w1011 - w155 * w203 + w170 * c129) + w1026)
+    w1028 = w1018 * rod_mass + (w280 * w1003 - w268 * w1002) + (w346 * w1008 - w341 * w1009) - (w245 * w491 + w248 * w489)
+    w1029 = w1003 * rod_first_moment_x + w268 * w1001 - w1005 * rod_mass + (w353 * w1009 - w346 * w1007) + (w251 * w489 + w245 * w490)
+    w1030 = w1004 * rod_mass - (w280 * w1001 + w1002 * rod_first_moment_x) + (w341 * w1007 - w353 * w1008) + (w251 * w491 - w248 * w490)
+    w1031 = w382 * w487 - (w40 * w982 + w34 * w984 + w37 * w985) * rod_small_end_rotation_0_5 - w381 * w486 - (w54 * w1006 + w181 * w986)
+    w1032 = w384 * w487 - (w40 * w991 + w34 * w994 + w37 * w995) * rod_small_end_rotation_0_5 - w383 * w486 + (w386 * w986 - w385 * w1006)
+    w1033 = (w1032 + (w54 * w999 - w181 * w998)) * slider_mass + (w393 * w486 - w392 * w487 + (w34 * w786 - w40 * w969 + w37 * w970) * rod_small_end_rotation_0_5)
+    w1034 = w1031 * guide_damping + w1033
+    w1035 = w267 * w1017 + w281 * w1024 + w278 * w1027 + (w373 * w1028 + w375 * w1029 + w377 * w1030) + w380 * w1034
+    w1036 = (w26 * w973 + w16 * w975 + w22 * w976 + (w261 * w970 - (w255 * w969 + w257 * w786))) * rod_small_end_rotation_0_5
+    w1037 = w265 * w486 + w1036
+    w1038 = w410 * w1001 + w1002 * c280 + w411 * w1003 - w1004 * c279 + (w413 * w1007 + w414 * w1008 + w415 * w1009)
+    w1039 = (w654 - w82 * w635) * rod_small_end_rotation_0_5
+    w1040 = w406 * w1017 - w407 * w1024 - w409 * w1027 + w1038 - w1039 * rod_small_end_rotation_1_0 + (w142 * rod_phi_phi_5_0_1_0 + w213 * rod_phi_phi_5_0_0_1)
+    w1041 = w431 * w1001 + w432 * w1002 + w1003 * c282 + w1005 * c281 + (w435 * w1007 + w436 * w1008 - w437 * w1009)
+    w1042 = (w784 + w82 * w643) * rod_small_end_rotation_0_5
+    w1043 = w427 * w1024 - w429 * w1017 - w430 * w1027 + w1041 + w1042 * rod_small_end_rotation_2_1 + (w170 * rod_phi_phi_5_1_2_0 + w178 * rod_phi_phi_5_1_0_2)
+    w1044 = w446 * w1001 + w1002 * c284 + w447 * w1003 - w1004 * c283 + (w449 * w1007 + w450 * w1008 + w451 * w1009)
+    w1045 = w443 * w1017 - w444 * w1024 - w445 * w1027 + w1044 - w1039 * rod_small_end_rotation_1_2 + (w142 * rod_phi_phi_5_2_1_0 + w213 * rod_phi_phi_5_2_0_1)
+    w1046 = w460 * w1001 + w461 * w1002 + w1003 * c286 + w1005 * c285 + (w464 * w1007 + w465 * w1008 - w466 * w1009)
+    w1047 = w457 * w1024 - w458 * w1017 - w459 * w1027 + w1046 + w1042 * rod_small_end_rotation_2_3 + (w170 * rod_phi_phi_5_3_2_0 + w178 * rod_phi_phi_5_3_0_2)
+    w1048 = w475 * w1001 + w1002 * c288 + w476 * w1003 - w1004 * c287 + (w478 * w1007 + w479 * w1008 + w480 * w1009)
+    w1049 = w472 * w1017 - w473 * w1024 - w474 * w1027 + w1048 - w1039 * rod_small_end_rotation_1_4 + (w142 * rod_phi_phi_5_4_1_0 + w213 * rod_phi_phi_5_4_0_1)
+    w1050 = w489 * w1027 - (w490 * w1017 + w491 * w1024) + (w1001 * c137 + w492 * w1002 + w493 * w1003 + (w495 * w1008 - w496 * w1007 + w499 * w1009))
+    w1051 = w1050 + w82 * w655 * c272 - (w203 * rod_phi_phi_5_5_0_0 + w229 * rod_phi_phi_5_5_1_1 + w209 * rod_phi_phi_5_5_2_2)
     # outputs
     dQ_hat_dq_i = ca.vertcat(
-        ca.horzcat(w60 * w266 - (w387 + w388 * w402), w637, w773, w838, w898, w957, w1039),  # axle.angle
+        ca.horzcat(  # axle.angle
+            w60 * w266 - (w379 + w380 * w394), w56 * w524 - (w627 + w60 * w630), w56 * w676 - (w764 + w60 * w767),
+            w56 * w788 - (w832 + w60 * w833), w56 * w848 - (w893 + w60 * w894), w56 * w909 - (w953 + w60 * w954),
+            w56 * w977 - (w1035 + w60 * w1037),
+        ),
         ca.horzcat(  # rod.q1
-            w402 * w412 - (w358 * w414 - w367 * w415 - w372 * w417 + w424) - w266 * w411,
-            w412 * w633 - (rod_K_ff_0_0 + w645) + w411 * w636 - w410 * w532,
-            w412 * w769 - w777 + w411 * w772 - w410 * w683, w412 * w836 - w841 + w411 * w837 - w410 * w794,
-            w412 * w896 - w901 + w411 * w897 - w410 * w853, w412 * w955 - w960 + w411 * w956 - w410 * w913,
-            w412 * w1036 - w1042 + w411 * w1038 - w410 * w980,
+            w394 * w404 - (w358 * w406 - w367 * w407 - w372 * w409 + w416) - w266 * w403,
+            w404 * w626 - (rod_K_ff_0_0 + w638) + w403 * w630 - w402 * w524,
+            w404 * w763 - w771 + w403 * w767 - w402 * w676, w404 * w831 - w836 + w403 * w833 - w402 * w788,
+            w404 * w892 - w897 + w403 * w894 - w402 * w848, w404 * w952 - w957 + w403 * w954 - w402 * w909,
+            w404 * w1034 - w1040 + w403 * w1037 - w402 * w977,
         ),
         ca.horzcat(  # rod.q2
-            w402 * w434 - (w367 * w435 - w358 * w437 - w372 * w438 + w446) - w266 * w433,
-            w434 * w633 - w653 + w433 * w636 - w432 * w532,
-            w434 * w769 - (rod_K_ff_1_1 + w782) + w433 * w772 - w432 * w683,
-            w434 * w836 - w844 + w433 * w837 - w432 * w794, w434 * w896 - w904 + w433 * w897 - w432 * w853,
-            w434 * w955 - w963 + w433 * w956 - w432 * w913, w434 * w1036 - w1045 + w433 * w1038 - w432 * w980,
+            w394 * w426 - (w367 * w427 - w358 * w429 - w372 * w430 + w438) - w266 * w425,
+            w426 * w626 - w646 + w425 * w630 - w424 * w524,
+            w426 * w763 - (rod_K_ff_1_1 + w776) + w425 * w767 - w424 * w676,
+            w426 * w831 - w839 + w425 * w833 - w424 * w788, w426 * w892 - w900 + w425 * w894 - w424 * w848,
+            w426 * w952 - w960 + w425 * w954 - w424 * w909, w426 * w1034 - w1043 + w425 * w1037 - w424 * w977,
         ),
         ca.horzcat(  # rod.q3
-            w402 * w450 - (w358 * w451 - w367 * w452 - w372 * w453 + w460) - w266 * w449,
-            w450 * w633 - w655 + w449 * w636 - w448 * w532, w450 * w769 - w784 + w449 * w772 - w448 * w683,
-            w450 * w836 - (rod_K_ff_2_2 + w846) + w449 * w837 - w448 * w794,
-            w450 * w896 - w906 + w449 * w897 - w448 * w853, w450 * w955 - w965 + w449 * w956 - w448 * w913,
-            w450 * w1036 - w1047 + w449 * w1038 - w448 * w980,
+            w394 * w442 - (w358 * w443 - w367 * w444 - w372 * w445 + w452) - w266 * w441,
+            w442 * w626 - w648 + w441 * w630 - w440 * w524, w442 * w763 - w778 + w441 * w767 - w440 * w676,
+            w442 * w831 - (rod_K_ff_2_2 + w841) + w441 * w833 - w440 * w788,
+            w442 * w892 - w902 + w441 * w894 - w440 * w848, w442 * w952 - w962 + w441 * w954 - w440 * w909,
+            w442 * w1034 - w1045 + w441 * w1037 - w440 * w977,
         ),
         ca.horzcat(  # rod.q4
-            w402 * w464 - (w367 * w465 - w358 * w466 - w372 * w467 + w475) - w266 * w463,
-            w464 * w633 - w657 + w463 * w636 - w462 * w532, w464 * w769 - w786 + w463 * w772 - w462 * w683,
-            w464 * w836 - w848 + w463 * w837 - w462 * w794,
-            w464 * w896 - (rod_K_ff_3_3 + w908) + w463 * w897 - w462 * w853,
-            w464 * w955 - w967 + w463 * w956 - w462 * w913, w464 * w1036 - w1049 + w463 * w1038 - w462 * w980,
+            w394 * w456 - (w367 * w457 - w358 * w458 - w372 * w459 + w467) - w266 * w455,
+            w456 * w626 - w650 + w455 * w630 - w454 * w524, w456 * w763 - w780 + w455 * w767 - w454 * w676,
+            w456 * w831 - w843 + w455 * w833 - w454 * w788,
+            w456 * w892 - (rod_K_ff_3_3 + w904) + w455 * w894 - w454 * w848,
+            w456 * w952 - w964 + w455 * w954 - w454 * w909, w456 * w1034 - w1047 + w455 * w1037 - w454 * w977,
         ),
         ca.horzcat(  # rod.q5
-            w402 * w479 - (w358 * w480 - w367 * w481 - w372 * w482 + w489) - w266 * w478,
-            w479 * w633 - w659 + w478 * w636 - w477 * w532, w479 * w769 - w788 + w478 * w772 - w477 * w683,
-            w479 * w836 - w850 + w478 * w837 - w477 * w794, w479 * w896 - w910 + w478 * w897 - w477 * w853,
-            w479 * w955 - (rod_K_ff_4_4 + w969) + w478 * w956 - w477 * w913,
-            w479 * w1036 - w1051 + w478 * w1038 - w477 * w980,
+            w394 * w471 - (w358 * w472 - w367 * w473 - w372 * w474 + w481) - w266 * w470,
+            w471 * w626 - w652 + w470 * w630 - w469 * w524, w471 * w763 - w782 + w470 * w767 - w469 * w676,
+            w471 * w831 - w845 + w470 * w833 - w469 * w788, w471 * w892 - w906 + w470 * w894 - w469 * w848,
+            w471 * w952 - (rod_K_ff_4_4 + w966) + w470 * w954 - w469 * w909,
+            w471 * w1034 - w1049 + w470 * w1037 - w469 * w977,
         ),
         ca.horzcat(  # rod.q6
-            w402 * w496 - w508 - w266 * w495, w496 * w633 - w667 + w495 * w636 - w494 * w532,
-            w496 * w769 - w793 + w495 * w772 - w494 * w683, w496 * w836 - w852 + w495 * w837 - w494 * w794,
-            w496 * w896 - w912 + w495 * w897 - w494 * w853, w496 * w955 - w971 + w495 * w956 - w494 * w913,
-            w496 * w1036 - (rod_K_ff_5_5 + w1053) + w495 * w1038 - w494 * w980,
+            w394 * w488 - w500 - w266 * w487, w488 * w626 - w660 + w487 * w630 - w486 * w524,
+            w488 * w763 - w787 + w487 * w767 - w486 * w676, w488 * w831 - w847 + w487 * w833 - w486 * w788,
+            w488 * w892 - w908 + w487 * w894 - w486 * w848, w488 * w952 - w968 + w487 * w954 - w486 * w909,
+            w488 * w1034 - (rod_K_ff_5_5 + w1051) + w487 * w1037 - w486 * w977,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -7202,15 +7189,15 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d (n_d = 24) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 7 x 7) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    3360 operations.
+    3434 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
-    c = ca.SX.sym("c", 344)
+    c = ca.SX.sym("c", 339)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -7369,22 +7356,28 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c161 = c[161]
     rod_D_ff_5_5 = c[162]
     rod_first_moment_x = c[218]
-    c242 = c[242]
-    c243 = c[243]
-    c244 = c[244]
-    c245 = c[245]
-    c246 = c[246]
+    c273 = c[273]
+    c274 = c[274]
+    c275 = c[275]
+    c276 = c[276]
+    c277 = c[277]
+    c278 = c[278]
+    c279 = c[279]
+    c280 = c[280]
+    c281 = c[281]
+    c282 = c[282]
+    c283 = c[283]
     c284 = c[284]
     c285 = c[285]
     c286 = c[286]
     c287 = c[287]
     c288 = c[288]
-    c289 = c[289]
-    c290 = c[290]
-    c291 = c[291]
-    c292 = c[292]
-    c293 = c[293]
-    c294 = c[294]
+    c314 = c[314]
+    c315 = c[315]
+    c316 = c[316]
+    c317 = c[317]
+    c318 = c[318]
+    c319 = c[319]
     c320 = c[320]
     c321 = c[321]
     c322 = c[322]
@@ -7404,11 +7397,6 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c336 = c[336]
     c337 = c[337]
     c338 = c[338]
-    c339 = c[339]
-    c340 = c[340]
-    c341 = c[341]
-    c342 = c[342]
-    c343 = c[343]
     # intermediate terms (515)
     w0 = ca.sin(fork_angle1)
     w1 = rod_q2 * c2 + rod_q4 * c3
@@ -7582,7 +7570,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w169 = rod_q1 * rod_phi_phi_0_4_0_0 + rod_q3 * rod_phi_phi_2_4_0_0 + rod_q5 * rod_phi_phi_4_4_0_0
     w170 = rod_q6 * rod_phi_phi_5_5_0_0
     w171 = c88 + rod_q1 * w165 + rod_q2 * w166 + rod_q3 * w167 + rod_q4 * w168 + rod_q5 * w169 + rod_q6 * w170
-    w172 = c284 + w171
+    w172 = c278 + w171
     w173 = w78 + w172
     w174 = w146 + (w1 * w52 + w17 * w59)
     w175 = 2 * -(w43 * w55 + w24 * w56)
@@ -7593,378 +7581,375 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w180 = w69 + w172
     w181 = rod_q1_dot * c71 + rod_q2_dot * w122 + rod_q3_dot * c76 + rod_q4_dot * w124 + rod_q5_dot * c81 + rod_q6_dot * w127
     w182 = rod_q1_dot * w135 + rod_q2_dot * w137 + rod_q3_dot * w139 + rod_q4_dot * w141 + rod_q5_dot * w144
-    w183 = w16 * w38 - w41 * w48
-    w184 = w21 * w38 - w42 * w48
-    w185 = w53 * w183 - w59 * w184
-    w186 = w24 * w38 - w43 * w48
-    w187 = w53 * w186 + w184 * rod_first_moment_x
-    w188 = w183 * rod_first_moment_x + w59 * w186
-    w189 = w25 * w27
-    w190 = w44 * w50 + w46 * w189
-    w191 = w34 * w96 + w30 * w99 + w32 * w100
-    w192 = w34 * w101 + w30 * w102 + w32 * w103
-    w193 = w190 * guide_damping + 2 * (w46 * w191 - w50 * w192 + (w44 * w108 - w107 * w189)) * slider_mass
-    w194 = w16 / w10 - w24 * w91 + w21 * w86
-    w195 = w41 / w10 - w43 * w91 + w42 * w86
-    w196 = w44 * w194 - w25 * w195
-    w197 = w30 / w10 - w34 * w91 + w32 * w86
-    w198 = w25 * w197 - w35 * w194
-    w199 = (w198 * rod_small_end_rotation_1_0 + w42 * c10) / w35
-    w200 = w35 * w195 - w44 * w197
-    w201 = (w200 * rod_small_end_rotation_1_0 + w21 * c10) / w45
-    w202 = w199 + w36 * w201
-    w203 = w196 * rod_small_end_rotation_1_0 + w32 * c10 + w44 * w202 + w189 * w201
-    w204 = w2 * 0.5 / w10
-    w205 = w204 * rod_small_end_rotation_1_0 - (w24 * w202 + w33 * w201)
-    w206 = w16 * w202 + w26 * w201 + rod_small_end_rotation_1_0 / w10
-    w207 = w3 * 0.5 / w10
-    w208 = w21 * w202 + w31 * w201 + w207 * rod_small_end_rotation_1_0
-    w209 = w135 - w136 + w58 * c10 + w1 * c285
-    w210 = w110 - w111
-    w211 = rod_q2_dot * c103 + rod_q4_dot * c104 - (rod_q2_dot * rod_phi_phi_1_0_2_1 + rod_q4_dot * rod_phi_phi_3_0_2_1)
-    w212 = w134 * (w61 + w70)
-    w213 = w151 * (w70 + w165)
-    w214 = w157 * c10 - (w213 - w132 * w135 - w111 * w134) + w158 * c285
-    w215 = w132 * (w61 + w165)
-    w216 = rod_q6_dot * c242 - (w215 - w134 * rod_rho_phi_0_2_0 - w136 * w151)
-    w217 = w24 * w88 - w16 * w86 + w21 / w10
-    w218 = w43 * w88 - w41 * w86 + w42 / w10
-    w219 = w44 * w217 - w25 * w218
-    w220 = w34 * w88 - w30 * w86 + w32 / w10
-    w221 = w25 * w220 - w35 * w217
-    w222 = (w221 * rod_small_end_rotation_2_1 + w41 * c2) / w35
-    w223 = w35 * w218 - w44 * w220
-    w224 = (w223 * rod_small_end_rotation_2_1 + w16 * c2) / w45
-    w225 = w222 + w36 * w224
-    w226 = w219 * rod_small_end_rotation_2_1 + w30 * c2 + w44 * w225 + w189 * w224
-    w227 = w207 * rod_small_end_rotation_2_1 - (w16 * w225 + w26 * w224)
-    w228 = w4 * 0.5 / w10
-    w229 = w24 * w225 + w33 * w224 + w228 * rod_small_end_rotation_2_1
-    w230 = w21 * w225 + w31 * w224 + rod_small_end_rotation_2_1 / w10
-    w231 = w137 - w138 - w52 * c2 - w17 * c287
-    w232 = w123 - w122
-    w233 = rod_q1_dot * rod_phi_phi_0_1_1_2 + rod_q3_dot * rod_phi_phi_2_1_1_2 + rod_q5_dot * rod_phi_phi_4_1_1_2
-    w234 = w134 * (w62 + w71)
-    w235 = 2 * (w233 - (rod_q1_dot * c110 + rod_q3_dot * c111 + rod_q5_dot * c112)) - (w234 - w151 * c55 - w122 * w132)
-    w236 = w151 * (w71 + w166)
-    w237 = rod_q6_dot * c243 - (w236 - w132 * w137 - w134 * rod_rho_phi_1_1_0)
-    w238 = w132 * (w62 + w166)
-    w239 = w238 - w123 * w134 - w138 * w151 + w157 * c2 + w158 * c287
-    w240 = (w198 * rod_small_end_rotation_1_2 + w42 * c11) / w35
-    w241 = (w200 * rod_small_end_rotation_1_2 + w21 * c11) / w45
-    w242 = w240 + w36 * w241
-    w243 = w196 * rod_small_end_rotation_1_2 + w32 * c11 + w44 * w242 + w189 * w241
-    w244 = w204 * rod_small_end_rotation_1_2 - (w24 * w242 + w33 * w241)
-    w245 = w16 * w242 + w26 * w241 + rod_small_end_rotation_1_2 / w10
-    w246 = w21 * w242 + w31 * w241 + w207 * rod_small_end_rotation_1_2
-    w247 = w139 - w140 + w58 * c11 + w1 * c289
-    w248 = w112 - w113
-    w249 = rod_q2_dot * c113 + rod_q4_dot * c114 - (rod_q2_dot * rod_phi_phi_1_2_2_1 + rod_q4_dot * rod_phi_phi_3_2_2_1)
-    w250 = w134 * (w63 + w72)
-    w251 = w151 * (w72 + w167)
-    w252 = w157 * c11 - (w251 - w132 * w139 - w113 * w134) + w158 * c289
-    w253 = w132 * (w63 + w167)
-    w254 = rod_q6_dot * c244 - (w253 - w134 * rod_rho_phi_2_2_0 - w140 * w151)
-    w255 = (w221 * rod_small_end_rotation_2_3 + w41 * c3) / w35
-    w256 = (w223 * rod_small_end_rotation_2_3 + w16 * c3) / w45
-    w257 = w255 + w36 * w256
-    w258 = w219 * rod_small_end_rotation_2_3 + w30 * c3 + w44 * w257 + w189 * w256
-    w259 = w207 * rod_small_end_rotation_2_3 - (w16 * w257 + w26 * w256)
-    w260 = w24 * w257 + w33 * w256 + w228 * rod_small_end_rotation_2_3
-    w261 = w21 * w257 + w31 * w256 + rod_small_end_rotation_2_3 / w10
-    w262 = w141 - w142 - w52 * c3 - w17 * c291
-    w263 = w125 - w124
-    w264 = rod_q1_dot * rod_phi_phi_0_3_1_2 + rod_q3_dot * rod_phi_phi_2_3_1_2 + rod_q5_dot * rod_phi_phi_4_3_1_2
-    w265 = w134 * (w64 + w73)
-    w266 = 2 * (w264 - (rod_q1_dot * c120 + rod_q3_dot * c121 + rod_q5_dot * c122)) - (w265 - w151 * c60 - w124 * w132)
-    w267 = w151 * (w73 + w168)
-    w268 = rod_q6_dot * c245 - (w267 - w132 * w141 - w134 * rod_rho_phi_3_1_0)
-    w269 = w132 * (w64 + w168)
-    w270 = w269 - w125 * w134 - w142 * w151 + w157 * c3 + w158 * c291
-    w271 = (w198 * rod_small_end_rotation_1_4 + w42 * c12) / w35
-    w272 = (w200 * rod_small_end_rotation_1_4 + w21 * c12) / w45
-    w273 = w271 + w36 * w272
-    w274 = w196 * rod_small_end_rotation_1_4 + w32 * c12 + w44 * w273 + w189 * w272
-    w275 = w204 * rod_small_end_rotation_1_4 - (w24 * w273 + w33 * w272)
-    w276 = w16 * w273 + w26 * w272 + rod_small_end_rotation_1_4 / w10
-    w277 = w21 * w273 + w31 * w272 + w207 * rod_small_end_rotation_1_4
-    w278 = w144 - w145 + w58 * c12 + w1 * c293
-    w279 = w114 - w115
-    w280 = rod_q2_dot * c123 + rod_q4_dot * c124 - (rod_q2_dot * rod_phi_phi_1_4_2_1 + rod_q4_dot * rod_phi_phi_3_4_2_1)
-    w281 = w134 * (w65 + w74)
-    w282 = w151 * (w74 + w169)
-    w283 = w157 * c12 - (w282 - w132 * w144 - w115 * w134) + w158 * c293
-    w284 = w132 * (w65 + w169)
-    w285 = rod_q6_dot * c246 - (w284 - w134 * rod_rho_phi_4_2_0 - w145 * w151)
-    w286 = w24 / w10 + w16 * w91 - w21 * w88
-    w287 = w43 / w10 + w41 * w91 - w42 * w88
-    w288 = w34 / w10 + w30 * w91 - w32 * w88
-    w289 = (w25 * w288 - w35 * w286) * rod_small_end_rotation_0_5 / w35
-    w290 = (w35 * w287 - w44 * w288) * rod_small_end_rotation_0_5 / w45
-    w291 = w289 + w36 * w290
-    w292 = (w44 * w286 - w25 * w287) * rod_small_end_rotation_0_5 + w44 * w291 + w189 * w290
-    w293 = w228 * rod_small_end_rotation_0_5 - (w21 * w291 + w31 * w290)
-    w294 = w24 * w291 + w33 * w290 + rod_small_end_rotation_0_5 / w10
-    w295 = w16 * w291 + w26 * w290 + w204 * rod_small_end_rotation_0_5
-    w296 = w128 - w127
-    w297 = w117 - w118
-    w298 = rod_q2_dot * rod_phi_phi_1_5_2_0 + rod_q4_dot * rod_phi_phi_3_5_2_0 - (rod_q2_dot * rod_phi_phi_1_5_0_2 + rod_q4_dot * rod_phi_phi_3_5_0_2)
-    w299 = w151 * (w76 + w170)
-    w300 = 2 * w298 - (w299 - w132 * rod_rho_phi_5_1_2 - w118 * w134)
-    w301 = w134 * (w67 + w76)
-    w302 = w301 - w117 * w151 - w127 * w132
-    w303 = rod_q1_dot * rod_phi_phi_0_5_0_1 + rod_q3_dot * rod_phi_phi_2_5_0_1 + rod_q5_dot * rod_phi_phi_4_5_0_1
-    w304 = rod_q1_dot * rod_phi_phi_0_5_1_0 + rod_q3_dot * rod_phi_phi_2_5_1_0 + rod_q5_dot * rod_phi_phi_4_5_1_0
-    w305 = w132 * (w67 + w170)
-    w306 = 2 * (w303 - w304) - (w305 - w128 * w134 - w151 * rod_rho_phi_5_2_1)
-    w307 = w85 * (w3 * w87 + w4 * w84 + w2 * w89)
-    w308 = w307 / w10
-    w309 = w90 * w204
-    w310 = w92 * w207
-    w311 = w308 + (w309 + w310)
-    w312 = w85 * w87
-    w313 = w207 * w307
-    w314 = w92 / w10
-    w315 = w312 - w313 + (w314 + w94 * w204)
-    w316 = w95 / w10
-    w317 = w17 * w311 + w1 * w315 + (w93 * w207 - w316)
-    w318 = w204 * w307
-    w319 = w85 * w89
-    w320 = w90 / w10
-    w321 = w318 - w319 + (w94 * w207 - w320)
-    w322 = w97 * w207
-    w323 = w95 * w204
-    w324 = w315 * rod_small_end_x + w17 * w321 - (w322 + w323)
-    w325 = w97 / w10
-    w326 = w311 * rod_small_end_x - w1 * w321 + (w93 * w204 + w325)
-    w327 = w34 * w317 + w30 * w324 + w32 * w326
-    w328 = w34 * w94 - w30 * w92
-    w329 = w43 * w317 + w41 * w324 + w42 * w326
-    w330 = w43 * w94 - w41 * w92
-    w331 = w24 * w317 + w16 * w324 + w21 * w326
-    w332 = w24 * w94 - w16 * w92
-    w333 = (w331 * rod_small_end_rotation_1_0 + w332 * c10 + w106 * w201) / w45
-    w334 = (w329 * rod_small_end_rotation_1_0 + w330 * c10 - w104 * w199) / w35 + w105 * w201 + w36 * w333
-    w335 = w192 * w202 - (w327 * rod_small_end_rotation_1_0 + w328 * c10) - w191 * w201 - (w44 * w334 + w189 * w333)
-    w336 = w203 * guide_damping - 2 * w335 * slider_mass
-    w337 = 2 * (w98 * w201 - w24 * w334 - w33 * w333 - w321 * rod_small_end_rotation_1_0)
-    w338 = 2 * (w82 * w201 - w16 * w334 - w26 * w333 + w311 * rod_small_end_rotation_1_0)
-    w339 = 2 * (w83 * w201 - w21 * w334 - w31 * w333 - w315 * rod_small_end_rotation_1_0)
-    w340 = w92 * c320
-    w341 = 2 * -w94
-    w342 = w52 * w341
-    w343 = w341 * rod_mass
-    w344 = w343 * c10 - w151 * c34
-    w345 = w134 * c54 + w58 * w341
-    w346 = w134 * c19
-    w347 = w134 * c21
-    w348 = w93 / w10
-    w349 = w313 - w312 + (w90 * w228 - w314)
-    w350 = w94 * w228
-    w351 = w308 + (w310 + w350)
-    w352 = w95 * w207 + w348 - (w17 * w349 + w1 * w351)
-    w353 = w84 * w85
-    w354 = w228 * w307
-    w355 = w94 / w10
-    w356 = w353 - w354 + (w355 + w90 * w207)
-    w357 = w17 * w356 - w351 * rod_small_end_x + (w95 * w228 - w325)
-    w358 = w93 * w228
-    w359 = w1 * w356 + w349 * rod_small_end_x + (w322 + w358)
-    w360 = w34 * w352 + w30 * w357 - w32 * w359
-    w361 = w32 * w92 - w34 * w90
-    w362 = w43 * w352 + w41 * w357 - w42 * w359
-    w363 = w42 * w92 - w43 * w90
-    w364 = w24 * w352 + w16 * w357 - w21 * w359
-    w365 = w21 * w92 - w24 * w90
-    w366 = (w364 * rod_small_end_rotation_2_1 + w365 * c2 + w106 * w224) / w45
-    w367 = (w362 * rod_small_end_rotation_2_1 + w363 * c2 - w104 * w222) / w35 + w105 * w224 + w36 * w366
-    w368 = w192 * w225 - (w360 * rod_small_end_rotation_2_1 + w361 * c2) - w191 * w224 - (w44 * w367 + w189 * w366)
-    w369 = w226 * guide_damping - 2 * w368 * slider_mass
-    w370 = 2 * (w98 * w224 - w24 * w367 - w33 * w366 - w356 * rod_small_end_rotation_2_1)
-    w371 = 2 * (w82 * w224 - w16 * w367 - w26 * w366 - w349 * rod_small_end_rotation_2_1)
-    w372 = 2 * (w83 * w224 - w21 * w367 - w31 * w366 + w351 * rod_small_end_rotation_2_1)
-    w373 = 2 * -w92
-    w374 = w58 * w373
-    w375 = w373 * rod_mass
-    w376 = w375 * c2 - w346
-    w377 = w52 * w132 + w373 * c54
-    w378 = w90 * c324
-    w379 = w373 * c34
-    w380 = w373 * c36
-    w381 = w373 * c38
-    w382 = (w331 * rod_small_end_rotation_1_2 + w332 * c11 + w106 * w241) / w45
-    w383 = (w329 * rod_small_end_rotation_1_2 + w330 * c11 - w104 * w240) / w35 + w105 * w241 + w36 * w382
-    w384 = w192 * w242 - (w327 * rod_small_end_rotation_1_2 + w328 * c11) - w191 * w241 - (w44 * w383 + w189 * w382)
-    w385 = w243 * guide_damping - 2 * w384 * slider_mass
-    w386 = 2 * (w98 * w241 - w24 * w383 - w33 * w382 - w321 * rod_small_end_rotation_1_2)
-    w387 = 2 * (w82 * w241 - w16 * w383 - w26 * w382 + w311 * rod_small_end_rotation_1_2)
-    w388 = 2 * (w83 * w241 - w21 * w383 - w31 * w382 - w315 * rod_small_end_rotation_1_2)
-    w389 = w92 * c329
-    w390 = w343 * c11 - w151 * c36
-    w391 = (w364 * rod_small_end_rotation_2_3 + w365 * c3 + w106 * w256) / w45
-    w392 = (w362 * rod_small_end_rotation_2_3 + w363 * c3 - w104 * w255) / w35 + w105 * w256 + w36 * w391
-    w393 = w192 * w257 - (w360 * rod_small_end_rotation_2_3 + w361 * c3) - w191 * w256 - (w44 * w392 + w189 * w391)
-    w394 = w258 * guide_damping - 2 * w393 * slider_mass
-    w395 = 2 * (w98 * w256 - w24 * w392 - w33 * w391 - w356 * rod_small_end_rotation_2_3)
-    w396 = 2 * (w82 * w256 - w16 * w392 - w26 * w391 - w349 * rod_small_end_rotation_2_3)
-    w397 = 2 * (w83 * w256 - w21 * w392 - w31 * w391 + w351 * rod_small_end_rotation_2_3)
-    w398 = w375 * c3 - w347
-    w399 = w90 * c333
-    w400 = (w331 * rod_small_end_rotation_1_4 + w332 * c12 + w106 * w272) / w45
-    w401 = (w329 * rod_small_end_rotation_1_4 + w330 * c12 - w104 * w271) / w35 + w105 * w272 + w36 * w400
-    w402 = w192 * w273 - (w327 * rod_small_end_rotation_1_4 + w328 * c12) - w191 * w272 - (w44 * w401 + w189 * w400)
-    w403 = w274 * guide_damping - 2 * w402 * slider_mass
-    w404 = 2 * (w98 * w272 - w24 * w401 - w33 * w400 - w321 * rod_small_end_rotation_1_4)
-    w405 = 2 * (w82 * w272 - w16 * w401 - w26 * w400 + w311 * rod_small_end_rotation_1_4)
-    w406 = 2 * (w83 * w272 - w21 * w401 - w31 * w400 - w315 * rod_small_end_rotation_1_4)
-    w407 = w92 * c338
-    w408 = w343 * c12 - w151 * c38
-    w409 = w354 - w353 + (w92 * w204 - w355)
-    w410 = w319 - w318 + (w320 + w92 * w228)
-    w411 = w1 * w409 - w17 * w410 - (w323 + w358)
-    w412 = w308 + (w309 + w350)
-    w413 = w409 * rod_small_end_x - w17 * w412 + (w316 + w97 * w228)
-    w414 = w1 * w412 - w410 * rod_small_end_x + (w97 * w204 - w348)
-    w415 = ((w43 * w411 + w41 * w413 + w42 * w414) * rod_small_end_rotation_0_5 - w104 * w289) / w35 + w105 * w290
-    w416 = ((w24 * w411 + w16 * w413 + w21 * w414) * rod_small_end_rotation_0_5 + w106 * w290) / w45
-    w417 = w415 + w36 * w416
-    w418 = w192 * w291 - (w34 * w411 + w30 * w413 + w32 * w414) * rod_small_end_rotation_0_5 - w191 * w290 - (w44 * w417 + w189 * w416)
-    w419 = w292 * guide_damping - 2 * w418 * slider_mass
-    w420 = 2 * (w98 * w290 - w24 * w417 - w33 * w416 + w412 * rod_small_end_rotation_0_5)
-    w421 = 2 * (w82 * w290 - w16 * w417 - w26 * w416 - w410 * rod_small_end_rotation_0_5)
-    w422 = 2 * (w83 * w290 - w21 * w417 - w31 * w416 - w409 * rod_small_end_rotation_0_5)
-    w423 = w132 * c54 + w149 + 2 * (rod_q2_dot * c342 - rod_q4_dot * c21)
-    w424 = w423 + w150 * rod_mass
-    w425 = w133 - w147 + 2 * w148 - (w1 * w424 + w58 * w150)
-    w426 = 2 * (rod_q1_dot * c343 - rod_q3_dot * c36 - rod_q5_dot * c38) - (w58 * w134 + w151 * c54)
-    w427 = w426 + w154 * rod_mass
-    w428 = w147 - w152 + 2 * w153 - (w17 * w427 + w52 * w154)
-    w429 = w425 + w428
-    w430 = w53 * w57 - w59 * w60 + (w79 * w109 - w120 * w121 - w130 * w131) + (w51 * w429 - w160 * w161 - w163 * w164)
-    w431 = w428 + w177
-    w432 = w129 * w132 - w77 * w134 + 2 * (w178 + rod_q6_dot * rod_rho_phi_5_2_1) - (w17 * w424 + w52 * w150)
-    w433 = w132 * w171 - w129 * w134 + 2 * w179 + (w424 * rod_small_end_x + w150 * c54)
-    w434 = w121 * w173 - w131 * w174 - w109 * w120 - (w53 * w175 + w60 * rod_first_moment_x) + (w161 * w431 - w164 * w432 - w51 * w433)
-    w435 = w425 + w177
-    w436 = w119 * w134 - w151 * w171 + 2 * w181 + (w427 * rod_small_end_x + w154 * c54)
-    w437 = w68 * w134 - w119 * w151 + 2 * (w182 + rod_q6_dot * rod_rho_phi_5_1_2) - (w1 * w427 + w58 * w154)
-    w438 = w57 * rod_first_moment_x + w59 * w175 + (w131 * w180 - w109 * w130 - w121 * w174) + (w164 * w435 - w51 * w436 - w161 * w437)
-    w439 = w424 * w184 - w427 * w183
-    w440 = w427 * w186 - w159 * w184
-    w441 = w159 * w183 - w424 * w186
-    w442 = w121 * w187 - w109 * w185 - w131 * w188 - (w175 * (w186 * rod_mass) + w57 * (w183 * rod_mass) + w60 * (w184 * rod_mass))
-    w443 = w442 - (w51 * w439 + w161 * w440 + w164 * w441) - (w51 * w430 + w161 * w434 + w164 * w438) - w190 * w193
-    w444 = 2 * w211 - (w212 - w110 * w151 - w132 * c71) - w423 * c10 - w150 * c285
-    w445 = w430 * w205 - w434 * w206 - w438 * w208 + (w109 * w209 + w121 * c286 + w131 * w210 - w60 * c285 + (w51 * w444 + w161 * w214 + w164 * w216))
-    w446 = w235 + w426 * c2 + w154 * c287
-    w447 = w434 * w227 - w430 * w229 - w438 * w230 + (w109 * w231 + w121 * w232 + w131 * c288 - w57 * c287 + (w51 * w446 + w161 * w237 - w164 * w239))
-    w448 = 2 * w249 - (w250 - w112 * w151 - w132 * c76) - w423 * c11 - w150 * c289
-    w449 = w430 * w244 - w434 * w245 - w438 * w246 + (w109 * w247 + w121 * c290 + w131 * w248 - w60 * c289 + (w51 * w448 + w161 * w252 + w164 * w254))
-    w450 = w266 + w426 * c3 + w154 * c291
-    w451 = w434 * w259 - w430 * w260 - w438 * w261 + (w109 * w262 + w121 * w263 + w131 * c292 - w57 * c291 + (w51 * w450 + w161 * w268 - w164 * w270))
-    w452 = 2 * w280 - (w281 - w114 * w151 - w132 * c81) - w423 * c12 - w150 * c293
-    w453 = w430 * w275 - w434 * w276 - w438 * w277 + (w109 * w278 + w121 * c294 + w131 * w279 - w60 * c293 + (w51 * w452 + w161 * w283 + w164 * w285))
-    w454 = w438 * w293 - (w430 * w294 + w434 * w295) + (w109 * c137 + w121 * w296 + w131 * w297 + (w161 * w300 - w51 * w302 + w164 * w306))
-    w455 = w79 * w337 - w120 * w338 - w130 * w339 + (w429 * w205 + w160 * w206 + w163 * w208) + (w212 - w111 * w151 - w132 * rod_rho_phi_0_2_0 + w149 * c10 + w17 * w340)
-    w456 = w173 * w338 - w174 * w339 - w120 * w337 + (w432 * w208 - w431 * w206 - w433 * w205) + (w213 - w132 * w136 - w110 * w134 - w342 * c10 - w17 * w344)
-    w457 = w180 * w339 - w130 * w337 - w174 * w338 + (w437 * w206 - (w435 * w208 + w436 * w205)) + (w215 - w134 * c71 - w135 * w151 + w345 * c10 + (w340 * rod_small_end_x + w1 * w344))
-    w458 = w185 * w337 - w187 * w338 + w188 * w339 + (w439 * w205 - w440 * w206 - w441 * w208) + (w186 * w344 + w183 * w340)
-    w459 = w208 * w457 - (w205 * w455 - w206 * w456) - (w209 * w337 + w338 * c286 + w210 * w339 + (w205 * w444 - w206 * w214 - w208 * w216))
-    w460 = w230 * w457 - (w227 * w456 - w229 * w455) - (w231 * w337 + w232 * w338 + w339 * c288 + (w205 * w446 - w206 * w237 + w208 * w239))
-    w461 = w246 * w457 - (w244 * w455 - w245 * w456) - (w247 * w337 + w338 * c290 + w248 * w339 + (w205 * w448 - w206 * w252 - w208 * w254))
-    w462 = w261 * w457 - (w259 * w456 - w260 * w455) - (w262 * w337 + w263 * w338 + w339 * c292 + (w205 * w450 - w206 * w268 + w208 * w270))
-    w463 = w277 * w457 - (w275 * w455 - w276 * w456) - (w278 * w337 + w338 * c294 + w279 * w339 + (w205 * w452 - w206 * w283 - w208 * w285))
-    w464 = w294 * w455 + w295 * w456 - w293 * w457 - (w337 * c137 + w296 * w338 + w297 * w339 - (w205 * w302 + w206 * w300 + w208 * w306))
-    w465 = w79 * w370 - w120 * w371 - w130 * w372 + (w163 * w230 - (w429 * w229 + w160 * w227)) + (w234 - w151 * rod_rho_phi_1_1_0 - w123 * w132 - w374 * c2 - w1 * w376)
-    w466 = w173 * w371 - w174 * w372 - w120 * w370 + (w431 * w227 + w432 * w230 + w433 * w229) + (w236 - w132 * w138 - w134 * c55 - w377 * c2 - (w17 * w378 + w376 * rod_small_end_x))
-    w467 = w180 * w372 - w130 * w370 - w174 * w371 + (w436 * w229 - w435 * w230 - w437 * w227) + (w238 - w122 * w134 - w137 * w151 + w156 * c2 + w1 * w378)
-    w468 = w185 * w370 - w187 * w371 + w188 * w372 + (w440 * w227 - w439 * w229 - w441 * w230) + (w186 * w378 + w184 * w376)
-    w469 = w208 * w467 - (w205 * w465 - w206 * w466) - (w209 * w370 + w371 * c286 + w210 * w372 + (w214 * w227 - w444 * w229 - w216 * w230))
-    w470 = w230 * w467 - (w227 * w466 - w229 * w465) - (w231 * w370 + w232 * w371 + w372 * c288 + (w227 * w237 - w229 * w446 + w230 * w239))
-    w471 = w246 * w467 - (w244 * w465 - w245 * w466) - (w247 * w370 + w371 * c290 + w248 * w372 + (w227 * w252 - w229 * w448 - w230 * w254))
-    w472 = w261 * w467 - (w259 * w466 - w260 * w465) - (w262 * w370 + w263 * w371 + w372 * c292 + (w227 * w268 - w229 * w450 + w230 * w270))
-    w473 = w277 * w467 - (w275 * w465 - w276 * w466) - (w278 * w370 + w371 * c294 + w279 * w372 + (w227 * w283 - w229 * w452 - w230 * w285))
-    w474 = w294 * w465 + w295 * w466 - w293 * w467 - (w370 * c137 + w296 * w371 + w297 * w372 + (w229 * w302 + w227 * w300 - w230 * w306))
-    w475 = w79 * w386 - w120 * w387 - w130 * w388 + (w429 * w244 + w160 * w245 + w163 * w246) + (w250 - w113 * w151 - w132 * rod_rho_phi_2_2_0 + w149 * c11 + w17 * w389)
-    w476 = w173 * w387 - w174 * w388 - w120 * w386 + (w432 * w246 - w431 * w245 - w433 * w244) + (w251 - w132 * w140 - w112 * w134 - w342 * c11 - w17 * w390)
-    w477 = w180 * w388 - w130 * w386 - w174 * w387 + (w437 * w245 - (w435 * w246 + w436 * w244)) + (w253 - w134 * c76 - w139 * w151 + w345 * c11 + (w389 * rod_small_end_x + w1 * w390))
-    w478 = w185 * w386 - w187 * w387 + w188 * w388 + (w439 * w244 - w440 * w245 - w441 * w246) + (w186 * w390 + w183 * w389)
-    w479 = w208 * w477 - (w205 * w475 - w206 * w476) - (w209 * w386 + w387 * c286 + w210 * w388 + (w444 * w244 - w214 * w245 - w216 * w246))
-    w480 = w230 * w477 - (w227 * w476 - w229 * w475) - (w231 * w386 + w232 * w387 + w388 * c288 + (w446 * w244 - w237 * w245 + w239 * w246))
-    w481 = w246 * w477 - (w244 * w475 - w245 * w476) - (w247 * w386 + w387 * c290 + w248 * w388 + (w244 * w448 - w245 * w252 - w246 * w254))
-    w482 = w261 * w477 - (w259 * w476 - w260 * w475) - (w262 * w386 + w263 * w387 + w388 * c292 + (w244 * w450 - w245 * w268 + w246 * w270))
-    w483 = w277 * w477 - (w275 * w475 - w276 * w476) - (w278 * w386 + w387 * c294 + w279 * w388 + (w244 * w452 - w245 * w283 - w246 * w285))
-    w484 = w294 * w475 + w295 * w476 - w293 * w477 - (w386 * c137 + w296 * w387 + w297 * w388 - (w244 * w302 + w245 * w300 + w246 * w306))
-    w485 = w79 * w395 - w120 * w396 - w130 * w397 + (w163 * w261 - (w429 * w260 + w160 * w259)) + (w265 - w151 * rod_rho_phi_3_1_0 - w125 * w132 - w374 * c3 - w1 * w398)
-    w486 = w173 * w396 - w174 * w397 - w120 * w395 + (w431 * w259 + w432 * w261 + w433 * w260) + (w267 - w132 * w142 - w134 * c60 - w377 * c3 - (w17 * w399 + w398 * rod_small_end_x))
-    w487 = w180 * w397 - w130 * w395 - w174 * w396 + (w436 * w260 - w435 * w261 - w437 * w259) + (w269 - w124 * w134 - w141 * w151 + w156 * c3 + w1 * w399)
-    w488 = w185 * w395 - w187 * w396 + w188 * w397 + (w440 * w259 - w439 * w260 - w441 * w261) + (w186 * w399 + w184 * w398)
-    w489 = w208 * w487 - (w205 * w485 - w206 * w486) - (w209 * w395 + w396 * c286 + w210 * w397 + (w214 * w259 - w444 * w260 - w216 * w261))
-    w490 = w230 * w487 - (w227 * w486 - w229 * w485) - (w231 * w395 + w232 * w396 + w397 * c288 + (w237 * w259 - w446 * w260 + w239 * w261))
-    w491 = w246 * w487 - (w244 * w485 - w245 * w486) - (w247 * w395 + w396 * c290 + w248 * w397 + (w252 * w259 - w448 * w260 - w254 * w261))
-    w492 = w261 * w487 - (w259 * w486 - w260 * w485) - (w262 * w395 + w263 * w396 + w397 * c292 + (w259 * w268 - w260 * w450 + w261 * w270))
-    w493 = w277 * w487 - (w275 * w485 - w276 * w486) - (w278 * w395 + w396 * c294 + w279 * w397 + (w259 * w283 - w260 * w452 - w261 * w285))
-    w494 = w294 * w485 + w295 * w486 - w293 * w487 - (w395 * c137 + w296 * w396 + w297 * w397 + (w260 * w302 + w259 * w300 - w261 * w306))
-    w495 = w79 * w404 - w120 * w405 - w130 * w406 + (w429 * w275 + w160 * w276 + w163 * w277) + (w281 - w115 * w151 - w132 * rod_rho_phi_4_2_0 + w149 * c12 + w17 * w407)
-    w496 = w173 * w405 - w174 * w406 - w120 * w404 + (w432 * w277 - w431 * w276 - w433 * w275) + (w282 - w132 * w145 - w114 * w134 - w342 * c12 - w17 * w408)
-    w497 = w180 * w406 - w130 * w404 - w174 * w405 + (w437 * w276 - (w435 * w277 + w436 * w275)) + (w284 - w134 * c81 - w144 * w151 + w345 * c12 + (w407 * rod_small_end_x + w1 * w408))
-    w498 = w185 * w404 - w187 * w405 + w188 * w406 + (w439 * w275 - w440 * w276 - w441 * w277) + (w186 * w408 + w183 * w407)
-    w499 = w208 * w497 - (w205 * w495 - w206 * w496) - (w209 * w404 + w405 * c286 + w210 * w406 + (w444 * w275 - w214 * w276 - w216 * w277))
-    w500 = w230 * w497 - (w227 * w496 - w229 * w495) - (w231 * w404 + w232 * w405 + w406 * c288 + (w446 * w275 - w237 * w276 + w239 * w277))
-    w501 = w246 * w497 - (w244 * w495 - w245 * w496) - (w247 * w404 + w405 * c290 + w248 * w406 + (w448 * w275 - w252 * w276 - w254 * w277))
-    w502 = w261 * w497 - (w259 * w496 - w260 * w495) - (w262 * w404 + w263 * w405 + w406 * c292 + (w450 * w275 - w268 * w276 + w270 * w277))
-    w503 = w277 * w497 - (w275 * w495 - w276 * w496) - (w278 * w404 + w405 * c294 + w279 * w406 + (w275 * w452 - w276 * w283 - w277 * w285))
-    w504 = w294 * w495 + w295 * w496 - w293 * w497 - (w404 * c137 + w296 * w405 + w297 * w406 - (w275 * w302 + w276 * w300 + w277 * w306))
-    w505 = w79 * w420 - w120 * w421 - w130 * w422 + (w160 * w295 - w429 * w294 - w163 * w293) + (w301 - w118 * w151 - w128 * w132)
-    w506 = w173 * w421 - w174 * w422 - w120 * w420 + (w433 * w294 - (w431 * w295 + w432 * w293)) + (w299 - w132 * rod_rho_phi_5_2_1 - w117 * w134)
-    w507 = w180 * w422 - w130 * w420 - w174 * w421 + (w435 * w293 + w436 * w294 + w437 * w295) + (w305 - w127 * w134 - w151 * rod_rho_phi_5_1_2)
-    w508 = w51 * w505 + w161 * w506 + w164 * w507 + (w185 * w420 - w187 * w421 + w188 * w422 + (w441 * w293 - (w439 * w294 + w440 * w295)))
-    w509 = w208 * w507 - (w205 * w505 - w206 * w506) - (w209 * w420 + w421 * c286 + w210 * w422 + (w216 * w293 - (w444 * w294 + w214 * w295)))
-    w510 = w230 * w507 - (w227 * w506 - w229 * w505) - (w231 * w420 + w232 * w421 + w422 * c288 - (w446 * w294 + w237 * w295 + w239 * w293))
-    w511 = w246 * w507 - (w244 * w505 - w245 * w506) - (w247 * w420 + w421 * c290 + w248 * w422 + (w254 * w293 - (w448 * w294 + w252 * w295)))
-    w512 = w261 * w507 - (w259 * w506 - w260 * w505) - (w262 * w420 + w263 * w421 + w422 * c292 - (w450 * w294 + w268 * w295 + w270 * w293))
-    w513 = w277 * w507 - (w275 * w505 - w276 * w506) - (w278 * w420 + w421 * c294 + w279 * w422 + (w285 * w293 - (w452 * w294 + w283 * w295)))
-    w514 = w294 * w505 + w295 * w506 - w293 * w507 - (w420 * c137 + w296 * w421 + w297 * w422 + (w294 * w302 - w295 * w300 + w293 * w306))
+    w183 = w24 * w38 - w43 * w48
+    w184 = w16 * w38 - w41 * w48
+    w185 = w21 * w38 - w42 * w48
+    w186 = w25 * w27
+    w187 = w44 * w50 + w46 * w186
+    w188 = w34 * w96 + w30 * w99 + w32 * w100
+    w189 = w34 * w101 + w30 * w102 + w32 * w103
+    w190 = w187 * guide_damping + 2 * (w46 * w188 - w50 * w189 + (w44 * w108 - w107 * w186)) * slider_mass
+    w191 = w16 / w10 - w24 * w91 + w21 * w86
+    w192 = w41 / w10 - w43 * w91 + w42 * w86
+    w193 = w44 * w191 - w25 * w192
+    w194 = w30 / w10 - w34 * w91 + w32 * w86
+    w195 = w25 * w194 - w35 * w191
+    w196 = (w195 * rod_small_end_rotation_1_0 + w42 * c10) / w35
+    w197 = w35 * w192 - w44 * w194
+    w198 = (w197 * rod_small_end_rotation_1_0 + w21 * c10) / w45
+    w199 = w196 + w36 * w198
+    w200 = w193 * rod_small_end_rotation_1_0 + w32 * c10 + w44 * w199 + w186 * w198
+    w201 = w2 * 0.5 / w10
+    w202 = w201 * rod_small_end_rotation_1_0 - (w24 * w199 + w33 * w198)
+    w203 = w16 * w199 + w26 * w198 + rod_small_end_rotation_1_0 / w10
+    w204 = w3 * 0.5 / w10
+    w205 = w21 * w199 + w31 * w198 + w204 * rod_small_end_rotation_1_0
+    w206 = w135 - w136 + w58 * c10 + w1 * c279
+    w207 = w110 - w111
+    w208 = rod_q2_dot * c103 + rod_q4_dot * c104 - (rod_q2_dot * rod_phi_phi_1_0_2_1 + rod_q4_dot * rod_phi_phi_3_0_2_1)
+    w209 = w134 * (w61 + w70)
+    w210 = w151 * (w70 + w165)
+    w211 = w157 * c10 - (w210 - w132 * w135 - w111 * w134) + w158 * c279
+    w212 = w132 * (w61 + w165)
+    w213 = rod_q6_dot * c273 - (w212 - w134 * rod_rho_phi_0_2_0 - w136 * w151)
+    w214 = w24 * w88 - w16 * w86 + w21 / w10
+    w215 = w43 * w88 - w41 * w86 + w42 / w10
+    w216 = w44 * w214 - w25 * w215
+    w217 = w34 * w88 - w30 * w86 + w32 / w10
+    w218 = w25 * w217 - w35 * w214
+    w219 = (w218 * rod_small_end_rotation_2_1 + w41 * c2) / w35
+    w220 = w35 * w215 - w44 * w217
+    w221 = (w220 * rod_small_end_rotation_2_1 + w16 * c2) / w45
+    w222 = w219 + w36 * w221
+    w223 = w216 * rod_small_end_rotation_2_1 + w30 * c2 + w44 * w222 + w186 * w221
+    w224 = w204 * rod_small_end_rotation_2_1 - (w16 * w222 + w26 * w221)
+    w225 = w4 * 0.5 / w10
+    w226 = w24 * w222 + w33 * w221 + w225 * rod_small_end_rotation_2_1
+    w227 = w21 * w222 + w31 * w221 + rod_small_end_rotation_2_1 / w10
+    w228 = w137 - w138 - w52 * c2 - w17 * c281
+    w229 = w123 - w122
+    w230 = rod_q1_dot * rod_phi_phi_0_1_1_2 + rod_q3_dot * rod_phi_phi_2_1_1_2 + rod_q5_dot * rod_phi_phi_4_1_1_2
+    w231 = w134 * (w62 + w71)
+    w232 = 2 * (w230 - (rod_q1_dot * c110 + rod_q3_dot * c111 + rod_q5_dot * c112)) - (w231 - w151 * c55 - w122 * w132)
+    w233 = w151 * (w71 + w166)
+    w234 = rod_q6_dot * c274 - (w233 - w132 * w137 - w134 * rod_rho_phi_1_1_0)
+    w235 = w132 * (w62 + w166)
+    w236 = w235 - w123 * w134 - w138 * w151 + w157 * c2 + w158 * c281
+    w237 = (w195 * rod_small_end_rotation_1_2 + w42 * c11) / w35
+    w238 = (w197 * rod_small_end_rotation_1_2 + w21 * c11) / w45
+    w239 = w237 + w36 * w238
+    w240 = w193 * rod_small_end_rotation_1_2 + w32 * c11 + w44 * w239 + w186 * w238
+    w241 = w201 * rod_small_end_rotation_1_2 - (w24 * w239 + w33 * w238)
+    w242 = w16 * w239 + w26 * w238 + rod_small_end_rotation_1_2 / w10
+    w243 = w21 * w239 + w31 * w238 + w204 * rod_small_end_rotation_1_2
+    w244 = w139 - w140 + w58 * c11 + w1 * c283
+    w245 = w112 - w113
+    w246 = rod_q2_dot * c113 + rod_q4_dot * c114 - (rod_q2_dot * rod_phi_phi_1_2_2_1 + rod_q4_dot * rod_phi_phi_3_2_2_1)
+    w247 = w134 * (w63 + w72)
+    w248 = w151 * (w72 + w167)
+    w249 = w157 * c11 - (w248 - w132 * w139 - w113 * w134) + w158 * c283
+    w250 = w132 * (w63 + w167)
+    w251 = rod_q6_dot * c275 - (w250 - w134 * rod_rho_phi_2_2_0 - w140 * w151)
+    w252 = (w218 * rod_small_end_rotation_2_3 + w41 * c3) / w35
+    w253 = (w220 * rod_small_end_rotation_2_3 + w16 * c3) / w45
+    w254 = w252 + w36 * w253
+    w255 = w216 * rod_small_end_rotation_2_3 + w30 * c3 + w44 * w254 + w186 * w253
+    w256 = w204 * rod_small_end_rotation_2_3 - (w16 * w254 + w26 * w253)
+    w257 = w24 * w254 + w33 * w253 + w225 * rod_small_end_rotation_2_3
+    w258 = w21 * w254 + w31 * w253 + rod_small_end_rotation_2_3 / w10
+    w259 = w141 - w142 - w52 * c3 - w17 * c285
+    w260 = w125 - w124
+    w261 = rod_q1_dot * rod_phi_phi_0_3_1_2 + rod_q3_dot * rod_phi_phi_2_3_1_2 + rod_q5_dot * rod_phi_phi_4_3_1_2
+    w262 = w134 * (w64 + w73)
+    w263 = 2 * (w261 - (rod_q1_dot * c120 + rod_q3_dot * c121 + rod_q5_dot * c122)) - (w262 - w151 * c60 - w124 * w132)
+    w264 = w151 * (w73 + w168)
+    w265 = rod_q6_dot * c276 - (w264 - w132 * w141 - w134 * rod_rho_phi_3_1_0)
+    w266 = w132 * (w64 + w168)
+    w267 = w266 - w125 * w134 - w142 * w151 + w157 * c3 + w158 * c285
+    w268 = (w195 * rod_small_end_rotation_1_4 + w42 * c12) / w35
+    w269 = (w197 * rod_small_end_rotation_1_4 + w21 * c12) / w45
+    w270 = w268 + w36 * w269
+    w271 = w193 * rod_small_end_rotation_1_4 + w32 * c12 + w44 * w270 + w186 * w269
+    w272 = w201 * rod_small_end_rotation_1_4 - (w24 * w270 + w33 * w269)
+    w273 = w16 * w270 + w26 * w269 + rod_small_end_rotation_1_4 / w10
+    w274 = w21 * w270 + w31 * w269 + w204 * rod_small_end_rotation_1_4
+    w275 = w144 - w145 + w58 * c12 + w1 * c287
+    w276 = w114 - w115
+    w277 = rod_q2_dot * c123 + rod_q4_dot * c124 - (rod_q2_dot * rod_phi_phi_1_4_2_1 + rod_q4_dot * rod_phi_phi_3_4_2_1)
+    w278 = w134 * (w65 + w74)
+    w279 = w151 * (w74 + w169)
+    w280 = w157 * c12 - (w279 - w132 * w144 - w115 * w134) + w158 * c287
+    w281 = w132 * (w65 + w169)
+    w282 = rod_q6_dot * c277 - (w281 - w134 * rod_rho_phi_4_2_0 - w145 * w151)
+    w283 = w24 / w10 + w16 * w91 - w21 * w88
+    w284 = w43 / w10 + w41 * w91 - w42 * w88
+    w285 = w34 / w10 + w30 * w91 - w32 * w88
+    w286 = (w25 * w285 - w35 * w283) * rod_small_end_rotation_0_5 / w35
+    w287 = (w35 * w284 - w44 * w285) * rod_small_end_rotation_0_5 / w45
+    w288 = w286 + w36 * w287
+    w289 = (w44 * w283 - w25 * w284) * rod_small_end_rotation_0_5 + w44 * w288 + w186 * w287
+    w290 = w225 * rod_small_end_rotation_0_5 - (w21 * w288 + w31 * w287)
+    w291 = w24 * w288 + w33 * w287 + rod_small_end_rotation_0_5 / w10
+    w292 = w16 * w288 + w26 * w287 + w201 * rod_small_end_rotation_0_5
+    w293 = w128 - w127
+    w294 = w117 - w118
+    w295 = rod_q2_dot * rod_phi_phi_1_5_2_0 + rod_q4_dot * rod_phi_phi_3_5_2_0 - (rod_q2_dot * rod_phi_phi_1_5_0_2 + rod_q4_dot * rod_phi_phi_3_5_0_2)
+    w296 = w151 * (w76 + w170)
+    w297 = 2 * w295 - (w296 - w132 * rod_rho_phi_5_1_2 - w118 * w134)
+    w298 = w134 * (w67 + w76)
+    w299 = w298 - w117 * w151 - w127 * w132
+    w300 = rod_q1_dot * rod_phi_phi_0_5_0_1 + rod_q3_dot * rod_phi_phi_2_5_0_1 + rod_q5_dot * rod_phi_phi_4_5_0_1
+    w301 = rod_q1_dot * rod_phi_phi_0_5_1_0 + rod_q3_dot * rod_phi_phi_2_5_1_0 + rod_q5_dot * rod_phi_phi_4_5_1_0
+    w302 = w132 * (w67 + w170)
+    w303 = 2 * (w300 - w301) - (w302 - w128 * w134 - w151 * rod_rho_phi_5_2_1)
+    w304 = w85 * (w3 * w87 + w4 * w84 + w2 * w89)
+    w305 = w304 / w10
+    w306 = w90 * w201
+    w307 = w92 * w204
+    w308 = w305 + (w306 + w307)
+    w309 = w85 * w87
+    w310 = w204 * w304
+    w311 = w92 / w10
+    w312 = w309 - w310 + (w311 + w94 * w201)
+    w313 = w95 / w10
+    w314 = w17 * w308 + w1 * w312 + (w93 * w204 - w313)
+    w315 = w201 * w304
+    w316 = w85 * w89
+    w317 = w90 / w10
+    w318 = w315 - w316 + (w94 * w204 - w317)
+    w319 = w97 * w204
+    w320 = w95 * w201
+    w321 = w312 * rod_small_end_x + w17 * w318 - (w319 + w320)
+    w322 = w97 / w10
+    w323 = w308 * rod_small_end_x - w1 * w318 + (w93 * w201 + w322)
+    w324 = w34 * w314 + w30 * w321 + w32 * w323
+    w325 = w34 * w94 - w30 * w92
+    w326 = w43 * w314 + w41 * w321 + w42 * w323
+    w327 = w43 * w94 - w41 * w92
+    w328 = w24 * w314 + w16 * w321 + w21 * w323
+    w329 = w24 * w94 - w16 * w92
+    w330 = (w328 * rod_small_end_rotation_1_0 + w329 * c10 + w106 * w198) / w45
+    w331 = (w326 * rod_small_end_rotation_1_0 + w327 * c10 - w104 * w196) / w35 + w105 * w198 + w36 * w330
+    w332 = w189 * w199 - (w324 * rod_small_end_rotation_1_0 + w325 * c10) - w188 * w198 - (w44 * w331 + w186 * w330)
+    w333 = w200 * guide_damping - 2 * w332 * slider_mass
+    w334 = 2 * (w98 * w198 - w24 * w331 - w33 * w330 - w318 * rod_small_end_rotation_1_0)
+    w335 = 2 * (w82 * w198 - w16 * w331 - w26 * w330 + w308 * rod_small_end_rotation_1_0)
+    w336 = 2 * (w83 * w198 - w21 * w331 - w31 * w330 - w312 * rod_small_end_rotation_1_0)
+    w337 = w92 * c314
+    w338 = 2 * -w94
+    w339 = w52 * w338
+    w340 = w338 * rod_mass
+    w341 = w340 * c10 - w151 * c34
+    w342 = w134 * c54 + w58 * w338
+    w343 = w134 * c19
+    w344 = w134 * c21
+    w345 = w93 / w10
+    w346 = w310 - w309 + (w90 * w225 - w311)
+    w347 = w94 * w225
+    w348 = w305 + (w307 + w347)
+    w349 = w95 * w204 + w345 - (w17 * w346 + w1 * w348)
+    w350 = w84 * w85
+    w351 = w225 * w304
+    w352 = w94 / w10
+    w353 = w350 - w351 + (w352 + w90 * w204)
+    w354 = w17 * w353 - w348 * rod_small_end_x + (w95 * w225 - w322)
+    w355 = w93 * w225
+    w356 = w1 * w353 + w346 * rod_small_end_x + (w319 + w355)
+    w357 = w34 * w349 + w30 * w354 - w32 * w356
+    w358 = w32 * w92 - w34 * w90
+    w359 = w43 * w349 + w41 * w354 - w42 * w356
+    w360 = w42 * w92 - w43 * w90
+    w361 = w24 * w349 + w16 * w354 - w21 * w356
+    w362 = w21 * w92 - w24 * w90
+    w363 = (w361 * rod_small_end_rotation_2_1 + w362 * c2 + w106 * w221) / w45
+    w364 = (w359 * rod_small_end_rotation_2_1 + w360 * c2 - w104 * w219) / w35 + w105 * w221 + w36 * w363
+    w365 = w189 * w222 - (w357 * rod_small_end_rotation_2_1 + w358 * c2) - w188 * w221 - (w44 * w364 + w186 * w363)
+    w366 = w223 * guide_damping - 2 * w365 * slider_mass
+    w367 = 2 * (w98 * w221 - w24 * w364 - w33 * w363 - w353 * rod_small_end_rotation_2_1)
+    w368 = 2 * (w82 * w221 - w16 * w364 - w26 * w363 - w346 * rod_small_end_rotation_2_1)
+    w369 = 2 * (w83 * w221 - w21 * w364 - w31 * w363 + w348 * rod_small_end_rotation_2_1)
+    w370 = 2 * -w92
+    w371 = w58 * w370
+    w372 = w370 * rod_mass
+    w373 = w372 * c2 - w343
+    w374 = w52 * w132 + w370 * c54
+    w375 = w90 * c318
+    w376 = w370 * c34
+    w377 = w370 * c36
+    w378 = w370 * c38
+    w379 = (w328 * rod_small_end_rotation_1_2 + w329 * c11 + w106 * w238) / w45
+    w380 = (w326 * rod_small_end_rotation_1_2 + w327 * c11 - w104 * w237) / w35 + w105 * w238 + w36 * w379
+    w381 = w189 * w239 - (w324 * rod_small_end_rotation_1_2 + w325 * c11) - w188 * w238 - (w44 * w380 + w186 * w379)
+    w382 = w240 * guide_damping - 2 * w381 * slider_mass
+    w383 = 2 * (w98 * w238 - w24 * w380 - w33 * w379 - w318 * rod_small_end_rotation_1_2)
+    w384 = 2 * (w82 * w238 - w16 * w380 - w26 * w379 + w308 * rod_small_end_rotation_1_2)
+    w385 = 2 * (w83 * w238 - w21 * w380 - w31 * w379 - w312 * rod_small_end_rotation_1_2)
+    w386 = w92 * c323
+    w387 = w340 * c11 - w151 * c36
+    w388 = (w361 * rod_small_end_rotation_2_3 + w362 * c3 + w106 * w253) / w45
+    w389 = (w359 * rod_small_end_rotation_2_3 + w360 * c3 - w104 * w252) / w35 + w105 * w253 + w36 * w388
+    w390 = w189 * w254 - (w357 * rod_small_end_rotation_2_3 + w358 * c3) - w188 * w253 - (w44 * w389 + w186 * w388)
+    w391 = w255 * guide_damping - 2 * w390 * slider_mass
+    w392 = 2 * (w98 * w253 - w24 * w389 - w33 * w388 - w353 * rod_small_end_rotation_2_3)
+    w393 = 2 * (w82 * w253 - w16 * w389 - w26 * w388 - w346 * rod_small_end_rotation_2_3)
+    w394 = 2 * (w83 * w253 - w21 * w389 - w31 * w388 + w348 * rod_small_end_rotation_2_3)
+    w395 = w372 * c3 - w344
+    w396 = w90 * c327
+    w397 = (w328 * rod_small_end_rotation_1_4 + w329 * c12 + w106 * w269) / w45
+    w398 = (w326 * rod_small_end_rotation_1_4 + w327 * c12 - w104 * w268) / w35 + w105 * w269 + w36 * w397
+    w399 = w189 * w270 - (w324 * rod_small_end_rotation_1_4 + w325 * c12) - w188 * w269 - (w44 * w398 + w186 * w397)
+    w400 = w271 * guide_damping - 2 * w399 * slider_mass
+    w401 = 2 * (w98 * w269 - w24 * w398 - w33 * w397 - w318 * rod_small_end_rotation_1_4)
+    w402 = 2 * (w82 * w269 - w16 * w398 - w26 * w397 + w308 * rod_small_end_rotation_1_4)
+    w403 = 2 * (w83 * w269 - w21 * w398 - w31 * w397 - w312 * rod_small_end_rotation_1_4)
+    w404 = w92 * c332
+    w405 = w340 * c12 - w151 * c38
+    w406 = w351 - w350 + (w92 * w201 - w352)
+    w407 = w316 - w315 + (w317 + w92 * w225)
+    w408 = w1 * w406 - w17 * w407 - (w320 + w355)
+    w409 = w305 + (w306 + w347)
+    w410 = w406 * rod_small_end_x - w17 * w409 + (w313 + w97 * w225)
+    w411 = w1 * w409 - w407 * rod_small_end_x + (w97 * w201 - w345)
+    w412 = ((w43 * w408 + w41 * w410 + w42 * w411) * rod_small_end_rotation_0_5 - w104 * w286) / w35 + w105 * w287
+    w413 = ((w24 * w408 + w16 * w410 + w21 * w411) * rod_small_end_rotation_0_5 + w106 * w287) / w45
+    w414 = w412 + w36 * w413
+    w415 = w189 * w288 - (w34 * w408 + w30 * w410 + w32 * w411) * rod_small_end_rotation_0_5 - w188 * w287 - (w44 * w414 + w186 * w413)
+    w416 = w289 * guide_damping - 2 * w415 * slider_mass
+    w417 = 2 * (w98 * w287 - w24 * w414 - w33 * w413 + w409 * rod_small_end_rotation_0_5)
+    w418 = 2 * (w82 * w287 - w16 * w414 - w26 * w413 - w407 * rod_small_end_rotation_0_5)
+    w419 = 2 * (w83 * w287 - w21 * w414 - w31 * w413 - w406 * rod_small_end_rotation_0_5)
+    w420 = w132 * c54 + w149 + 2 * (rod_q2_dot * c336 - rod_q4_dot * c21)
+    w421 = w420 + w150 * rod_mass
+    w422 = w133 - w147 + 2 * w148 - (w1 * w421 + w58 * w150)
+    w423 = 2 * (rod_q1_dot * c337 - rod_q3_dot * c36 - rod_q5_dot * c38) - (w58 * w134 + w151 * c54)
+    w424 = w423 + w154 * rod_mass
+    w425 = w147 - w152 + 2 * w153 - (w17 * w424 + w52 * w154)
+    w426 = w422 + w425
+    w427 = w53 * w57 - w59 * w60 + (w79 * w109 - w120 * w121 - w130 * w131) + (w51 * w426 - w160 * w161 - w163 * w164)
+    w428 = w425 + w177
+    w429 = w129 * w132 - w77 * w134 + 2 * (w178 + rod_q6_dot * rod_rho_phi_5_2_1) - (w17 * w421 + w52 * w150)
+    w430 = w132 * w171 - w129 * w134 + 2 * w179 + (w421 * rod_small_end_x + w150 * c54)
+    w431 = w121 * w173 - w131 * w174 - w109 * w120 - (w53 * w175 + w60 * rod_first_moment_x) + (w161 * w428 - w164 * w429 - w51 * w430)
+    w432 = w422 + w177
+    w433 = w119 * w134 - w151 * w171 + 2 * w181 + (w424 * rod_small_end_x + w154 * c54)
+    w434 = w68 * w134 - w119 * w151 + 2 * (w182 + rod_q6_dot * rod_rho_phi_5_1_2) - (w1 * w424 + w58 * w154)
+    w435 = w57 * rod_first_moment_x + w59 * w175 + (w131 * w180 - w109 * w130 - w121 * w174) + (w164 * w432 - w51 * w433 - w161 * w434)
+    w436 = (w175 * c338 - (w59 * w131 - w53 * w121) - (w424 * w161 - w421 * w164)) * w183 - w184 * (w57 * rod_mass + (w131 * rod_first_moment_x + w53 * w109) + (w159 * w164 - w51 * w424))
+    w437 = w436 - w185 * (w60 * rod_mass - (w59 * w109 + w121 * rod_first_moment_x) + (w51 * w421 - w159 * w161))
+    w438 = 2 * w208 - (w209 - w110 * w151 - w132 * c71) - w420 * c10 - w150 * c279
+    w439 = w427 * w202 - w431 * w203 - w435 * w205 + (w109 * w206 + w121 * c280 + w131 * w207 - w60 * c279 + (w51 * w438 + w161 * w211 + w164 * w213))
+    w440 = w232 + w423 * c2 + w154 * c281
+    w441 = w431 * w224 - w427 * w226 - w435 * w227 + (w109 * w228 + w121 * w229 + w131 * c282 - w57 * c281 + (w51 * w440 + w161 * w234 - w164 * w236))
+    w442 = 2 * w246 - (w247 - w112 * w151 - w132 * c76) - w420 * c11 - w150 * c283
+    w443 = w427 * w241 - w431 * w242 - w435 * w243 + (w109 * w244 + w121 * c284 + w131 * w245 - w60 * c283 + (w51 * w442 + w161 * w249 + w164 * w251))
+    w444 = w263 + w423 * c3 + w154 * c285
+    w445 = w431 * w256 - w427 * w257 - w435 * w258 + (w109 * w259 + w121 * w260 + w131 * c286 - w57 * c285 + (w51 * w444 + w161 * w265 - w164 * w267))
+    w446 = 2 * w277 - (w278 - w114 * w151 - w132 * c81) - w420 * c12 - w150 * c287
+    w447 = w427 * w272 - w431 * w273 - w435 * w274 + (w109 * w275 + w121 * c288 + w131 * w276 - w60 * c287 + (w51 * w446 + w161 * w280 + w164 * w282))
+    w448 = w435 * w290 - (w427 * w291 + w431 * w292) + (w109 * c137 + w121 * w293 + w131 * w294 + (w161 * w297 - w51 * w299 + w164 * w303))
+    w449 = w79 * w334 - w120 * w335 - w130 * w336 + (w426 * w202 + w160 * w203 + w163 * w205) + (w209 - w111 * w151 - w132 * rod_rho_phi_0_2_0 + w149 * c10 + w17 * w337)
+    w450 = w173 * w335 - w174 * w336 - w120 * w334 + (w429 * w205 - w428 * w203 - w430 * w202) + (w210 - w132 * w136 - w110 * w134 - w339 * c10 - w17 * w341)
+    w451 = w180 * w336 - w130 * w334 - w174 * w335 + (w434 * w203 - (w432 * w205 + w433 * w202)) + (w212 - w134 * c71 - w135 * w151 + w342 * c10 + (w337 * rod_small_end_x + w1 * w341))
+    w452 = w183 * (w341 + (w59 * w336 - w53 * w335 + (w421 * w205 - w424 * w203))) + w184 * (w337 + (w336 * rod_first_moment_x + w53 * w334 - (w159 * w205 + w424 * w202)))
+    w453 = w51 * w449 + w161 * w450 + w164 * w451 + (w452 + w185 * (w421 * w202 + w159 * w203 - (w59 * w334 + w335 * rod_first_moment_x)))
+    w454 = w205 * w451 - (w202 * w449 - w203 * w450) - (w206 * w334 + w335 * c280 + w207 * w336 + (w202 * w438 - w203 * w211 - w205 * w213))
+    w455 = w227 * w451 - (w224 * w450 - w226 * w449) - (w228 * w334 + w229 * w335 + w336 * c282 + (w202 * w440 - w203 * w234 + w205 * w236))
+    w456 = w243 * w451 - (w241 * w449 - w242 * w450) - (w244 * w334 + w335 * c284 + w245 * w336 + (w202 * w442 - w203 * w249 - w205 * w251))
+    w457 = w258 * w451 - (w256 * w450 - w257 * w449) - (w259 * w334 + w260 * w335 + w336 * c286 + (w202 * w444 - w203 * w265 + w205 * w267))
+    w458 = w274 * w451 - (w272 * w449 - w273 * w450) - (w275 * w334 + w335 * c288 + w276 * w336 + (w202 * w446 - w203 * w280 - w205 * w282))
+    w459 = w291 * w449 + w292 * w450 - w290 * w451 - (w334 * c137 + w293 * w335 + w294 * w336 - (w202 * w299 + w203 * w297 + w205 * w303))
+    w460 = w79 * w367 - w120 * w368 - w130 * w369 + (w163 * w227 - (w426 * w226 + w160 * w224)) + (w231 - w151 * rod_rho_phi_1_1_0 - w123 * w132 - w371 * c2 - w1 * w373)
+    w461 = w173 * w368 - w174 * w369 - w120 * w367 + (w428 * w224 + w429 * w227 + w430 * w226) + (w233 - w132 * w138 - w134 * c55 - w374 * c2 - (w17 * w375 + w373 * rod_small_end_x))
+    w462 = w180 * w369 - w130 * w367 - w174 * w368 + (w433 * w226 - w432 * w227 - w434 * w224) + (w235 - w122 * w134 - w137 * w151 + w156 * c2 + w1 * w375)
+    w463 = w183 * (w375 + (w59 * w369 - w53 * w368 + (w424 * w224 + w421 * w227))) + w184 * (w369 * rod_first_moment_x + w53 * w367 + (w424 * w226 - w159 * w227))
+    w464 = w51 * w460 + w161 * w461 + w164 * w462 + (w463 + w185 * (w373 - (w59 * w367 + w368 * rod_first_moment_x + (w421 * w226 + w159 * w224))))
+    w465 = w205 * w462 - (w202 * w460 - w203 * w461) - (w206 * w367 + w368 * c280 + w207 * w369 + (w211 * w224 - w438 * w226 - w213 * w227))
+    w466 = w227 * w462 - (w224 * w461 - w226 * w460) - (w228 * w367 + w229 * w368 + w369 * c282 + (w224 * w234 - w226 * w440 + w227 * w236))
+    w467 = w243 * w462 - (w241 * w460 - w242 * w461) - (w244 * w367 + w368 * c284 + w245 * w369 + (w224 * w249 - w226 * w442 - w227 * w251))
+    w468 = w258 * w462 - (w256 * w461 - w257 * w460) - (w259 * w367 + w260 * w368 + w369 * c286 + (w224 * w265 - w226 * w444 + w227 * w267))
+    w469 = w274 * w462 - (w272 * w460 - w273 * w461) - (w275 * w367 + w368 * c288 + w276 * w369 + (w224 * w280 - w226 * w446 - w227 * w282))
+    w470 = w291 * w460 + w292 * w461 - w290 * w462 - (w367 * c137 + w293 * w368 + w294 * w369 + (w226 * w299 + w224 * w297 - w227 * w303))
+    w471 = w79 * w383 - w120 * w384 - w130 * w385 + (w426 * w241 + w160 * w242 + w163 * w243) + (w247 - w113 * w151 - w132 * rod_rho_phi_2_2_0 + w149 * c11 + w17 * w386)
+    w472 = w173 * w384 - w174 * w385 - w120 * w383 + (w429 * w243 - w428 * w242 - w430 * w241) + (w248 - w132 * w140 - w112 * w134 - w339 * c11 - w17 * w387)
+    w473 = w180 * w385 - w130 * w383 - w174 * w384 + (w434 * w242 - (w432 * w243 + w433 * w241)) + (w250 - w134 * c76 - w139 * w151 + w342 * c11 + (w386 * rod_small_end_x + w1 * w387))
+    w474 = w183 * (w387 + (w59 * w385 - w53 * w384 + (w421 * w243 - w424 * w242))) + w184 * (w386 + (w385 * rod_first_moment_x + w53 * w383 - (w159 * w243 + w424 * w241)))
+    w475 = w51 * w471 + w161 * w472 + w164 * w473 + (w474 + w185 * (w421 * w241 + w159 * w242 - (w59 * w383 + w384 * rod_first_moment_x)))
+    w476 = w205 * w473 - (w202 * w471 - w203 * w472) - (w206 * w383 + w384 * c280 + w207 * w385 + (w438 * w241 - w211 * w242 - w213 * w243))
+    w477 = w227 * w473 - (w224 * w472 - w226 * w471) - (w228 * w383 + w229 * w384 + w385 * c282 + (w440 * w241 - w234 * w242 + w236 * w243))
+    w478 = w243 * w473 - (w241 * w471 - w242 * w472) - (w244 * w383 + w384 * c284 + w245 * w385 + (w241 * w442 - w242 * w249 - w243 * w251))
+    w479 = w258 * w473 - (w256 * w472 - w257 * w471) - (w259 * w383 + w260 * w384 + w385 * c286 + (w241 * w444 - w242 * w265 + w243 * w267))
+    w480 = w274 * w473 - (w272 * w471 - w273 * w472) - (w275 * w383 + w384 * c288 + w276 * w385 + (w241 * w446 - w242 * w280 - w243 * w282))
+    w481 = w291 * w471 + w292 * w472 - w290 * w473 - (w383 * c137 + w293 * w384 + w294 * w385 - (w241 * w299 + w242 * w297 + w243 * w303))
+    w482 = w79 * w392 - w120 * w393 - w130 * w394 + (w163 * w258 - (w426 * w257 + w160 * w256)) + (w262 - w151 * rod_rho_phi_3_1_0 - w125 * w132 - w371 * c3 - w1 * w395)
+    w483 = w173 * w393 - w174 * w394 - w120 * w392 + (w428 * w256 + w429 * w258 + w430 * w257) + (w264 - w132 * w142 - w134 * c60 - w374 * c3 - (w17 * w396 + w395 * rod_small_end_x))
+    w484 = w180 * w394 - w130 * w392 - w174 * w393 + (w433 * w257 - w432 * w258 - w434 * w256) + (w266 - w124 * w134 - w141 * w151 + w156 * c3 + w1 * w396)
+    w485 = w183 * (w396 + (w59 * w394 - w53 * w393 + (w424 * w256 + w421 * w258))) + w184 * (w394 * rod_first_moment_x + w53 * w392 + (w424 * w257 - w159 * w258))
+    w486 = w51 * w482 + w161 * w483 + w164 * w484 + (w485 + w185 * (w395 - (w59 * w392 + w393 * rod_first_moment_x + (w421 * w257 + w159 * w256))))
+    w487 = w205 * w484 - (w202 * w482 - w203 * w483) - (w206 * w392 + w393 * c280 + w207 * w394 + (w211 * w256 - w438 * w257 - w213 * w258))
+    w488 = w227 * w484 - (w224 * w483 - w226 * w482) - (w228 * w392 + w229 * w393 + w394 * c282 + (w234 * w256 - w440 * w257 + w236 * w258))
+    w489 = w243 * w484 - (w241 * w482 - w242 * w483) - (w244 * w392 + w393 * c284 + w245 * w394 + (w249 * w256 - w442 * w257 - w251 * w258))
+    w490 = w258 * w484 - (w256 * w483 - w257 * w482) - (w259 * w392 + w260 * w393 + w394 * c286 + (w256 * w265 - w257 * w444 + w258 * w267))
+    w491 = w274 * w484 - (w272 * w482 - w273 * w483) - (w275 * w392 + w393 * c288 + w276 * w394 + (w256 * w280 - w257 * w446 - w258 * w282))
+    w492 = w291 * w482 + w292 * w483 - w290 * w484 - (w392 * c137 + w293 * w393 + w294 * w394 + (w257 * w299 + w256 * w297 - w258 * w303))
+    w493 = w79 * w401 - w120 * w402 - w130 * w403 + (w426 * w272 + w160 * w273 + w163 * w274) + (w278 - w115 * w151 - w132 * rod_rho_phi_4_2_0 + w149 * c12 + w17 * w404)
+    w494 = w173 * w402 - w174 * w403 - w120 * w401 + (w429 * w274 - w428 * w273 - w430 * w272) + (w279 - w132 * w145 - w114 * w134 - w339 * c12 - w17 * w405)
+    w495 = w180 * w403 - w130 * w401 - w174 * w402 + (w434 * w273 - (w432 * w274 + w433 * w272)) + (w281 - w134 * c81 - w144 * w151 + w342 * c12 + (w404 * rod_small_end_x + w1 * w405))
+    w496 = w183 * (w405 + (w59 * w403 - w53 * w402 + (w421 * w274 - w424 * w273))) + w184 * (w404 + (w403 * rod_first_moment_x + w53 * w401 - (w159 * w274 + w424 * w272)))
+    w497 = w51 * w493 + w161 * w494 + w164 * w495 + (w496 + w185 * (w421 * w272 + w159 * w273 - (w59 * w401 + w402 * rod_first_moment_x)))
+    w498 = w205 * w495 - (w202 * w493 - w203 * w494) - (w206 * w401 + w402 * c280 + w207 * w403 + (w438 * w272 - w211 * w273 - w213 * w274))
+    w499 = w227 * w495 - (w224 * w494 - w226 * w493) - (w228 * w401 + w229 * w402 + w403 * c282 + (w440 * w272 - w234 * w273 + w236 * w274))
+    w500 = w243 * w495 - (w241 * w493 - w242 * w494) - (w244 * w401 + w402 * c284 + w245 * w403 + (w442 * w272 - w249 * w273 - w251 * w274))
+    w501 = w258 * w495 - (w256 * w494 - w257 * w493) - (w259 * w401 + w260 * w402 + w403 * c286 + (w444 * w272 - w265 * w273 + w267 * w274))
+    w502 = w274 * w495 - (w272 * w493 - w273 * w494) - (w275 * w401 + w402 * c288 + w276 * w403 + (w272 * w446 - w273 * w280 - w274 * w282))
+    w503 = w291 * w493 + w292 * w494 - w290 * w495 - (w401 * c137 + w293 * w402 + w294 * w403 - (w272 * w299 + w273 * w297 + w274 * w303))
+    w504 = w79 * w417 - w120 * w418 - w130 * w419 + (w160 * w292 - w426 * w291 - w163 * w290) + (w298 - w118 * w151 - w128 * w132)
+    w505 = w173 * w418 - w174 * w419 - w120 * w417 + (w430 * w291 - (w428 * w292 + w429 * w290)) + (w296 - w132 * rod_rho_phi_5_2_1 - w117 * w134)
+    w506 = w180 * w419 - w130 * w417 - w174 * w418 + (w432 * w290 + w433 * w291 + w434 * w292) + (w302 - w127 * w134 - w151 * rod_rho_phi_5_1_2)
+    w507 = w183 * (w59 * w419 - w53 * w418 - (w424 * w292 + w421 * w290)) + w184 * (w419 * rod_first_moment_x + w53 * w417 + (w159 * w290 + w424 * w291))
+    w508 = w51 * w504 + w161 * w505 + w164 * w506 + (w507 + w185 * (w159 * w292 - w421 * w291 - (w59 * w417 + w418 * rod_first_moment_x)))
+    w509 = w205 * w506 - (w202 * w504 - w203 * w505) - (w206 * w417 + w418 * c280 + w207 * w419 + (w213 * w290 - (w438 * w291 + w211 * w292)))
+    w510 = w227 * w506 - (w224 * w505 - w226 * w504) - (w228 * w417 + w229 * w418 + w419 * c282 - (w440 * w291 + w234 * w292 + w236 * w290))
+    w511 = w243 * w506 - (w241 * w504 - w242 * w505) - (w244 * w417 + w418 * c284 + w245 * w419 + (w251 * w290 - (w442 * w291 + w249 * w292)))
+    w512 = w258 * w506 - (w256 * w505 - w257 * w504) - (w259 * w417 + w260 * w418 + w419 * c286 - (w444 * w291 + w265 * w292 + w267 * w290))
+    w513 = w274 * w506 - (w272 * w504 - w273 * w505) - (w275 * w417 + w418 * c288 + w276 * w419 + (w282 * w290 - (w446 * w291 + w280 * w292)))
+    w514 = w291 * w504 + w292 * w505 - w290 * w506 - (w417 * c137 + w293 * w418 + w294 * w419 + (w291 * w299 - w292 * w297 + w290 * w303))
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
         ca.horzcat(  # axle.angle
-            w443, w190 * w336 - (w51 * w455 + w161 * w456 + w164 * w457 + w458),
-            w190 * w369 - (w51 * w465 + w161 * w466 + w164 * w467 + w468),
-            w190 * w385 - (w51 * w475 + w161 * w476 + w164 * w477 + w478),
-            w190 * w394 - (w51 * w485 + w161 * w486 + w164 * w487 + w488),
-            w190 * w403 - (w51 * w495 + w161 * w496 + w164 * w497 + w498), w190 * w419 - w508,
+            w437 - (w51 * w427 + w161 * w431 + w164 * w435) - w187 * w190, w187 * w333 - w453, w187 * w366 - w464,
+            w187 * w382 - w475, w187 * w391 - w486, w187 * w400 - w497, w187 * w416 - w508,
         ),
         ca.horzcat(  # rod.q1
-            w193 * w203 - w445, w459 - rod_D_ff_0_0 - w203 * w336,
-            w469 - (w134 * c325 - w379 * c2 - w376 * c10) - w203 * w369, w479 - w203 * w385,
-            w489 - (w134 * c334 - w379 * c3 - w398 * c10) - w203 * w394, w499 - w203 * w403,
-            w509 - w132 * c149 - w203 * w419,
+            w190 * w200 - w439, w454 - rod_D_ff_0_0 - w200 * w333,
+            w465 - (w134 * c319 - w376 * c2 - w373 * c10) - w200 * w366, w476 - w200 * w382,
+            w487 - (w134 * c328 - w376 * c3 - w395 * c10) - w200 * w391, w498 - w200 * w400,
+            w509 - w132 * c149 - w200 * w416,
         ),
         ca.horzcat(  # rod.q2
-            w193 * w226 - w447, w460 - (w134 * c321 - w346 * c10 - w340 * c2) - w226 * w336,
-            w470 - rod_D_ff_1_1 - w226 * w369, w480 - (w134 * c330 - w346 * c11 - w389 * c2) - w226 * w385,
-            w490 - w226 * w394, w500 - (w134 * c339 - w346 * c12 - w407 * c2) - w226 * w403,
-            w510 - w151 * c152 - w226 * w419,
+            w190 * w223 - w441, w455 - (w134 * c315 - w343 * c10 - w337 * c2) - w223 * w333,
+            w466 - rod_D_ff_1_1 - w223 * w366, w477 - (w134 * c324 - w343 * c11 - w386 * c2) - w223 * w382,
+            w488 - w223 * w391, w499 - (w134 * c333 - w343 * c12 - w404 * c2) - w223 * w400,
+            w510 - w151 * c152 - w223 * w416,
         ),
         ca.horzcat(  # rod.q3
-            w193 * w243 - w449, w461 - w243 * w336, w471 - (w134 * c326 - w380 * c2 - w376 * c11) - w243 * w369,
-            w481 - rod_D_ff_2_2 - w243 * w385, w491 - (w134 * c335 - w380 * c3 - w398 * c11) - w243 * w394,
-            w501 - w243 * w403, w511 - w132 * c155 - w243 * w419,
+            w190 * w240 - w443, w456 - w240 * w333, w467 - (w134 * c320 - w377 * c2 - w373 * c11) - w240 * w366,
+            w478 - rod_D_ff_2_2 - w240 * w382, w489 - (w134 * c329 - w377 * c3 - w395 * c11) - w240 * w391,
+            w500 - w240 * w400, w511 - w132 * c155 - w240 * w416,
         ),
         ca.horzcat(  # rod.q4
-            w193 * w258 - w451, w462 - (w134 * c322 - w347 * c10 - w340 * c3) - w258 * w336, w472 - w258 * w369,
-            w482 - (w134 * c331 - w347 * c11 - w389 * c3) - w258 * w385, w492 - rod_D_ff_3_3 - w258 * w394,
-            w502 - (w134 * c340 - w347 * c12 - w407 * c3) - w258 * w403, w512 - w151 * c158 - w258 * w419,
+            w190 * w255 - w445, w457 - (w134 * c316 - w344 * c10 - w337 * c3) - w255 * w333, w468 - w255 * w366,
+            w479 - (w134 * c325 - w344 * c11 - w386 * c3) - w255 * w382, w490 - rod_D_ff_3_3 - w255 * w391,
+            w501 - (w134 * c334 - w344 * c12 - w404 * c3) - w255 * w400, w512 - w151 * c158 - w255 * w416,
         ),
         ca.horzcat(  # rod.q5
-            w193 * w274 - w453, w463 - w274 * w336, w473 - (w134 * c327 - w381 * c2 - w376 * c12) - w274 * w369,
-            w483 - w274 * w385, w493 - (w134 * c336 - w381 * c3 - w398 * c12) - w274 * w394,
-            w503 - rod_D_ff_4_4 - w274 * w403, w513 - w132 * c161 - w274 * w419,
+            w190 * w271 - w447, w458 - w271 * w333, w469 - (w134 * c321 - w378 * c2 - w373 * c12) - w271 * w366,
+            w480 - w271 * w382, w491 - (w134 * c330 - w378 * c3 - w395 * c12) - w271 * w391,
+            w502 - rod_D_ff_4_4 - w271 * w400, w513 - w132 * c161 - w271 * w416,
         ),
         ca.horzcat(  # rod.q6
-            w193 * w292 - w454, w464 - w132 * c323 - w292 * w336, w474 - w151 * c328 - w292 * w369,
-            w484 - w132 * c332 - w292 * w385, w494 - w151 * c337 - w292 * w394, w504 - w132 * c341 - w292 * w403,
-            w514 - rod_D_ff_5_5 - w292 * w419,
+            w190 * w289 - w448, w459 - w132 * c317 - w289 * w333, w470 - w151 * c322 - w289 * w366,
+            w481 - w132 * c326 - w289 * w382, w492 - w151 * c331 - w289 * w391, w503 - w132 * c335 - w289 * w400,
+            w514 - rod_D_ff_5_5 - w289 * w416,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
@@ -7979,17 +7964,17 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 7) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 7 x 7) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 7 x 7) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    7940 operations.
+    8098 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
     q_i_ddot = ca.SX.sym("q_i_ddot", 7)
-    c = ca.SX.sym("c", 344)
+    c = ca.SX.sym("c", 339)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -8169,11 +8154,17 @@ def residual_jacobian() -> ca.Function:
     rod_D_ff_5_5 = c[162]
     rod_K_ff_5_5 = c[163]
     rod_first_moment_x = c[218]
-    c242 = c[242]
-    c243 = c[243]
-    c244 = c[244]
-    c245 = c[245]
-    c246 = c[246]
+    c272 = c[272]
+    c273 = c[273]
+    c274 = c[274]
+    c275 = c[275]
+    c276 = c[276]
+    c277 = c[277]
+    c278 = c[278]
+    c279 = c[279]
+    c280 = c[280]
+    c281 = c[281]
+    c282 = c[282]
     c283 = c[283]
     c284 = c[284]
     c285 = c[285]
@@ -8227,13 +8218,8 @@ def residual_jacobian() -> ca.Function:
     c333 = c[333]
     c334 = c[334]
     c335 = c[335]
-    c336 = c[336]
-    c337 = c[337]
     c338 = c[338]
-    c339 = c[339]
-    c340 = c[340]
-    c341 = c[341]
-    # intermediate terms (1251)
+    # intermediate terms (1257)
     w0 = ca.sin(fork_angle1)
     w1 = rod_q2 * c2 + rod_q4 * c3
     w2 = rod_q2 * rod_small_end_rotation_2_1 + rod_q4 * rod_small_end_rotation_2_3
@@ -8664,7 +8650,7 @@ def residual_jacobian() -> ca.Function:
     w427 = w202 * w243 - w102 * w245 + 2 * w298 - (w18 * w424 + w219 * w423)
     w428 = w22 * w419 - w56 * w379 - w36 * w395
     w429 = w332 * w345 - w346 * w352 + (w355 * w401 - w402 * w403 - w404 * w405) + (w418 * w420 - w425 * w426 - w427 * w428)
-    w430 = c284 + w217
+    w430 = c278 + w217
     w431 = w354 + w430
     w432 = w102 + (w1 * w219 + w18 * w346)
     w433 = w52 * w335 - w26 * w336 + (w344 * w351 - w340 * w347)
@@ -8678,901 +8664,909 @@ def residual_jacobian() -> ca.Function:
     w441 = w187 * w247 - w217 * w243 + 2 * w279 + (w416 * rod_small_end_x + w415 * c54)
     w442 = w247 * w274 - w187 * w243 + 2 * w280 - (w1 * w416 + w257 * w415)
     w443 = w345 * rod_first_moment_x + w346 * w433 + (w405 * w439 - w401 * w404 - w403 * w432) + (w428 * w440 - w420 * w441 - w426 * w442)
-    w444 = w16 * w45 - w48 * w58
-    w445 = w22 * w45 - w50 * w58
-    w446 = w332 * w444 - w346 * w445
-    w447 = w26 * w45 - w52 * w58
-    w448 = w332 * w447 + w445 * rod_first_moment_x
-    w449 = w444 * rod_first_moment_x + w346 * w447
-    w450 = w447 * rod_mass
-    w451 = w444 * rod_mass
-    w452 = w445 * rod_mass
-    w453 = w411 * w445 - w416 * w444
-    w454 = w416 * w447 - w424 * w445
-    w455 = w424 * w444 - w411 * w447
-    w456 = w401 * w446 - w403 * w448 + w405 * w449 + (w433 * w450 + w345 * w451 + w352 * w452) + (w420 * w453 + w426 * w454 + w428 * w455)
-    w457 = w447 * (w309 * w347 - w312 * w344) + w444 * (w315 * w344 - w309 * w331) + w445 * (w312 * w331 - w315 * w347)
-    w458 = w57 * c145 - (w44 * w307 + w57 * w308) * crank_pin_y + (w331 * w429 + w347 * w438 + w344 * w443 + (w456 + w457))
-    w459 = w54 * w60 + w56 * w230
-    w460 = w40 * w387 + w34 * w388 + w37 * w389
-    w461 = w40 * w358 + w34 * w360 + w37 * w361
-    w462 = w56 * w460 - w60 * w461 + (w54 * w419 - w230 * w395)
-    w463 = w40 * w381 + w34 * w385 + w37 * w386
-    w464 = w40 * w369 + w34 * w371 + w37 * w372
-    w465 = 2 * -w461
-    w466 = 2 * -w460
-    w467 = (w56 * w463 - w60 * w464 + (w419 * w465 + w395 * w466) + (w54 * w399 - w230 * w398)) * slider_mass
-    w468 = w22 * w316
-    w469 = w26 * w310
-    w470 = w26 * w313
-    w471 = w16 * w316
-    w472 = w40 * (w16 * w310 - w22 * w313) + w34 * (w468 - w469) + w37 * (w470 - w471)
-    w473 = w40 * w320 + w34 * w324 + w37 * w328
-    w474 = w462 * guide_damping + (w467 + (w60 * w472 - w56 * w473))
-    w475 = w134 + w43 * w152
-    w476 = w221 + w54 * w475 + w152 * w230
-    w477 = w2 * 0.5 / w10
-    w478 = w477 * rod_small_end_rotation_1_0 - (w26 * w475 + w39 * w152)
-    w479 = w204 + (w16 * w475 + w30 * w152)
-    w480 = w3 * 0.5 / w10
-    w481 = w22 * w475 + w36 * w152 + w480 * rod_small_end_rotation_1_0
-    w482 = w299 + w257 * c10 + w1 * c285
-    w483 = rod_q2_dot * c103 + rod_q4_dot * c104 - (rod_q2_dot * rod_phi_phi_1_0_2_1 + rod_q4_dot * rod_phi_phi_3_0_2_1)
-    w484 = w247 * (w195 + w267)
-    w485 = 2 * w483 - (w484 - w174 * w243 - w245 * c71) - w409 * c10 - w410 * c285
-    w486 = w243 * (w195 + w211)
-    w487 = w422 * c10 - (w486 - w86 * w245 - w175 * w247) + w423 * c285
-    w488 = w245 * (w211 + w267)
-    w489 = rod_q6_dot * c242 - (w488 - w247 * rod_rho_phi_0_2_0 - w87 * w243)
-    w490 = w401 * w482 + w403 * c286 + w281 * w405 - w352 * c285 + (w420 * w485 + w426 * w487 + w428 * w489)
-    w491 = w138 + w43 * w155
-    w492 = w224 + w54 * w491 + w155 * w230
-    w493 = w480 * rod_small_end_rotation_2_1 - (w16 * w491 + w30 * w155)
-    w494 = w4 * 0.5 / w10
-    w495 = w26 * w491 + w39 * w155 + w494 * rod_small_end_rotation_2_1
-    w496 = w168 + (w22 * w491 + w36 * w155)
-    w497 = w300 - w219 * c2 - w18 * c287
-    w498 = rod_q1_dot * rod_phi_phi_0_1_1_2 + rod_q3_dot * rod_phi_phi_2_1_1_2 + rod_q5_dot * rod_phi_phi_4_1_1_2
-    w499 = w247 * (w196 + w268)
-    w500 = 2 * (w498 - (rod_q1_dot * c110 + rod_q3_dot * c111 + rod_q5_dot * c112)) - (w499 - w243 * c55 - w61 * w245)
-    w501 = w500 + w414 * c2 + w415 * c287
-    w502 = w243 * (w196 + w212)
-    w503 = rod_q6_dot * c243 - (w502 - w89 * w245 - w247 * rod_rho_phi_1_1_0)
-    w504 = w245 * (w212 + w268)
-    w505 = w504 - w62 * w247 - w90 * w243 + w422 * c2 + w423 * c287
-    w506 = w401 * w497 + w248 * w403 + w405 * c288 - w345 * c287 + (w420 * w501 + w426 * w503 - w428 * w505)
-    w507 = w139 + w43 * w156
-    w508 = w225 + w54 * w507 + w156 * w230
-    w509 = w477 * rod_small_end_rotation_1_2 - (w26 * w507 + w39 * w156)
-    w510 = w205 + (w16 * w507 + w30 * w156)
-    w511 = w22 * w507 + w36 * w156 + w480 * rod_small_end_rotation_1_2
-    w512 = w301 + w257 * c11 + w1 * c289
-    w513 = rod_q2_dot * c113 + rod_q4_dot * c114 - (rod_q2_dot * rod_phi_phi_1_2_2_1 + rod_q4_dot * rod_phi_phi_3_2_2_1)
-    w514 = w247 * (w197 + w269)
-    w515 = 2 * w513 - (w514 - w177 * w243 - w245 * c76) - w409 * c11 - w410 * c289
-    w516 = w243 * (w197 + w213)
-    w517 = w422 * c11 - (w516 - w92 * w245 - w178 * w247) + w423 * c289
-    w518 = w245 * (w213 + w269)
-    w519 = rod_q6_dot * c244 - (w518 - w247 * rod_rho_phi_2_2_0 - w93 * w243)
-    w520 = w401 * w512 + w403 * c290 + w282 * w405 - w352 * c289 + (w420 * w515 + w426 * w517 + w428 * w519)
-    w521 = w140 + w43 * w157
-    w522 = w226 + w54 * w521 + w157 * w230
-    w523 = w480 * rod_small_end_rotation_2_3 - (w16 * w521 + w30 * w157)
-    w524 = w26 * w521 + w39 * w157 + w494 * rod_small_end_rotation_2_3
-    w525 = w170 + (w22 * w521 + w36 * w157)
-    w526 = w302 - w219 * c3 - w18 * c291
-    w527 = rod_q1_dot * rod_phi_phi_0_3_1_2 + rod_q3_dot * rod_phi_phi_2_3_1_2 + rod_q5_dot * rod_phi_phi_4_3_1_2
-    w528 = w247 * (w198 + w270)
-    w529 = 2 * (w527 - (rod_q1_dot * c120 + rod_q3_dot * c121 + rod_q5_dot * c122)) - (w528 - w243 * c60 - w64 * w245)
-    w530 = w529 + w414 * c3 + w415 * c291
-    w531 = w243 * (w198 + w214)
-    w532 = rod_q6_dot * c245 - (w531 - w95 * w245 - w247 * rod_rho_phi_3_1_0)
-    w533 = w245 * (w214 + w270)
-    w534 = w533 - w65 * w247 - w96 * w243 + w422 * c3 + w423 * c291
-    w535 = w401 * w526 + w249 * w403 + w405 * c292 - w345 * c291 + (w420 * w530 + w426 * w532 - w428 * w534)
-    w536 = w141 + w43 * w158
-    w537 = w227 + w54 * w536 + w158 * w230
-    w538 = w477 * rod_small_end_rotation_1_4 - (w26 * w536 + w39 * w158)
-    w539 = w207 + (w16 * w536 + w30 * w158)
-    w540 = w22 * w536 + w36 * w158 + w480 * rod_small_end_rotation_1_4
-    w541 = w303 + w257 * c12 + w1 * c293
-    w542 = rod_q2_dot * c123 + rod_q4_dot * c124 - (rod_q2_dot * rod_phi_phi_1_4_2_1 + rod_q4_dot * rod_phi_phi_3_4_2_1)
-    w543 = w247 * (w199 + w271)
-    w544 = 2 * w542 - (w543 - w180 * w243 - w245 * c81) - w409 * c12 - w410 * c293
-    w545 = w243 * (w199 + w215)
-    w546 = w422 * c12 - (w545 - w98 * w245 - w181 * w247) + w423 * c293
-    w547 = w245 * (w215 + w271)
-    w548 = rod_q6_dot * c246 - (w547 - w247 * rod_rho_phi_4_2_0 - w99 * w243)
-    w549 = w401 * w541 + w403 * c294 + w283 * w405 - w352 * c293 + (w420 * w544 + w426 * w546 + w428 * w548)
-    w550 = w145 + w43 * w161
-    w551 = w228 + w54 * w550 + w161 * w230
-    w552 = w494 * rod_small_end_rotation_0_5 - (w22 * w550 + w36 * w161)
-    w553 = w191 + (w26 * w550 + w39 * w161)
-    w554 = w16 * w550 + w30 * w161 + w477 * rod_small_end_rotation_0_5
-    w555 = rod_q2_dot * rod_phi_phi_1_5_2_0 + rod_q4_dot * rod_phi_phi_3_5_2_0 - (rod_q2_dot * rod_phi_phi_1_5_0_2 + rod_q4_dot * rod_phi_phi_3_5_0_2)
-    w556 = w243 * (w201 + w216)
-    w557 = 2 * w555 - (w556 - w245 * rod_rho_phi_5_1_2 - w185 * w247)
-    w558 = w247 * (w201 + w273)
-    w559 = w558 - w184 * w243 - w67 * w245
-    w560 = rod_q1_dot * rod_phi_phi_0_5_0_1 + rod_q3_dot * rod_phi_phi_2_5_0_1 + rod_q5_dot * rod_phi_phi_4_5_0_1
-    w561 = rod_q1_dot * rod_phi_phi_0_5_1_0 + rod_q3_dot * rod_phi_phi_2_5_1_0 + rod_q5_dot * rod_phi_phi_4_5_1_0
-    w562 = w245 * (w216 + w273)
-    w563 = 2 * (w560 - w561) - (w562 - w68 * w247 - w243 * rod_rho_phi_5_2_1)
-    w564 = w443 * w552 - (w429 * w553 + w438 * w554) + (w401 * c137 + w251 * w403 + w285 * w405 + (w426 * w557 - w420 * w559 + w428 * w563))
-    w565 = w310 / w10
-    w566 = w313 * w480 - w565
-    w567 = w316 * w480
-    w568 = w310 * w477
-    w569 = w567 + w568
-    w570 = w316 / w10
-    w571 = w313 * w477 + w570
-    w572 = w290 / w10
-    w573 = w480 * rod_small_end_x
-    w574 = w18 * w477
-    w575 = w573 - w574
-    w576 = rod_small_end_x / w10
-    w577 = w1 * w477 - w576
-    w578 = w264 * w480 - w572 + (w310 * w575 - w313 * w577)
-    w579 = w18 / w10
-    w580 = w1 * w480 - w579
-    w581 = w314 * w480
-    w582 = w290 * w477
-    w583 = w316 * w577 - w310 * w580 - (w581 + w582)
-    w584 = w314 / w10
-    w585 = w264 * w477 + w584 + (w313 * w580 - w316 * w575)
-    w586 = w317 * w566 - w291 * w569 - w311 * w571 - (w39 * w578 + w30 * w583 + w36 * w585)
-    w587 = w327 - w326
-    w588 = w586 * rod_small_end_rotation_1_0 + w587 * c10
-    w589 = w343 * w479 + w351 * w478
-    w590 = w340 * w478 + w343 * w481
-    w591 = w75 * w112
-    w592 = w591 / w10
-    w593 = w84 * w477
-    w594 = w80 * w480
-    w595 = w592 + (w593 + w594)
-    w596 = w73 * w75
-    w597 = w480 * w591
-    w598 = w596 - w597
-    w599 = w80 / w10
-    w600 = w598 + (w599 + w104 * w477)
-    w601 = w356 / w10
-    w602 = w18 * w595 + w1 * w600 + (w357 * w480 - w601)
-    w603 = w477 * w591
-    w604 = w75 * w77
-    w605 = w603 - w604
-    w606 = w84 / w10
-    w607 = w605 + (w104 * w480 - w606)
-    w608 = w359 * w480
-    w609 = w356 * w477
-    w610 = w600 * rod_small_end_x + w18 * w607 - (w608 + w609)
-    w611 = w359 / w10
-    w612 = w595 * rod_small_end_x - w1 * w607 + (w357 * w477 + w611)
-    w613 = w26 * w602 + w16 * w610 + w22 * w612
-    w614 = w26 * w104 - w16 * w80
-    w615 = (w613 * rod_small_end_rotation_1_0 + w614 * c10 + w152 * w394) / w55
-    w616 = rod_q6_ddot * rod_small_end_rotation_0_5
-    w617 = w75 * w616
-    w618 = 2 * w591
-    w619 = rod_q1_ddot * rod_small_end_rotation_1_0 + rod_q3_ddot * rod_small_end_rotation_1_2 + rod_q5_ddot * rod_small_end_rotation_1_4
-    w620 = rod_q2_ddot * rod_small_end_rotation_2_1 + rod_q4_ddot * rod_small_end_rotation_2_3
-    w621 = w75 * (w73**2 + w74**2 + w77**2 + (w3 * w616 + w4 * w619 + w2 * w620))
-    w622 = w480 * w621
-    w623 = w247 * w592
-    w624 = w617 - (w598 * w618 + w622) - (w623 + w243 * w605) + (w194 / w10 - w218 * w477 - w262 * w480)
-    w625 = w621 / w10 - w592 * w618
-    w626 = w245 * w605 - w247 * w598 - w625 + (w265 * w480 - (w266 * w477 + w287 / w10))
-    w627 = 2 * w595
-    w628 = 2 * -w600
-    w629 = w367 / w10
-    w630 = w1 * w624 - w18 * w626 + (w356 * w627 - w357 * w628) + (w368 * w480 - w629)
-    w631 = w245 * w592
-    w632 = w75 * w620
-    w633 = w477 * w621
-    w634 = w243 * w598 + w631 - (w632 + (w605 * w618 - w633)) + (w256 * w477 + w173 / w10 + w210 * w480)
-    w635 = 2 * -w607
-    w636 = w370 * w480
-    w637 = w367 * w477
-    w638 = w624 * rod_small_end_x + w18 * w634 + (w359 * w628 - w356 * w635) - (w636 + w637)
-    w639 = w370 / w10
-    w640 = w357 * w635 - w359 * w627 - (w1 * w634 + w626 * rod_small_end_x) + (w368 * w477 + w639)
-    w641 = w52 * w630 + w48 * w638 + w50 * w640
-    w642 = w52 * w210 + w48 * w265 - w50 * w262
-    w643 = w52 * w602 + w48 * w610 + w50 * w612
-    w644 = w52 * w104 - w48 * w80
-    w645 = (w643 * rod_small_end_rotation_1_0 + w644 * c10 - w134 * w362) / w42
-    w646 = w392 * w615 - ((w641 * rod_small_end_rotation_1_0 + w642 * c10 - w363 * w645 - w134 * w373) / w42 + w152 * w391)
-    w647 = w26 * w630 + w16 * w638 + w22 * w640
-    w648 = w26 * w210 + w16 * w265 - w22 * w262
-    w649 = (w647 * rod_small_end_rotation_1_0 + w648 * c10 + w396 * w615 + w152 * w397) / w55
-    w650 = w646 - w43 * w649
-    w651 = 2 * w615
-    w652 = w26 * w650 + w152 * w384 + w382 * w651 - w39 * w649 - w634 * rod_small_end_rotation_1_0
-    w653 = w16 * w650 + w152 * w375 + w377 * w651 - w30 * w649 - w626 * rod_small_end_rotation_1_0
-    w654 = w22 * w650 + w152 * w376 + w379 * w651 - w36 * w649 - w624 * rod_small_end_rotation_1_0
-    w655 = w645 + w152 * w390 + w43 * w615
-    w656 = w152 * w382 - w26 * w655 - w39 * w615 - w607 * rod_small_end_rotation_1_0
-    w657 = w152 * w377 - w16 * w655 - w30 * w615 + w595 * rod_small_end_rotation_1_0
-    w658 = w152 * w379 - w22 * w655 - w36 * w615 - w600 * rod_small_end_rotation_1_0
-    w659 = w346 * w589 + w332 * w590 + (w355 * w652 - w402 * w653 - w404 * w654) + (w418 * w656 - w425 * w657 - w427 * w658)
-    w660 = 2 * w267
-    w661 = 2 * w195
-    w662 = rod_q1_dot * rod_phi_phi_0_0_1_1 + rod_q3_dot * rod_phi_phi_0_2_1_1 + rod_q5_dot * rod_phi_phi_0_4_1_1
-    w663 = rod_q1_dot * c35 + rod_q3_dot * c42 + rod_q5_dot * c47
-    w664 = w176 * w218 + w194 * w660 - w88 * w262 - (w266 * c73 - w88 * w287 + w265 * w661) - w275 * c34 + (w247 * (w662 + w663) - w243 * (rod_q6_dot * rod_phi_phi_0_5_1_0))
-    w665 = rod_q2_ddot * rod_phi_phi_0_1_1_2 + rod_q4_ddot * rod_phi_phi_0_3_1_2 - (rod_q2_ddot * c110 + rod_q4_ddot * c120)
-    w666 = w288 + w257 * w262
-    w667 = w262 * rod_mass
-    w668 = w262 * c285
-    w669 = w265 * c285
-    w670 = w659 + (w664 + w665 - w666 * c10 + w289 * c10 - (w1 * w668 + w18 * w669))
-    w671 = w340 * w479 - w351 * w481
-    w672 = w589 * rod_first_moment_x - w332 * w671 + (w431 * w653 - w432 * w654 - w402 * w652) + (w435 * w657 - w436 * w658 - w437 * w656)
-    w673 = 2 * w211
-    w674 = rod_q1_dot * rod_phi_phi_0_0_0_0 + rod_q3_dot * rod_phi_phi_0_2_0_0 + rod_q5_dot * rod_phi_phi_0_4_0_0
-    w675 = w243 * (w663 + w674) - w245 * (rod_q2_dot * c110 + rod_q4_dot * c120) - w247 * (rod_q6_dot * rod_phi_phi_0_5_0_1)
-    w676 = w259 - w262 * c54 - w260
-    w677 = w236 * c34 + (w88 * w173 - w256 * c73 + w210 * w661 - (w218 * w673 + w176 * w194 - w262 * c73) + w676 * c10)
-    w678 = w210 * c285
-    w679 = w672 + (w675 + w677 - (w668 * rod_small_end_x - w18 * w678))
-    w680 = w590 * rod_first_moment_x + w346 * w671 + (w439 * w654 - w404 * w652 - w432 * w653) + (w440 * w658 - w441 * w656 - w442 * w657)
-    w681 = w245 * (w662 + w674) - w243 * (rod_q2_dot * rod_phi_phi_0_1_1_2 + rod_q4_dot * rod_phi_phi_0_3_1_2)
-    w682 = w266 * w673 - w176 * w287 + w265 * c73 - (w173 * w660 - w176 * w256 + w88 * w210) + w681 + rod_q6_ddot * c323
-    w683 = w265 * c54 + w210 * w257
-    w684 = w680 + (w682 - w683 * c10 - (w669 * rod_small_end_x + w1 * w678))
-    w685 = w446 * w652 - w448 * w653 + w449 * w654 + (w450 * w671 + w451 * w590 - w452 * w589) + (w453 * w656 + w454 * w657 + w455 * w658)
-    w686 = w447 * (w312 * w481 - w309 * w479 - w678) - w444 * (w669 + (w315 * w481 + w309 * w478)) + w445 * (w668 + (w312 * w478 + w315 * w479))
-    w687 = w40 * w602 + w34 * w610 + w37 * w612
-    w688 = w40 * w104 - w34 * w80
-    w689 = w461 * w475 - (w687 * rod_small_end_rotation_1_0 + w688 * c10) - w152 * w460 - (w54 * w655 + w230 * w615)
-    w690 = w40 * w630 + w34 * w638 + w37 * w640
-    w691 = w40 * w210 + w34 * w265 - w37 * w262
-    w692 = w464 * w475 - (w690 * rod_small_end_rotation_1_0 + w691 * c10) - w152 * w463 + (w466 * w615 - w465 * w655)
-    w693 = w40 * w566 - w34 * w569 + w37 * w571
-    w694 = (w692 + (w54 * w650 - w230 * w649)) * slider_mass + (w152 * w473 - w472 * w475 + w693 * rod_small_end_rotation_1_0)
-    w695 = w689 * guide_damping + w694
-    w696 = w26 * w578 + w16 * w583 + w22 * w585 + (w319 * w566 + w321 * w569 + w325 * w571)
-    w697 = w471 - w470
-    w698 = w152 * w329 + w696 * rod_small_end_rotation_1_0 + w697 * c10
-    w699 = w56 * w588 - (w331 * w670 + w347 * w679 + w344 * w684 + (w685 + w686) + w459 * w695 + w60 * w698)
-    w700 = w482 * w652 + w653 * c286 + w281 * w654 + w589 * c285 + (w485 * w656 + w487 * w657 + w489 * w658)
-    w701 = w264 + (w18 * w316 + w310 * rod_small_end_x)
-    w702 = w290 - (w313 * rod_small_end_x + w1 * w316)
-    w703 = w314 + (w1 * w310 - w18 * w313)
-    w704 = (w701 + (w3 * w702 - w2 * w703) * 0.5) / w10
-    w705 = w78 * w704
-    w706 = w705 * rod_small_end_rotation_1_0 - w571 * c10
-    w707 = w478 * w670 - w479 * w679 - w481 * w684 + w700 + w706 * rod_small_end_rotation_1_0 - (w256 * rod_phi_phi_0_0_0_0 + (w287 * rod_phi_phi_0_0_1_1 + w262 * c295))
-    w708 = w497 * w652 + w248 * w653 + w654 * c288 - w590 * c287 + (w501 * w656 + w503 * w657 - w505 * w658)
-    w709 = w313 * w494
-    w710 = w567 + w709
-    w711 = w75 * w703
-    w712 = (w702 + (w4 * w703 - w3 * w701) * 0.5) / w10
-    w713 = w711 - w78 * w712
-    w714 = w710 * c10 - w713 * rod_small_end_rotation_1_0
-    w715 = w493 * w679 - w495 * w670 - w496 * w684 + w708 + w714 * rod_small_end_rotation_2_1 + (w194 * rod_phi_phi_0_1_1_2 + w265 * c296)
-    w716 = w512 * w652 + w653 * c290 + w282 * w654 + w589 * c289 + (w515 * w656 + w517 * w657 + w519 * w658)
-    w717 = w509 * w670 - w510 * w679 - w511 * w684 + w716 + w706 * rod_small_end_rotation_1_2 - (w256 * rod_phi_phi_0_2_0_0 + (w287 * rod_phi_phi_0_2_1_1 + w262 * c297))
-    w718 = w526 * w652 + w249 * w653 + w654 * c292 - w590 * c291 + (w530 * w656 + w532 * w657 - w534 * w658)
-    w719 = w523 * w679 - w524 * w670 - w525 * w684 + w718 + w714 * rod_small_end_rotation_2_3 + (w194 * rod_phi_phi_0_3_1_2 + w265 * c298)
-    w720 = w541 * w652 + w653 * c294 + w283 * w654 + w589 * c293 + (w544 * w656 + w546 * w657 + w548 * w658)
-    w721 = w538 * w670 - w539 * w679 - w540 * w684 + w720 + w706 * rod_small_end_rotation_1_4 - (w256 * rod_phi_phi_0_4_0_0 + (w287 * rod_phi_phi_0_4_1_1 + w262 * c299))
-    w722 = w552 * w684 - (w553 * w670 + w554 * w679) + (w652 * c137 + w251 * w653 + w285 * w654 + (w557 * w657 - w559 * w656 + w563 * w658))
-    w723 = w75 * w702
-    w724 = (w703 + (w2 * w701 - w4 * w702) * 0.5) / w10
-    w725 = w723 + w78 * w724
-    w726 = w313 / w10
-    w727 = w316 * w477
-    w728 = w726 - w727
-    w729 = w722 + (w725 * rod_small_end_rotation_1_0 + w728 * c10) * rod_small_end_rotation_0_5 + (w173 * rod_phi_phi_0_5_1_0 + w266 * rod_phi_phi_0_5_0_1)
-    w730 = w726 + w310 * w480
-    w731 = w310 * w494
-    w732 = w731 - w570
-    w733 = w264 / w10
-    w734 = w576 + w18 * w494
-    w735 = w1 * w494
-    w736 = w573 - w735
-    w737 = w290 * w480 + w733 + (w310 * w734 - w313 * w736)
-    w738 = w1 / w10
-    w739 = w18 * w480 + w738
-    w740 = w290 * w494 - w584 + (w316 * w736 - w310 * w739)
-    w741 = w264 * w494
-    w742 = w313 * w739 - w316 * w734 - (w581 + w741)
-    w743 = w317 * w730 + w291 * w732 + w311 * w710 - (w39 * w737 + w30 * w740 + w36 * w742)
-    w744 = w323 - w322
-    w745 = w743 * rod_small_end_rotation_2_1 + w744 * c2
-    w746 = w343 * w496 - w340 * w495
-    w747 = w343 * w493 + w351 * w495
-    w748 = w357 / w10
-    w749 = w597 - w596
-    w750 = w749 + (w84 * w494 - w599)
-    w751 = w104 * w494
-    w752 = w592 + (w594 + w751)
-    w753 = w356 * w480 + w748 - (w18 * w750 + w1 * w752)
-    w754 = w74 * w75
-    w755 = w494 * w591
-    w756 = w754 - w755
-    w757 = w104 / w10
-    w758 = w756 + (w757 + w84 * w480)
-    w759 = w18 * w758 - w752 * rod_small_end_x + (w356 * w494 - w611)
-    w760 = w357 * w494
-    w761 = w1 * w758 + w750 * rod_small_end_x + (w608 + w760)
-    w762 = w26 * w753 + w16 * w759 - w22 * w761
-    w763 = w22 * w80 - w26 * w84
-    w764 = (w762 * rod_small_end_rotation_2_1 + w763 * c2 + w155 * w394) / w55
-    w765 = w247 * w749 - w243 * w756 - w625 + (w218 * w494 - w194 * w480 - w262 / w10)
-    w766 = w623 + w245 * w756 - (w617 + (w618 * w749 - w622)) + (w266 * w494 + w287 * w480 + w265 / w10)
-    w767 = 2 * -w750
-    w768 = 2 * w752
-    w769 = w368 / w10
-    w770 = w1 * w765 - w18 * w766 + (w356 * w767 - w357 * w768) + (w367 * w480 + w769)
-    w771 = w75 * w619
-    w772 = w494 * w621
-    w773 = w243 * w592
-    w774 = w771 - (w618 * w756 + w772) - (w773 + w245 * w749) + (w210 / w10 - (w256 * w494 + w173 * w480))
-    w775 = 2 * -w758
-    w776 = w765 * rod_small_end_x + w18 * w774 + (w359 * w768 - w356 * w775) + (w367 * w494 - w639)
-    w777 = w368 * w494
-    w778 = w357 * w775 - w359 * w767 - (w1 * w774 + w766 * rod_small_end_x) - (w636 + w777)
-    w779 = w52 * w770 + w48 * w776 + w50 * w778
-    w780 = w52 * w173 - w48 * w287 + w50 * w194
-    w781 = w52 * w753 + w48 * w759 - w50 * w761
-    w782 = w50 * w80 - w52 * w84
-    w783 = (w781 * rod_small_end_rotation_2_1 + w782 * c2 - w138 * w362) / w42
-    w784 = w392 * w764 - ((w779 * rod_small_end_rotation_2_1 + w780 * c2 - w363 * w783 - w138 * w373) / w42 + w155 * w391)
-    w785 = w26 * w770 + w16 * w776 + w22 * w778
-    w786 = w26 * w173 - w16 * w287 + w22 * w194
-    w787 = (w785 * rod_small_end_rotation_2_1 + w786 * c2 + w396 * w764 + w155 * w397) / w55
-    w788 = w784 - w43 * w787
-    w789 = 2 * w764
-    w790 = w26 * w788 + w155 * w384 + w382 * w789 - w39 * w787 - w774 * rod_small_end_rotation_2_1
-    w791 = w16 * w788 + w155 * w375 + w377 * w789 - w30 * w787 - w766 * rod_small_end_rotation_2_1
-    w792 = w22 * w788 + w155 * w376 + w379 * w789 - w36 * w787 - w765 * rod_small_end_rotation_2_1
-    w793 = w783 + w155 * w390 + w43 * w764
-    w794 = w155 * w382 - w26 * w793 - w39 * w764 - w758 * rod_small_end_rotation_2_1
-    w795 = w155 * w377 - w16 * w793 - w30 * w764 - w750 * rod_small_end_rotation_2_1
-    w796 = w155 * w379 - w22 * w793 - w36 * w764 + w752 * rod_small_end_rotation_2_1
-    w797 = w332 * w746 - w346 * w747 + (w355 * w790 - w402 * w791 - w404 * w792) + (w418 * w794 - w425 * w795 - w427 * w796)
-    w798 = 2 * w268
-    w799 = 2 * w196
-    w800 = rod_q2_dot * c20 + rod_q4_dot * c27
-    w801 = rod_q2_dot * rod_phi_phi_1_1_2_2
-    w802 = rod_q1_ddot * rod_phi_phi_1_0_2_1 + rod_q3_ddot * rod_phi_phi_1_2_2_1 + rod_q5_ddot * rod_phi_phi_1_4_2_1
-    w803 = w261 + w219 * w287 - w263
-    w804 = w237 * c19 + (w218 * c57 + w194 * w798 - w91 * w262 - (w63 * w266 - w91 * w287 + w265 * w799) + w803 * c2)
-    w805 = rod_q1_ddot * c103 + rod_q3_ddot * c113 + rod_q5_ddot * c123 - w802 + (w247 * (w800 + w801) - w245 * (rod_q6_dot * rod_phi_phi_1_5_2_0) + w804)
-    w806 = w194 * c287
-    w807 = w287 * c287
-    w808 = w797 + (w805 + (w1 * w806 + w18 * w807))
-    w809 = w351 * w496 + w340 * w493
-    w810 = w332 * w809 - w747 * rod_first_moment_x + (w431 * w791 - w432 * w792 - w402 * w790) + (w435 * w795 - w436 * w796 - w437 * w794)
-    w811 = 2 * w212
-    w812 = rod_q2_dot * rod_phi_phi_1_1_0_0 + rod_q4_dot * rod_phi_phi_1_3_0_0
-    w813 = rod_q1_dot * rod_phi_phi_1_0_2_1 + rod_q3_dot * rod_phi_phi_1_2_2_1 + rod_q5_dot * rod_phi_phi_1_4_2_1
-    w814 = w91 * w173 - w63 * w256 + w210 * w799 - (w218 * w811 + w194 * c57 - w63 * w262) + (w243 * (w801 + w812) - w245 * w813)
-    w815 = w173 * w219 + w194 * c54
-    w816 = w173 * c287
-    w817 = w810 + (w814 + rod_q6_ddot * c328 + w815 * c2 + (w18 * w816 + w806 * rod_small_end_x))
-    w818 = w746 * rod_first_moment_x - w346 * w809 + (w439 * w792 - w404 * w790 - w432 * w791) + (w440 * w796 - w441 * w794 - w442 * w795)
-    w819 = w245 * (w800 + w812) - w247 * (rod_q6_dot * rod_phi_phi_1_5_0_2) - w243 * (rod_q1_dot * c103 + rod_q3_dot * c113 + rod_q5_dot * c123)
-    w820 = w260 + (w287 * c54 - w258)
-    w821 = w266 * w811 - w287 * c57 + w63 * w265 - (w173 * w798 - w256 * c57 + w91 * w210) - w236 * c19 + w820 * c2
-    w822 = w818 + (w819 + w821 - (w1 * w816 - w807 * rod_small_end_x))
-    w823 = w446 * w790 - w448 * w791 + w449 * w792 + (w451 * w746 - w450 * w809 + w452 * w747) + (w453 * w794 + w454 * w795 + w455 * w796)
-    w824 = w444 * (w807 + (w309 * w495 - w315 * w496)) - w447 * (w816 - (w309 * w493 + w312 * w496)) - w445 * (w806 + (w312 * w495 + w315 * w493))
-    w825 = w40 * w753 + w34 * w759 - w37 * w761
-    w826 = w37 * w80 - w40 * w84
-    w827 = w461 * w491 - (w825 * rod_small_end_rotation_2_1 + w826 * c2) - w155 * w460 - (w54 * w793 + w230 * w764)
-    w828 = w40 * w770 + w34 * w776 + w37 * w778
-    w829 = w40 * w173 - w34 * w287 + w37 * w194
-    w830 = w464 * w491 - (w828 * rod_small_end_rotation_2_1 + w829 * c2) - w155 * w463 + (w466 * w764 - w465 * w793)
-    w831 = w40 * w730 + w34 * w732 - w37 * w710
-    w832 = (w830 + (w54 * w788 - w230 * w787)) * slider_mass + (w155 * w473 - w472 * w491 + w831 * rod_small_end_rotation_2_1)
-    w833 = w827 * guide_damping + w832
-    w834 = w26 * w737 + w16 * w740 + w22 * w742 + (w319 * w730 - w321 * w732 - w325 * w710)
-    w835 = w469 - w468
-    w836 = w155 * w329 + w834 * rod_small_end_rotation_2_1 + w835 * c2
-    w837 = w56 * w745 - (w331 * w808 + w347 * w817 + w344 * w822 + (w823 + w824) + w459 * w833 + w60 * w836)
-    w838 = w482 * w790 + w791 * c286 + w281 * w792 - w747 * c285 + (w485 * w794 + w487 * w795 + w489 * w796)
-    w839 = w711 + w76 * w704
-    w840 = w839 * rod_small_end_rotation_2_1 + w569 * c2
-    w841 = w478 * w808 - w479 * w817 - w481 * w822 + w838 + w840 * rod_small_end_rotation_1_0 + (w265 * rod_phi_phi_1_0_2_1 + w194 * c300)
-    w842 = w497 * w790 + w248 * w791 + w792 * c288 - w746 * c287 + (w501 * w794 + w503 * w795 - w505 * w796)
-    w843 = w76 * w712
-    w844 = w570 - w731
-    w845 = w843 * rod_small_end_rotation_2_1 + w844 * c2
-    w846 = w493 * w817 - w495 * w808 - w496 * w822 + w842 + w845 * rod_small_end_rotation_2_1 - (w256 * rod_phi_phi_1_1_0_0 + (w262 * rod_phi_phi_1_1_2_2 + w287 * c301))
-    w847 = w512 * w790 + w791 * c290 + w282 * w792 - w747 * c289 + (w515 * w794 + w517 * w795 + w519 * w796)
-    w848 = w509 * w808 - w510 * w817 - w511 * w822 + w847 + w840 * rod_small_end_rotation_1_2 + (w265 * rod_phi_phi_1_2_2_1 + w194 * c302)
-    w849 = w526 * w790 + w249 * w791 + w792 * c292 - w746 * c291 + (w530 * w794 + w532 * w795 - w534 * w796)
-    w850 = w523 * w817 - w524 * w808 - w525 * w822 + w849 + w845 * rod_small_end_rotation_2_3 - (w256 * rod_phi_phi_1_3_0_0 + w287 * c303)
-    w851 = w541 * w790 + w791 * c294 + w283 * w792 - w747 * c293 + (w544 * w794 + w546 * w795 + w548 * w796)
-    w852 = w538 * w808 - w539 * w817 - w540 * w822 + w851 + w840 * rod_small_end_rotation_1_4 + (w265 * rod_phi_phi_1_4_2_1 + w194 * c304)
-    w853 = w552 * w822 - (w553 * w808 + w554 * w817) + (w790 * c137 + w251 * w791 + w285 * w792 + (w557 * w795 - w559 * w794 + w563 * w796))
-    w854 = w75 * w701
-    w855 = w854 - w76 * w724
-    w856 = w565 + w316 * w494
-    w857 = w853 - (w855 * rod_small_end_rotation_2_1 + w856 * c2) * rod_small_end_rotation_0_5 + (w210 * rod_phi_phi_1_5_2_0 + w218 * rod_phi_phi_1_5_0_2)
-    w858 = w586 * rod_small_end_rotation_1_2 + w587 * c11
-    w859 = w343 * w510 + w351 * w509
-    w860 = w340 * w509 + w343 * w511
-    w861 = (w613 * rod_small_end_rotation_1_2 + w614 * c11 + w156 * w394) / w55
-    w862 = (w643 * rod_small_end_rotation_1_2 + w644 * c11 - w139 * w362) / w42
-    w863 = w392 * w861 - ((w641 * rod_small_end_rotation_1_2 + w642 * c11 - w363 * w862 - w139 * w373) / w42 + w156 * w391)
-    w864 = (w647 * rod_small_end_rotation_1_2 + w648 * c11 + w396 * w861 + w156 * w397) / w55
-    w865 = w863 - w43 * w864
-    w866 = 2 * w861
-    w867 = w26 * w865 + w156 * w384 + w382 * w866 - w39 * w864 - w634 * rod_small_end_rotation_1_2
-    w868 = w16 * w865 + w156 * w375 + w377 * w866 - w30 * w864 - w626 * rod_small_end_rotation_1_2
-    w869 = w22 * w865 + w156 * w376 + w379 * w866 - w36 * w864 - w624 * rod_small_end_rotation_1_2
-    w870 = w862 + w156 * w390 + w43 * w861
-    w871 = w156 * w382 - w26 * w870 - w39 * w861 - w607 * rod_small_end_rotation_1_2
-    w872 = w156 * w377 - w16 * w870 - w30 * w861 + w595 * rod_small_end_rotation_1_2
-    w873 = w156 * w379 - w22 * w870 - w36 * w861 - w600 * rod_small_end_rotation_1_2
-    w874 = w346 * w859 + w332 * w860 + (w355 * w867 - w402 * w868 - w404 * w869) + (w418 * w871 - w425 * w872 - w427 * w873)
-    w875 = 2 * w269
-    w876 = 2 * w197
-    w877 = rod_q1_dot * rod_phi_phi_2_0_1_1 + rod_q3_dot * rod_phi_phi_2_2_1_1 + rod_q5_dot * rod_phi_phi_2_4_1_1
-    w878 = rod_q1_dot * c37 + rod_q3_dot * c43 + rod_q5_dot * c49
-    w879 = w179 * w218 + w194 * w875 - w94 * w262 - (w266 * c78 - w94 * w287 + w265 * w876) - w275 * c36 + (w247 * (w877 + w878) - w243 * (rod_q6_dot * rod_phi_phi_2_5_1_0))
-    w880 = rod_q2_ddot * rod_phi_phi_2_1_1_2 + rod_q4_ddot * rod_phi_phi_2_3_1_2 - (rod_q2_ddot * c111 + rod_q4_ddot * c121)
-    w881 = w262 * c36 + w667 * c11
-    w882 = w265 * c289
-    w883 = w874 + (w879 + w880 - w666 * c11 + w289 * c11 - (w1 * w881 + w18 * w882))
-    w884 = w340 * w510 - w351 * w511
-    w885 = w859 * rod_first_moment_x - w332 * w884 + (w431 * w868 - w432 * w869 - w402 * w867) + (w435 * w872 - w436 * w873 - w437 * w871)
-    w886 = 2 * w213
-    w887 = rod_q1_dot * rod_phi_phi_2_0_0_0 + rod_q3_dot * rod_phi_phi_2_2_0_0 + rod_q5_dot * rod_phi_phi_2_4_0_0
-    w888 = w243 * (w878 + w887) - w245 * (rod_q2_dot * c111 + rod_q4_dot * c121) - w247 * (rod_q6_dot * rod_phi_phi_2_5_0_1)
-    w889 = w236 * c36 + (w94 * w173 - w256 * c78 + w210 * w876 - (w218 * w886 + w179 * w194 - w262 * c78) + w676 * c11)
-    w890 = w210 * c289
-    w891 = w885 + (w888 + w889 - (w881 * rod_small_end_x - w18 * w890))
-    w892 = w860 * rod_first_moment_x + w346 * w884 + (w439 * w869 - w404 * w867 - w432 * w868) + (w440 * w873 - w441 * w871 - w442 * w872)
-    w893 = w245 * (w877 + w887) - w243 * (rod_q2_dot * rod_phi_phi_2_1_1_2 + rod_q4_dot * rod_phi_phi_2_3_1_2)
-    w894 = w266 * w886 - w179 * w287 + w265 * c78 - (w173 * w875 - w179 * w256 + w94 * w210) + w893 + rod_q6_ddot * c332
-    w895 = w892 + (w894 - w683 * c11 - (w882 * rod_small_end_x + w1 * w890))
-    w896 = w446 * w867 - w448 * w868 + w449 * w869 + (w450 * w884 + w451 * w860 - w452 * w859) + (w453 * w871 + w454 * w872 + w455 * w873)
-    w897 = w447 * (w312 * w511 - w309 * w510 - w890) - w444 * (w882 + (w315 * w511 + w309 * w509)) + w445 * (w881 + (w312 * w509 + w315 * w510))
-    w898 = w461 * w507 - (w687 * rod_small_end_rotation_1_2 + w688 * c11) - w156 * w460 - (w54 * w870 + w230 * w861)
-    w899 = w464 * w507 - (w690 * rod_small_end_rotation_1_2 + w691 * c11) - w156 * w463 + (w466 * w861 - w465 * w870)
-    w900 = (w899 + (w54 * w865 - w230 * w864)) * slider_mass + (w156 * w473 - w472 * w507 + w693 * rod_small_end_rotation_1_2)
-    w901 = w898 * guide_damping + w900
-    w902 = w156 * w329 + w696 * rod_small_end_rotation_1_2 + w697 * c11
-    w903 = w56 * w858 - (w331 * w883 + w347 * w891 + w344 * w895 + (w896 + w897) + w459 * w901 + w60 * w902)
-    w904 = w482 * w867 + w868 * c286 + w281 * w869 + w859 * c285 + (w485 * w871 + w487 * w872 + w489 * w873)
-    w905 = w705 * rod_small_end_rotation_1_2 - w571 * c11
-    w906 = w478 * w883 - w479 * w891 - w481 * w895 + w904 + w905 * rod_small_end_rotation_1_0 - (w287 * rod_phi_phi_2_0_1_1 + (w256 * rod_phi_phi_2_0_0_0 + w262 * c305) + w881 * c10)
-    w907 = w497 * w867 + w248 * w868 + w869 * c288 - w860 * c287 + (w501 * w871 + w503 * w872 - w505 * w873)
-    w908 = w710 * c11 - w713 * rod_small_end_rotation_1_2
-    w909 = w493 * w891 - w495 * w883 - w496 * w895 + w907 + w908 * rod_small_end_rotation_2_1 + (w194 * rod_phi_phi_2_1_1_2 + w265 * c306)
-    w910 = w512 * w867 + w868 * c290 + w282 * w869 + w859 * c289 + (w515 * w871 + w517 * w872 + w519 * w873)
-    w911 = w509 * w883 - w510 * w891 - w511 * w895 + w910 + w905 * rod_small_end_rotation_1_2 - (w287 * rod_phi_phi_2_2_1_1 + (w256 * rod_phi_phi_2_2_0_0 + w262 * c307) + w881 * c11)
-    w912 = w526 * w867 + w249 * w868 + w869 * c292 - w860 * c291 + (w530 * w871 + w532 * w872 - w534 * w873)
-    w913 = w523 * w891 - w524 * w883 - w525 * w895 + w912 + w908 * rod_small_end_rotation_2_3 + (w194 * rod_phi_phi_2_3_1_2 + w265 * c308)
-    w914 = w541 * w867 + w868 * c294 + w283 * w869 + w859 * c293 + (w544 * w871 + w546 * w872 + w548 * w873)
-    w915 = w538 * w883 - w539 * w891 - w540 * w895 + w914 + w905 * rod_small_end_rotation_1_4 - (w287 * rod_phi_phi_2_4_1_1 + (w256 * rod_phi_phi_2_4_0_0 + w262 * c309) + w881 * c12)
-    w916 = w552 * w895 - (w553 * w883 + w554 * w891) + (w867 * c137 + w251 * w868 + w285 * w869 + (w557 * w872 - w559 * w871 + w563 * w873))
-    w917 = w916 + (w725 * rod_small_end_rotation_1_2 + w728 * c11) * rod_small_end_rotation_0_5 + (w173 * rod_phi_phi_2_5_1_0 + w266 * rod_phi_phi_2_5_0_1)
-    w918 = w743 * rod_small_end_rotation_2_3 + w744 * c3
-    w919 = w343 * w525 - w340 * w524
-    w920 = w343 * w523 + w351 * w524
-    w921 = (w762 * rod_small_end_rotation_2_3 + w763 * c3 + w157 * w394) / w55
-    w922 = (w781 * rod_small_end_rotation_2_3 + w782 * c3 - w140 * w362) / w42
-    w923 = w392 * w921 - ((w779 * rod_small_end_rotation_2_3 + w780 * c3 - w363 * w922 - w140 * w373) / w42 + w157 * w391)
-    w924 = (w785 * rod_small_end_rotation_2_3 + w786 * c3 + w396 * w921 + w157 * w397) / w55
-    w925 = w923 - w43 * w924
-    w926 = 2 * w921
-    w927 = w26 * w925 + w157 * w384 + w382 * w926 - w39 * w924 - w774 * rod_small_end_rotation_2_3
-    w928 = w16 * w925 + w157 * w375 + w377 * w926 - w30 * w924 - w766 * rod_small_end_rotation_2_3
-    w929 = w22 * w925 + w157 * w376 + w379 * w926 - w36 * w924 - w765 * rod_small_end_rotation_2_3
-    w930 = w922 + w157 * w390 + w43 * w921
-    w931 = w157 * w382 - w26 * w930 - w39 * w921 - w758 * rod_small_end_rotation_2_3
-    w932 = w157 * w377 - w16 * w930 - w30 * w921 - w750 * rod_small_end_rotation_2_3
-    w933 = w157 * w379 - w22 * w930 - w36 * w921 + w752 * rod_small_end_rotation_2_3
-    w934 = w332 * w919 - w346 * w920 + (w355 * w927 - w402 * w928 - w404 * w929) + (w418 * w931 - w425 * w932 - w427 * w933)
-    w935 = 2 * w270
-    w936 = 2 * w198
-    w937 = rod_q2_dot * c22 + rod_q4_dot * c28
-    w938 = rod_q4_dot * rod_phi_phi_3_3_2_2
-    w939 = rod_q1_ddot * rod_phi_phi_3_0_2_1 + rod_q3_ddot * rod_phi_phi_3_2_2_1 + rod_q5_ddot * rod_phi_phi_3_4_2_1
-    w940 = w237 * c21 + (w218 * c62 + w194 * w935 - w97 * w262 - (w66 * w266 - w97 * w287 + w265 * w936) + w803 * c3)
-    w941 = rod_q1_ddot * c104 + rod_q3_ddot * c114 + rod_q5_ddot * c124 - w939 + (w247 * (w937 + w938) - w245 * (rod_q6_dot * rod_phi_phi_3_5_2_0) + w940)
-    w942 = w194 * c291
-    w943 = w287 * c21 + w287 * rod_mass * c3
-    w944 = w934 + (w941 + (w1 * w942 + w18 * w943))
-    w945 = w351 * w525 + w340 * w523
-    w946 = w332 * w945 - w920 * rod_first_moment_x + (w431 * w928 - w432 * w929 - w402 * w927) + (w435 * w932 - w436 * w933 - w437 * w931)
-    w947 = 2 * w214
-    w948 = rod_q2_dot * rod_phi_phi_3_1_0_0 + rod_q4_dot * rod_phi_phi_3_3_0_0
-    w949 = rod_q1_dot * rod_phi_phi_3_0_2_1 + rod_q3_dot * rod_phi_phi_3_2_2_1 + rod_q5_dot * rod_phi_phi_3_4_2_1
-    w950 = w97 * w173 - w66 * w256 + w210 * w936 - (w218 * w947 + w194 * c62 - w66 * w262) + (w243 * (w938 + w948) - w245 * w949)
-    w951 = w173 * c291
-    w952 = w946 + (w950 + rod_q6_ddot * c337 + w815 * c3 + (w18 * w951 + w942 * rod_small_end_x))
-    w953 = w919 * rod_first_moment_x - w346 * w945 + (w439 * w929 - w404 * w927 - w432 * w928) + (w440 * w933 - w441 * w931 - w442 * w932)
-    w954 = w245 * (w937 + w948) - w247 * (rod_q6_dot * rod_phi_phi_3_5_0_2) - w243 * (rod_q1_dot * c104 + rod_q3_dot * c114 + rod_q5_dot * c124)
-    w955 = w266 * w947 - w287 * c62 + w66 * w265 - (w173 * w935 - w256 * c62 + w97 * w210) - w236 * c21 + w820 * c3
-    w956 = w953 + (w954 + w955 - (w1 * w951 - w943 * rod_small_end_x))
-    w957 = w446 * w927 - w448 * w928 + w449 * w929 + (w451 * w919 - w450 * w945 + w452 * w920) + (w453 * w931 + w454 * w932 + w455 * w933)
-    w958 = w444 * (w943 + (w309 * w524 - w315 * w525)) - w447 * (w951 - (w309 * w523 + w312 * w525)) - w445 * (w942 + (w312 * w524 + w315 * w523))
-    w959 = w461 * w521 - (w825 * rod_small_end_rotation_2_3 + w826 * c3) - w157 * w460 - (w54 * w930 + w230 * w921)
-    w960 = w464 * w521 - (w828 * rod_small_end_rotation_2_3 + w829 * c3) - w157 * w463 + (w466 * w921 - w465 * w930)
-    w961 = (w960 + (w54 * w925 - w230 * w924)) * slider_mass + (w157 * w473 - w472 * w521 + w831 * rod_small_end_rotation_2_3)
-    w962 = w959 * guide_damping + w961
-    w963 = w157 * w329 + w834 * rod_small_end_rotation_2_3 + w835 * c3
-    w964 = w56 * w918 - (w331 * w944 + w347 * w952 + w344 * w956 + (w957 + w958) + w459 * w962 + w60 * w963)
-    w965 = w482 * w927 + w928 * c286 + w281 * w929 - w920 * c285 + (w485 * w931 + w487 * w932 + w489 * w933)
-    w966 = w839 * rod_small_end_rotation_2_3 + w569 * c3
-    w967 = w478 * w944 - w479 * w952 - w481 * w956 + w965 + w966 * rod_small_end_rotation_1_0 + (w265 * rod_phi_phi_3_0_2_1 + w194 * c310)
-    w968 = w497 * w927 + w248 * w928 + w929 * c288 - w919 * c287 + (w501 * w931 + w503 * w932 - w505 * w933)
-    w969 = w843 * rod_small_end_rotation_2_3 + w844 * c3
-    w970 = w493 * w952 - w495 * w944 - w496 * w956 + w968 + w969 * rod_small_end_rotation_2_1 - (w256 * rod_phi_phi_3_1_0_0 + w287 * c311 + w943 * c2)
-    w971 = w512 * w927 + w928 * c290 + w282 * w929 - w920 * c289 + (w515 * w931 + w517 * w932 + w519 * w933)
-    w972 = w509 * w944 - w510 * w952 - w511 * w956 + w971 + w966 * rod_small_end_rotation_1_2 + (w265 * rod_phi_phi_3_2_2_1 + w194 * c312)
-    w973 = w526 * w927 + w249 * w928 + w929 * c292 - w919 * c291 + (w530 * w931 + w532 * w932 - w534 * w933)
-    w974 = w523 * w952 - w524 * w944 - w525 * w956 + w973 + w969 * rod_small_end_rotation_2_3 - (w262 * rod_phi_phi_3_3_2_2 + (w256 * rod_phi_phi_3_3_0_0 + w287 * c313) + w943 * c3)
-    w975 = w541 * w927 + w928 * c294 + w283 * w929 - w920 * c293 + (w544 * w931 + w546 * w932 + w548 * w933)
-    w976 = w538 * w944 - w539 * w952 - w540 * w956 + w975 + w966 * rod_small_end_rotation_1_4 + (w265 * rod_phi_phi_3_4_2_1 + w194 * c314)
-    w977 = w552 * w956 - (w553 * w944 + w554 * w952) + (w927 * c137 + w251 * w928 + w285 * w929 + (w557 * w932 - w559 * w931 + w563 * w933))
-    w978 = w977 - (w855 * rod_small_end_rotation_2_3 + w856 * c3) * rod_small_end_rotation_0_5 + (w210 * rod_phi_phi_3_5_2_0 + w218 * rod_phi_phi_3_5_0_2)
-    w979 = w586 * rod_small_end_rotation_1_4 + w587 * c12
-    w980 = w343 * w539 + w351 * w538
-    w981 = w340 * w538 + w343 * w540
-    w982 = (w613 * rod_small_end_rotation_1_4 + w614 * c12 + w158 * w394) / w55
-    w983 = (w643 * rod_small_end_rotation_1_4 + w644 * c12 - w141 * w362) / w42
-    w984 = w392 * w982 - ((w641 * rod_small_end_rotation_1_4 + w642 * c12 - w363 * w983 - w141 * w373) / w42 + w158 * w391)
-    w985 = (w647 * rod_small_end_rotation_1_4 + w648 * c12 + w396 * w982 + w158 * w397) / w55
-    w986 = w984 - w43 * w985
-    w987 = 2 * w982
-    w988 = w26 * w986 + w158 * w384 + w382 * w987 - w39 * w985 - w634 * rod_small_end_rotation_1_4
-    w989 = w16 * w986 + w158 * w375 + w377 * w987 - w30 * w985 - w626 * rod_small_end_rotation_1_4
-    w990 = w22 * w986 + w158 * w376 + w379 * w987 - w36 * w985 - w624 * rod_small_end_rotation_1_4
-    w991 = w983 + w158 * w390 + w43 * w982
-    w992 = w158 * w382 - w26 * w991 - w39 * w982 - w607 * rod_small_end_rotation_1_4
-    w993 = w158 * w377 - w16 * w991 - w30 * w982 + w595 * rod_small_end_rotation_1_4
-    w994 = w158 * w379 - w22 * w991 - w36 * w982 - w600 * rod_small_end_rotation_1_4
-    w995 = w346 * w980 + w332 * w981 + (w355 * w988 - w402 * w989 - w404 * w990) + (w418 * w992 - w425 * w993 - w427 * w994)
-    w996 = 2 * w271
-    w997 = 2 * w199
-    w998 = rod_q1_dot * rod_phi_phi_4_0_1_1 + rod_q3_dot * rod_phi_phi_4_2_1_1 + rod_q5_dot * rod_phi_phi_4_4_1_1
-    w999 = rod_q1_dot * c39 + rod_q3_dot * c44 + rod_q5_dot * c50
-    w1000 = w182 * w218 + w194 * w996 - w100 * w262 - (w266 * c83 - w100 * w287 + w265 * w997) - w275 * c38 + (w247 * (w998 + w999) - w243 * (rod_q6_dot * rod_phi_phi_4_5_1_0))
-    w1001 = rod_q2_ddot * rod_phi_phi_4_1_1_2 + rod_q4_ddot * rod_phi_phi_4_3_1_2 - (rod_q2_ddot * c112 + rod_q4_ddot * c122)
-    w1002 = w262 * c38 + w667 * c12
-    w1003 = w265 * c293
-    w1004 = w995 + (w1000 + w1001 - w666 * c12 + w289 * c12 - (w1 * w1002 + w18 * w1003))
-    w1005 = w340 * w539 - w351 * w540
-    w1006 = w980 * rod_first_moment_x - w332 * w1005 + (w431 * w989 - w432 * w990 - w402 * w988) + (w435 * w993 - w436 * w994 - w437 * w992)
-    w1007 = 2 * w215
-    w1008 = rod_q1_dot * rod_phi_phi_4_0_0_0 + rod_q3_dot * rod_phi_phi_4_2_0_0 + rod_q5_dot * rod_phi_phi_4_4_0_0
-    w1009 = w243 * (w999 + w1008) - w245 * (rod_q2_dot * c112 + rod_q4_dot * c122) - w247 * (rod_q6_dot * rod_phi_phi_4_5_0_1)
-    w1010 = w236 * c38 + (w100 * w173 - w256 * c83 + w210 * w997 - (w218 * w1007 + w182 * w194 - w262 * c83) + w676 * c12)
-    w1011 = w210 * c293
-    w1012 = w1006 + (w1009 + w1010 - (w1002 * rod_small_end_x - w18 * w1011))
-    w1013 = w981 * rod_first_moment_x + w346 * w1005 + (w439 * w990 - w404 * w988 - w432 * w989) + (w440 * w994 - w441 * w992 - w442 * w993)
-    w1014 = w245 * (w998 + w1008) - w243 * (rod_q2_dot * rod_phi_phi_4_1_1_2 + rod_q4_dot * rod_phi_phi_4_3_1_2)
-    w1015 = w266 * w1007 - w182 * w287 + w265 * c83 - (w173 * w996 - w182 * w256 + w100 * w210) + w1014 + rod_q6_ddot * c341
-    w1016 = w1013 + (w1015 - w683 * c12 - (w1003 * rod_small_end_x + w1 * w1011))
-    w1017 = w446 * w988 - w448 * w989 + w449 * w990 + (w450 * w1005 + w451 * w981 - w452 * w980) + (w453 * w992 + w454 * w993 + w455 * w994)
-    w1018 = w447 * (w312 * w540 - w309 * w539 - w1011) - w444 * (w1003 + (w315 * w540 + w309 * w538)) + w445 * (w1002 + (w312 * w538 + w315 * w539))
-    w1019 = w461 * w536 - (w687 * rod_small_end_rotation_1_4 + w688 * c12) - w158 * w460 - (w54 * w991 + w230 * w982)
-    w1020 = w464 * w536 - (w690 * rod_small_end_rotation_1_4 + w691 * c12) - w158 * w463 + (w466 * w982 - w465 * w991)
-    w1021 = (w1020 + (w54 * w986 - w230 * w985)) * slider_mass + (w158 * w473 - w472 * w536 + w693 * rod_small_end_rotation_1_4)
-    w1022 = w1019 * guide_damping + w1021
-    w1023 = w158 * w329 + w696 * rod_small_end_rotation_1_4 + w697 * c12
-    w1024 = w56 * w979 - (w331 * w1004 + w347 * w1012 + w344 * w1016 + (w1017 + w1018) + w459 * w1022 + w60 * w1023)
-    w1025 = w482 * w988 + w989 * c286 + w281 * w990 + w980 * c285 + (w485 * w992 + w487 * w993 + w489 * w994)
-    w1026 = w705 * rod_small_end_rotation_1_4 - w571 * c12
-    w1027 = w478 * w1004 - w479 * w1012 - w481 * w1016 + w1025 + w1026 * rod_small_end_rotation_1_0 - (w287 * rod_phi_phi_4_0_1_1 + (w256 * rod_phi_phi_4_0_0_0 + w262 * c315) + w1002 * c10)
-    w1028 = w497 * w988 + w248 * w989 + w990 * c288 - w981 * c287 + (w501 * w992 + w503 * w993 - w505 * w994)
-    w1029 = w710 * c12 - w713 * rod_small_end_rotation_1_4
-    w1030 = w493 * w1012 - w495 * w1004 - w496 * w1016 + w1028 + w1029 * rod_small_end_rotation_2_1 + (w194 * rod_phi_phi_4_1_1_2 + w265 * c316)
-    w1031 = w512 * w988 + w989 * c290 + w282 * w990 + w980 * c289 + (w515 * w992 + w517 * w993 + w519 * w994)
-    w1032 = w509 * w1004 - w510 * w1012 - w511 * w1016 + w1031 + w1026 * rod_small_end_rotation_1_2 - (w287 * rod_phi_phi_4_2_1_1 + (w256 * rod_phi_phi_4_2_0_0 + w262 * c317) + w1002 * c11)
-    w1033 = w526 * w988 + w249 * w989 + w990 * c292 - w981 * c291 + (w530 * w992 + w532 * w993 - w534 * w994)
-    w1034 = w523 * w1012 - w524 * w1004 - w525 * w1016 + w1033 + w1029 * rod_small_end_rotation_2_3 + (w194 * rod_phi_phi_4_3_1_2 + w265 * c318)
-    w1035 = w541 * w988 + w989 * c294 + w283 * w990 + w980 * c293 + (w544 * w992 + w546 * w993 + w548 * w994)
-    w1036 = w538 * w1004 - w539 * w1012 - w540 * w1016 + w1035 + w1026 * rod_small_end_rotation_1_4 - (w287 * rod_phi_phi_4_4_1_1 + (w256 * rod_phi_phi_4_4_0_0 + w262 * c319) + w1002 * c12)
-    w1037 = w552 * w1016 - (w553 * w1004 + w554 * w1012) + (w988 * c137 + w251 * w989 + w285 * w990 + (w557 * w993 - w559 * w992 + w563 * w994))
-    w1038 = w1037 + (w725 * rod_small_end_rotation_1_4 + w728 * c12) * rod_small_end_rotation_0_5 + (w173 * rod_phi_phi_4_5_1_0 + w266 * rod_phi_phi_4_5_0_1)
-    w1039 = w568 + w709
-    w1040 = w727 - w726
-    w1041 = w579 - w494 * rod_small_end_x
-    w1042 = w738 + w477 * rod_small_end_x
-    w1043 = w310 * w1041 + w313 * w1042 - (w582 + w741)
-    w1044 = w574 + w735
-    w1045 = w572 + w314 * w494 + (w310 * w1044 - w316 * w1042)
-    w1046 = w314 * w477 - w733 - (w313 * w1044 + w316 * w1041)
-    w1047 = (w291 * w856 - w317 * w1039 - w311 * w1040 - (w39 * w1043 + w30 * w1045 + w36 * w1046)) * rod_small_end_rotation_0_5
-    w1048 = w755 - w754
-    w1049 = w1048 + (w80 * w477 - w757)
-    w1050 = w604 - w603
-    w1051 = w1050 + (w606 + w80 * w494)
-    w1052 = w1 * w1049 - w18 * w1051 - (w609 + w760)
-    w1053 = w592 + (w593 + w751)
-    w1054 = w1049 * rod_small_end_x - w18 * w1053 + (w601 + w359 * w494)
-    w1055 = w1 * w1053 - w1051 * rod_small_end_x + (w359 * w477 - w748)
-    w1056 = ((w26 * w1052 + w16 * w1054 + w22 * w1055) * rod_small_end_rotation_0_5 + w161 * w394) / w55
-    w1057 = w773 + w247 * w1050 - (w771 + (w618 * w1048 - w772)) + (w218 / w10 + w194 * w477 + w262 * w494)
-    w1058 = w632 - (w633 + w618 * w1050) - (w631 + w247 * w1048) + (w266 / w10 - w287 * w477 - w265 * w494)
-    w1059 = 2 * -w1051
-    w1060 = 2 * -w1049
-    w1061 = w1 * w1057 - w18 * w1058 + (w356 * w1059 - w357 * w1060) - (w637 + w777)
-    w1062 = w243 * w1048 - w245 * w1050 - w625 + (w173 * w477 - w256 / w10 - w210 * w494)
-    w1063 = 2 * w1053
-    w1064 = w1057 * rod_small_end_x + w18 * w1062 + (w359 * w1060 - w356 * w1063) + (w629 + w370 * w494)
-    w1065 = w357 * w1063 - w359 * w1059 - (w1 * w1062 + w1058 * rod_small_end_x) + (w370 * w477 - w769)
-    w1066 = ((w52 * w1052 + w48 * w1054 + w50 * w1055) * rod_small_end_rotation_0_5 - w145 * w362) / w42
-    w1067 = (w52 * w1061 + w48 * w1064 + w50 * w1065) * rod_small_end_rotation_0_5 - w363 * w1066 - w145 * w373
-    w1068 = (w26 * w1061 + w16 * w1064 + w22 * w1065) * rod_small_end_rotation_0_5 + w396 * w1056 + w161 * w397
-    w1069 = w1068 / w55
-    w1070 = w392 * w1056 - (w1067 / w42 + w161 * w391) - w43 * w1069
-    w1071 = 2 * w1056
-    w1072 = w26 * w1070 + w161 * w384 + w382 * w1071 - w39 * w1069 - w1062 * rod_small_end_rotation_0_5
-    w1073 = w16 * w1070 + w161 * w375 + w377 * w1071 - w30 * w1069 - w1058 * rod_small_end_rotation_0_5
-    w1074 = w22 * w1070 + w161 * w376 + w379 * w1071 - w36 * w1069 - w1057 * rod_small_end_rotation_0_5
-    w1075 = w351 * w553 - w343 * w554
-    w1076 = w340 * w553 + w343 * w552
-    w1077 = w1066 + w161 * w390 + w43 * w1056
-    w1078 = w161 * w382 - w26 * w1077 - w39 * w1056 + w1053 * rod_small_end_rotation_0_5
-    w1079 = w161 * w377 - w16 * w1077 - w30 * w1056 - w1051 * rod_small_end_rotation_0_5
-    w1080 = w161 * w379 - w22 * w1077 - w36 * w1056 - w1049 * rod_small_end_rotation_0_5
-    w1081 = w355 * w1072 - w402 * w1073 - w404 * w1074 - (w346 * w1075 + w332 * w1076) + (w418 * w1078 - w425 * w1079 - w427 * w1080)
-    w1082 = 2 * w273
-    w1083 = 2 * w201
-    w1084 = rod_q6_dot * rod_phi_phi_5_5_1_1
-    w1085 = rod_q6_dot * rod_phi_phi_5_5_2_2
-    w1086 = rod_q1_dot * rod_phi_phi_5_0_1_0 + rod_q3_dot * rod_phi_phi_5_2_1_0 + rod_q5_dot * rod_phi_phi_5_4_1_0
-    w1087 = w247 * (w1084 + w1085) - w243 * w1086 - w245 * (rod_q2_dot * rod_phi_phi_5_1_2_0 + rod_q4_dot * rod_phi_phi_5_3_2_0)
-    w1088 = w1081 + (w186 * w218 + w194 * w1082 - w262 * c129 - (w69 * w266 - w287 * c129 + w265 * w1083) + w1087)
-    w1089 = w351 * w552 + w340 * w554
-    w1090 = w431 * w1073 - w432 * w1074 - w402 * w1072 - (w332 * w1089 + w1075 * rod_first_moment_x) + (w435 * w1079 - w436 * w1080 - w437 * w1078)
-    w1091 = 2 * w216
-    w1092 = rod_q6_dot * rod_phi_phi_5_5_0_0
-    w1093 = rod_q1_dot * rod_phi_phi_5_0_0_1 + rod_q3_dot * rod_phi_phi_5_2_0_1 + rod_q5_dot * rod_phi_phi_5_4_0_1
-    w1094 = w173 * c129 - w69 * w256 + w210 * w1083 - (w218 * w1091 + w186 * w194 - w69 * w262) + (w243 * (w1085 + w1092) - w247 * w1093)
-    w1095 = rod_q2_ddot * rod_phi_phi_5_1_2_0 + rod_q4_ddot * rod_phi_phi_5_3_2_0 - (rod_q2_ddot * rod_phi_phi_5_1_0_2 + rod_q4_ddot * rod_phi_phi_5_3_0_2)
-    w1096 = w1090 + (w1094 + w1095)
-    w1097 = w346 * w1089 - w1076 * rod_first_moment_x + (w439 * w1074 - w404 * w1072 - w432 * w1073) + (w440 * w1080 - w441 * w1078 - w442 * w1079)
-    w1098 = w245 * (w1084 + w1092) - w247 * (rod_q2_dot * rod_phi_phi_5_1_0_2 + rod_q4_dot * rod_phi_phi_5_3_0_2)
-    w1099 = rod_q1_ddot * rod_phi_phi_5_0_0_1 + rod_q3_ddot * rod_phi_phi_5_2_0_1 + rod_q5_ddot * rod_phi_phi_5_4_0_1
-    w1100 = rod_q1_ddot * rod_phi_phi_5_0_1_0 + rod_q3_ddot * rod_phi_phi_5_2_1_0 + rod_q5_ddot * rod_phi_phi_5_4_1_0
-    w1101 = w266 * w1091 - w186 * w287 + w69 * w265 - (w173 * w1082 - w186 * w256 + w210 * c129) + w1098 + (w1099 - w1100)
-    w1102 = w1097 + w1101
-    w1103 = w446 * w1072 - w448 * w1073 + w449 * w1074 + (w450 * w1089 - w451 * w1076 + w452 * w1075) + (w453 * w1078 + w454 * w1079 + w455 * w1080)
-    w1104 = w444 * (w315 * w552 + w309 * w553) - w447 * (w309 * w554 + w312 * w552) + w445 * (w315 * w554 - w312 * w553)
-    w1105 = w461 * w550 - (w40 * w1052 + w34 * w1054 + w37 * w1055) * rod_small_end_rotation_0_5 - w161 * w460
-    w1106 = w1105 - (w54 * w1077 + w230 * w1056)
-    w1107 = w464 * w550 - (w40 * w1061 + w34 * w1064 + w37 * w1065) * rod_small_end_rotation_0_5 - w161 * w463
-    w1108 = w161 * w473 - w472 * w550 + (w34 * w856 - w40 * w1039 + w37 * w1040) * rod_small_end_rotation_0_5
-    w1109 = w1106 * guide_damping + ((w1107 + (w466 * w1056 - w465 * w1077) + (w54 * w1070 - w230 * w1069)) * slider_mass + w1108)
-    w1110 = (w26 * w1043 + w16 * w1045 + w22 * w1046 + (w325 * w1040 - (w319 * w1039 + w321 * w856))) * rod_small_end_rotation_0_5
-    w1111 = w161 * w329 + w1110
-    w1112 = w56 * w1047 - (w331 * w1088 + w347 * w1096 + w344 * w1102 + (w1103 + w1104) + w459 * w1109 + w60 * w1111)
-    w1113 = w482 * w1072 + w1073 * c286 + w281 * w1074 - w1075 * c285 + (w485 * w1078 + w487 * w1079 + w489 * w1080)
-    w1114 = (w723 - w82 * w704) * rod_small_end_rotation_0_5
-    w1115 = w478 * w1088 - w479 * w1096 - w481 * w1102 + w1113 - w1114 * rod_small_end_rotation_1_0 + (w173 * rod_phi_phi_5_0_1_0 + w266 * rod_phi_phi_5_0_0_1)
-    w1116 = w497 * w1072 + w248 * w1073 + w1074 * c288 + w1076 * c287 + (w501 * w1078 + w503 * w1079 - w505 * w1080)
-    w1117 = (w854 + w82 * w712) * rod_small_end_rotation_0_5
-    w1118 = w493 * w1096 - w495 * w1088 - w496 * w1102 + w1116 + w1117 * rod_small_end_rotation_2_1 + (w210 * rod_phi_phi_5_1_2_0 + w218 * rod_phi_phi_5_1_0_2)
-    w1119 = w512 * w1072 + w1073 * c290 + w282 * w1074 - w1075 * c289 + (w515 * w1078 + w517 * w1079 + w519 * w1080)
-    w1120 = w509 * w1088 - w510 * w1096 - w511 * w1102 + w1119 - w1114 * rod_small_end_rotation_1_2 + (w173 * rod_phi_phi_5_2_1_0 + w266 * rod_phi_phi_5_2_0_1)
-    w1121 = w526 * w1072 + w249 * w1073 + w1074 * c292 + w1076 * c291 + (w530 * w1078 + w532 * w1079 - w534 * w1080)
-    w1122 = w523 * w1096 - w524 * w1088 - w525 * w1102 + w1121 + w1117 * rod_small_end_rotation_2_3 + (w210 * rod_phi_phi_5_3_2_0 + w218 * rod_phi_phi_5_3_0_2)
-    w1123 = w541 * w1072 + w1073 * c294 + w283 * w1074 - w1075 * c293 + (w544 * w1078 + w546 * w1079 + w548 * w1080)
-    w1124 = w538 * w1088 - w539 * w1096 - w540 * w1102 + w1123 - w1114 * rod_small_end_rotation_1_4 + (w173 * rod_phi_phi_5_4_1_0 + w266 * rod_phi_phi_5_4_0_1)
-    w1125 = w552 * w1102 - (w553 * w1088 + w554 * w1096) + (w1072 * c137 + w251 * w1073 + w285 * w1074 + (w557 * w1079 - w559 * w1078 + w563 * w1080))
-    w1126 = w1125 + w82 * w724 * c283 - (w256 * rod_phi_phi_5_5_0_0 + w287 * rod_phi_phi_5_5_1_1 + w262 * rod_phi_phi_5_5_2_2)
-    w1127 = 2 * -(w48 * w365 + w16 * w393)
-    w1128 = 2 * -(w50 * w365 + w22 * w393)
-    w1129 = 2 * w420
-    w1130 = 2 * w426
-    w1131 = 2 * w428
-    w1132 = w332 * w1127 - w346 * w1128 + (w355 * w1129 - w402 * w1130 - w404 * w1131) + (w331 * w418 - w347 * w425 - w344 * w427)
-    w1133 = 2 * -(w52 * w365 + w26 * w393)
-    w1134 = w431 * w1130 - w432 * w1131 - w402 * w1129 - (w332 * w1133 + w1128 * rod_first_moment_x) + (w347 * w435 - w344 * w436 - w331 * w437)
-    w1135 = w1127 * rod_first_moment_x + w346 * w1133 + (w439 * w1131 - w404 * w1129 - w432 * w1130) + (w344 * w440 - w331 * w441 - w347 * w442)
-    w1136 = w459 * guide_damping + 2 * w462 * slider_mass
-    w1137 = w482 * w1129 + w1130 * c286 + w281 * w1131 - w1128 * c285 + (w331 * w485 + w347 * w487 + w344 * w489)
-    w1138 = w497 * w1129 + w248 * w1130 + w1131 * c288 - w1127 * c287 + (w331 * w501 + w347 * w503 - w344 * w505)
-    w1139 = w512 * w1129 + w1130 * c290 + w282 * w1131 - w1128 * c289 + (w331 * w515 + w347 * w517 + w344 * w519)
-    w1140 = w526 * w1129 + w249 * w1130 + w1131 * c292 - w1127 * c291 + (w331 * w530 + w347 * w532 - w344 * w534)
-    w1141 = w541 * w1129 + w1130 * c294 + w283 * w1131 - w1128 * c293 + (w331 * w544 + w347 * w546 + w344 * w548)
-    w1142 = w552 * w1135 - (w553 * w1132 + w554 * w1134) + (w1129 * c137 + w251 * w1130 + w285 * w1131 + (w347 * w557 - w331 * w559 + w344 * w563))
-    w1143 = w476 * guide_damping - 2 * w689 * slider_mass
-    w1144 = 2 * w656
-    w1145 = 2 * w657
-    w1146 = 2 * w658
-    w1147 = w80 * c320
-    w1148 = w355 * w1144 - w402 * w1145 - w404 * w1146 + (w418 * w478 + w425 * w479 + w427 * w481) + (w484 - w175 * w243 - w245 * rod_rho_phi_0_2_0 + w408 * c10 + w18 * w1147)
+    w444 = w26 * w45 - w52 * w58
+    w445 = w433 * rod_mass + (w346 * w405 - w332 * w403) + (w416 * w426 - w411 * w428) + (w309 * w347 - w312 * w344)
+    w446 = w16 * w45 - w48 * w58
+    w447 = w345 * rod_mass + (w405 * rod_first_moment_x + w332 * w401) + (w424 * w428 - w416 * w420) + (w315 * w344 - w309 * w331)
+    w448 = w22 * w45 - w50 * w58
+    w449 = w352 * rod_mass - (w346 * w401 + w403 * rod_first_moment_x) + (w411 * w420 - w424 * w426) + (w312 * w331 - w315 * w347)
+    w450 = w57 * c145 - (w44 * w307 + w57 * w308) * crank_pin_y + (w331 * w429 + w347 * w438 + w344 * w443 + (w444 * w445 + w446 * w447 + w448 * w449))
+    w451 = w54 * w60 + w56 * w230
+    w452 = w40 * w387 + w34 * w388 + w37 * w389
+    w453 = w40 * w358 + w34 * w360 + w37 * w361
+    w454 = w56 * w452 - w60 * w453 + (w54 * w419 - w230 * w395)
+    w455 = w40 * w381 + w34 * w385 + w37 * w386
+    w456 = w40 * w369 + w34 * w371 + w37 * w372
+    w457 = 2 * -w453
+    w458 = 2 * -w452
+    w459 = (w56 * w455 - w60 * w456 + (w419 * w457 + w395 * w458) + (w54 * w399 - w230 * w398)) * slider_mass
+    w460 = w22 * w316
+    w461 = w26 * w310
+    w462 = w26 * w313
+    w463 = w16 * w316
+    w464 = w40 * (w16 * w310 - w22 * w313) + w34 * (w460 - w461) + w37 * (w462 - w463)
+    w465 = w40 * w320 + w34 * w324 + w37 * w328
+    w466 = w454 * guide_damping + (w459 + (w60 * w464 - w56 * w465))
+    w467 = w134 + w43 * w152
+    w468 = w221 + w54 * w467 + w152 * w230
+    w469 = w2 * 0.5 / w10
+    w470 = w469 * rod_small_end_rotation_1_0 - (w26 * w467 + w39 * w152)
+    w471 = w204 + (w16 * w467 + w30 * w152)
+    w472 = w3 * 0.5 / w10
+    w473 = w22 * w467 + w36 * w152 + w472 * rod_small_end_rotation_1_0
+    w474 = w299 + w257 * c10 + w1 * c279
+    w475 = rod_q2_dot * c103 + rod_q4_dot * c104 - (rod_q2_dot * rod_phi_phi_1_0_2_1 + rod_q4_dot * rod_phi_phi_3_0_2_1)
+    w476 = w247 * (w195 + w267)
+    w477 = 2 * w475 - (w476 - w174 * w243 - w245 * c71) - w409 * c10 - w410 * c279
+    w478 = w243 * (w195 + w211)
+    w479 = w422 * c10 - (w478 - w86 * w245 - w175 * w247) + w423 * c279
+    w480 = w245 * (w211 + w267)
+    w481 = rod_q6_dot * c273 - (w480 - w247 * rod_rho_phi_0_2_0 - w87 * w243)
+    w482 = w401 * w474 + w403 * c280 + w281 * w405 - w352 * c279 + (w420 * w477 + w426 * w479 + w428 * w481)
+    w483 = w138 + w43 * w155
+    w484 = w224 + w54 * w483 + w155 * w230
+    w485 = w472 * rod_small_end_rotation_2_1 - (w16 * w483 + w30 * w155)
+    w486 = w4 * 0.5 / w10
+    w487 = w26 * w483 + w39 * w155 + w486 * rod_small_end_rotation_2_1
+    w488 = w168 + (w22 * w483 + w36 * w155)
+    w489 = w300 - w219 * c2 - w18 * c281
+    w490 = rod_q1_dot * rod_phi_phi_0_1_1_2 + rod_q3_dot * rod_phi_phi_2_1_1_2 + rod_q5_dot * rod_phi_phi_4_1_1_2
+    w491 = w247 * (w196 + w268)
+    w492 = 2 * (w490 - (rod_q1_dot * c110 + rod_q3_dot * c111 + rod_q5_dot * c112)) - (w491 - w243 * c55 - w61 * w245)
+    w493 = w492 + w414 * c2 + w415 * c281
+    w494 = w243 * (w196 + w212)
+    w495 = rod_q6_dot * c274 - (w494 - w89 * w245 - w247 * rod_rho_phi_1_1_0)
+    w496 = w245 * (w212 + w268)
+    w497 = w496 - w62 * w247 - w90 * w243 + w422 * c2 + w423 * c281
+    w498 = w401 * w489 + w248 * w403 + w405 * c282 - w345 * c281 + (w420 * w493 + w426 * w495 - w428 * w497)
+    w499 = w139 + w43 * w156
+    w500 = w225 + w54 * w499 + w156 * w230
+    w501 = w469 * rod_small_end_rotation_1_2 - (w26 * w499 + w39 * w156)
+    w502 = w205 + (w16 * w499 + w30 * w156)
+    w503 = w22 * w499 + w36 * w156 + w472 * rod_small_end_rotation_1_2
+    w504 = w301 + w257 * c11 + w1 * c283
+    w505 = rod_q2_dot * c113 + rod_q4_dot * c114 - (rod_q2_dot * rod_phi_phi_1_2_2_1 + rod_q4_dot * rod_phi_phi_3_2_2_1)
+    w506 = w247 * (w197 + w269)
+    w507 = 2 * w505 - (w506 - w177 * w243 - w245 * c76) - w409 * c11 - w410 * c283
+    w508 = w243 * (w197 + w213)
+    w509 = w422 * c11 - (w508 - w92 * w245 - w178 * w247) + w423 * c283
+    w510 = w245 * (w213 + w269)
+    w511 = rod_q6_dot * c275 - (w510 - w247 * rod_rho_phi_2_2_0 - w93 * w243)
+    w512 = w401 * w504 + w403 * c284 + w282 * w405 - w352 * c283 + (w420 * w507 + w426 * w509 + w428 * w511)
+    w513 = w140 + w43 * w157
+    w514 = w226 + w54 * w513 + w157 * w230
+    w515 = w472 * rod_small_end_rotation_2_3 - (w16 * w513 + w30 * w157)
+    w516 = w26 * w513 + w39 * w157 + w486 * rod_small_end_rotation_2_3
+    w517 = w170 + (w22 * w513 + w36 * w157)
+    w518 = w302 - w219 * c3 - w18 * c285
+    w519 = rod_q1_dot * rod_phi_phi_0_3_1_2 + rod_q3_dot * rod_phi_phi_2_3_1_2 + rod_q5_dot * rod_phi_phi_4_3_1_2
+    w520 = w247 * (w198 + w270)
+    w521 = 2 * (w519 - (rod_q1_dot * c120 + rod_q3_dot * c121 + rod_q5_dot * c122)) - (w520 - w243 * c60 - w64 * w245)
+    w522 = w521 + w414 * c3 + w415 * c285
+    w523 = w243 * (w198 + w214)
+    w524 = rod_q6_dot * c276 - (w523 - w95 * w245 - w247 * rod_rho_phi_3_1_0)
+    w525 = w245 * (w214 + w270)
+    w526 = w525 - w65 * w247 - w96 * w243 + w422 * c3 + w423 * c285
+    w527 = w401 * w518 + w249 * w403 + w405 * c286 - w345 * c285 + (w420 * w522 + w426 * w524 - w428 * w526)
+    w528 = w141 + w43 * w158
+    w529 = w227 + w54 * w528 + w158 * w230
+    w530 = w469 * rod_small_end_rotation_1_4 - (w26 * w528 + w39 * w158)
+    w531 = w207 + (w16 * w528 + w30 * w158)
+    w532 = w22 * w528 + w36 * w158 + w472 * rod_small_end_rotation_1_4
+    w533 = w303 + w257 * c12 + w1 * c287
+    w534 = rod_q2_dot * c123 + rod_q4_dot * c124 - (rod_q2_dot * rod_phi_phi_1_4_2_1 + rod_q4_dot * rod_phi_phi_3_4_2_1)
+    w535 = w247 * (w199 + w271)
+    w536 = 2 * w534 - (w535 - w180 * w243 - w245 * c81) - w409 * c12 - w410 * c287
+    w537 = w243 * (w199 + w215)
+    w538 = w422 * c12 - (w537 - w98 * w245 - w181 * w247) + w423 * c287
+    w539 = w245 * (w215 + w271)
+    w540 = rod_q6_dot * c277 - (w539 - w247 * rod_rho_phi_4_2_0 - w99 * w243)
+    w541 = w401 * w533 + w403 * c288 + w283 * w405 - w352 * c287 + (w420 * w536 + w426 * w538 + w428 * w540)
+    w542 = w145 + w43 * w161
+    w543 = w228 + w54 * w542 + w161 * w230
+    w544 = w486 * rod_small_end_rotation_0_5 - (w22 * w542 + w36 * w161)
+    w545 = w191 + (w26 * w542 + w39 * w161)
+    w546 = w16 * w542 + w30 * w161 + w469 * rod_small_end_rotation_0_5
+    w547 = rod_q2_dot * rod_phi_phi_1_5_2_0 + rod_q4_dot * rod_phi_phi_3_5_2_0 - (rod_q2_dot * rod_phi_phi_1_5_0_2 + rod_q4_dot * rod_phi_phi_3_5_0_2)
+    w548 = w243 * (w201 + w216)
+    w549 = 2 * w547 - (w548 - w245 * rod_rho_phi_5_1_2 - w185 * w247)
+    w550 = w247 * (w201 + w273)
+    w551 = w550 - w184 * w243 - w67 * w245
+    w552 = rod_q1_dot * rod_phi_phi_0_5_0_1 + rod_q3_dot * rod_phi_phi_2_5_0_1 + rod_q5_dot * rod_phi_phi_4_5_0_1
+    w553 = rod_q1_dot * rod_phi_phi_0_5_1_0 + rod_q3_dot * rod_phi_phi_2_5_1_0 + rod_q5_dot * rod_phi_phi_4_5_1_0
+    w554 = w245 * (w216 + w273)
+    w555 = 2 * (w552 - w553) - (w554 - w68 * w247 - w243 * rod_rho_phi_5_2_1)
+    w556 = w443 * w544 - (w429 * w545 + w438 * w546) + (w401 * c137 + w251 * w403 + w285 * w405 + (w426 * w549 - w420 * w551 + w428 * w555))
+    w557 = w310 / w10
+    w558 = w313 * w472 - w557
+    w559 = w316 * w472
+    w560 = w310 * w469
+    w561 = w559 + w560
+    w562 = w316 / w10
+    w563 = w313 * w469 + w562
+    w564 = w290 / w10
+    w565 = w472 * rod_small_end_x
+    w566 = w18 * w469
+    w567 = w565 - w566
+    w568 = rod_small_end_x / w10
+    w569 = w1 * w469 - w568
+    w570 = w264 * w472 - w564 + (w310 * w567 - w313 * w569)
+    w571 = w18 / w10
+    w572 = w1 * w472 - w571
+    w573 = w314 * w472
+    w574 = w290 * w469
+    w575 = w316 * w569 - w310 * w572 - (w573 + w574)
+    w576 = w314 / w10
+    w577 = w264 * w469 + w576 + (w313 * w572 - w316 * w567)
+    w578 = w317 * w558 - w291 * w561 - w311 * w563 - (w39 * w570 + w30 * w575 + w36 * w577)
+    w579 = w327 - w326
+    w580 = w578 * rod_small_end_rotation_1_0 + w579 * c10
+    w581 = w343 * w471 + w351 * w470
+    w582 = w340 * w470 + w343 * w473
+    w583 = w75 * w112
+    w584 = w583 / w10
+    w585 = w84 * w469
+    w586 = w80 * w472
+    w587 = w584 + (w585 + w586)
+    w588 = w73 * w75
+    w589 = w472 * w583
+    w590 = w588 - w589
+    w591 = w80 / w10
+    w592 = w590 + (w591 + w104 * w469)
+    w593 = w356 / w10
+    w594 = w18 * w587 + w1 * w592 + (w357 * w472 - w593)
+    w595 = w469 * w583
+    w596 = w75 * w77
+    w597 = w595 - w596
+    w598 = w84 / w10
+    w599 = w597 + (w104 * w472 - w598)
+    w600 = w359 * w472
+    w601 = w356 * w469
+    w602 = w592 * rod_small_end_x + w18 * w599 - (w600 + w601)
+    w603 = w359 / w10
+    w604 = w587 * rod_small_end_x - w1 * w599 + (w357 * w469 + w603)
+    w605 = w26 * w594 + w16 * w602 + w22 * w604
+    w606 = w26 * w104 - w16 * w80
+    w607 = (w605 * rod_small_end_rotation_1_0 + w606 * c10 + w152 * w394) / w55
+    w608 = rod_q6_ddot * rod_small_end_rotation_0_5
+    w609 = w75 * w608
+    w610 = 2 * w583
+    w611 = rod_q1_ddot * rod_small_end_rotation_1_0 + rod_q3_ddot * rod_small_end_rotation_1_2 + rod_q5_ddot * rod_small_end_rotation_1_4
+    w612 = rod_q2_ddot * rod_small_end_rotation_2_1 + rod_q4_ddot * rod_small_end_rotation_2_3
+    w613 = w75 * (w73**2 + w74**2 + w77**2 + (w3 * w608 + w4 * w611 + w2 * w612))
+    w614 = w472 * w613
+    w615 = w247 * w584
+    w616 = w609 - (w590 * w610 + w614) - (w615 + w243 * w597) + (w194 / w10 - w218 * w469 - w262 * w472)
+    w617 = w613 / w10 - w584 * w610
+    w618 = w245 * w597 - w247 * w590 - w617 + (w265 * w472 - (w266 * w469 + w287 / w10))
+    w619 = 2 * w587
+    w620 = 2 * -w592
+    w621 = w367 / w10
+    w622 = w1 * w616 - w18 * w618 + (w356 * w619 - w357 * w620) + (w368 * w472 - w621)
+    w623 = w245 * w584
+    w624 = w75 * w612
+    w625 = w469 * w613
+    w626 = w243 * w590 + w623 - (w624 + (w597 * w610 - w625)) + (w256 * w469 + w173 / w10 + w210 * w472)
+    w627 = 2 * -w599
+    w628 = w370 * w472
+    w629 = w367 * w469
+    w630 = w616 * rod_small_end_x + w18 * w626 + (w359 * w620 - w356 * w627) - (w628 + w629)
+    w631 = w370 / w10
+    w632 = w357 * w627 - w359 * w619 - (w1 * w626 + w618 * rod_small_end_x) + (w368 * w469 + w631)
+    w633 = w52 * w622 + w48 * w630 + w50 * w632
+    w634 = w52 * w210 + w48 * w265 - w50 * w262
+    w635 = w52 * w594 + w48 * w602 + w50 * w604
+    w636 = w52 * w104 - w48 * w80
+    w637 = (w635 * rod_small_end_rotation_1_0 + w636 * c10 - w134 * w362) / w42
+    w638 = w392 * w607 - ((w633 * rod_small_end_rotation_1_0 + w634 * c10 - w363 * w637 - w134 * w373) / w42 + w152 * w391)
+    w639 = w26 * w622 + w16 * w630 + w22 * w632
+    w640 = w26 * w210 + w16 * w265 - w22 * w262
+    w641 = (w639 * rod_small_end_rotation_1_0 + w640 * c10 + w396 * w607 + w152 * w397) / w55
+    w642 = w638 - w43 * w641
+    w643 = 2 * w607
+    w644 = w26 * w642 + w152 * w384 + w382 * w643 - w39 * w641 - w626 * rod_small_end_rotation_1_0
+    w645 = w16 * w642 + w152 * w375 + w377 * w643 - w30 * w641 - w618 * rod_small_end_rotation_1_0
+    w646 = w22 * w642 + w152 * w376 + w379 * w643 - w36 * w641 - w616 * rod_small_end_rotation_1_0
+    w647 = w637 + w152 * w390 + w43 * w607
+    w648 = w152 * w382 - w26 * w647 - w39 * w607 - w599 * rod_small_end_rotation_1_0
+    w649 = w152 * w377 - w16 * w647 - w30 * w607 + w587 * rod_small_end_rotation_1_0
+    w650 = w152 * w379 - w22 * w647 - w36 * w607 - w592 * rod_small_end_rotation_1_0
+    w651 = w346 * w581 + w332 * w582 + (w355 * w644 - w402 * w645 - w404 * w646) + (w418 * w648 - w425 * w649 - w427 * w650)
+    w652 = 2 * w267
+    w653 = 2 * w195
+    w654 = rod_q1_dot * rod_phi_phi_0_0_1_1 + rod_q3_dot * rod_phi_phi_0_2_1_1 + rod_q5_dot * rod_phi_phi_0_4_1_1
+    w655 = rod_q1_dot * c35 + rod_q3_dot * c42 + rod_q5_dot * c47
+    w656 = w176 * w218 + w194 * w652 - w88 * w262 - (w266 * c73 - w88 * w287 + w265 * w653) - w275 * c34 + (w247 * (w654 + w655) - w243 * (rod_q6_dot * rod_phi_phi_0_5_1_0))
+    w657 = rod_q2_ddot * rod_phi_phi_0_1_1_2 + rod_q4_ddot * rod_phi_phi_0_3_1_2 - (rod_q2_ddot * c110 + rod_q4_ddot * c120)
+    w658 = w288 + w257 * w262
+    w659 = w262 * rod_mass
+    w660 = w262 * c279
+    w661 = w265 * c279
+    w662 = w651 + (w656 + w657 - w658 * c10 + w289 * c10 - (w1 * w660 + w18 * w661))
+    w663 = w340 * w471 - w351 * w473
+    w664 = w581 * rod_first_moment_x - w332 * w663 + (w431 * w645 - w432 * w646 - w402 * w644) + (w435 * w649 - w436 * w650 - w437 * w648)
+    w665 = 2 * w211
+    w666 = rod_q1_dot * rod_phi_phi_0_0_0_0 + rod_q3_dot * rod_phi_phi_0_2_0_0 + rod_q5_dot * rod_phi_phi_0_4_0_0
+    w667 = w243 * (w655 + w666) - w245 * (rod_q2_dot * c110 + rod_q4_dot * c120) - w247 * (rod_q6_dot * rod_phi_phi_0_5_0_1)
+    w668 = w259 - w262 * c54 - w260
+    w669 = w236 * c34 + (w88 * w173 - w256 * c73 + w210 * w653 - (w218 * w665 + w176 * w194 - w262 * c73) + w668 * c10)
+    w670 = w210 * c279
+    w671 = w664 + (w667 + w669 - (w660 * rod_small_end_x - w18 * w670))
+    w672 = w582 * rod_first_moment_x + w346 * w663 + (w439 * w646 - w404 * w644 - w432 * w645) + (w440 * w650 - w441 * w648 - w442 * w649)
+    w673 = w245 * (w654 + w666) - w243 * (rod_q2_dot * rod_phi_phi_0_1_1_2 + rod_q4_dot * rod_phi_phi_0_3_1_2)
+    w674 = w266 * w665 - w176 * w287 + w265 * c73 - (w173 * w652 - w176 * w256 + w88 * w210) + w673 + rod_q6_ddot * c317
+    w675 = w265 * c54 + w210 * w257
+    w676 = w672 + (w674 - w675 * c10 - (w661 * rod_small_end_x + w1 * w670))
+    w677 = w663 * rod_mass + (w346 * w646 - w332 * w645) + (w416 * w649 - w411 * w650) + (w312 * w473 - w309 * w471 - w670)
+    w678 = w582 * rod_mass + (w646 * rod_first_moment_x + w332 * w644) + (w424 * w650 - w416 * w648) - (w661 + (w315 * w473 + w309 * w470))
+    w679 = w411 * w648 - w424 * w649 - (w581 * rod_mass + (w346 * w644 + w645 * rod_first_moment_x)) + (w660 + (w312 * w470 + w315 * w471))
+    w680 = w40 * w594 + w34 * w602 + w37 * w604
+    w681 = w40 * w104 - w34 * w80
+    w682 = w453 * w467 - (w680 * rod_small_end_rotation_1_0 + w681 * c10) - w152 * w452 - (w54 * w647 + w230 * w607)
+    w683 = w40 * w622 + w34 * w630 + w37 * w632
+    w684 = w40 * w210 + w34 * w265 - w37 * w262
+    w685 = w456 * w467 - (w683 * rod_small_end_rotation_1_0 + w684 * c10) - w152 * w455 + (w458 * w607 - w457 * w647)
+    w686 = w40 * w558 - w34 * w561 + w37 * w563
+    w687 = (w685 + (w54 * w642 - w230 * w641)) * slider_mass + (w152 * w465 - w464 * w467 + w686 * rod_small_end_rotation_1_0)
+    w688 = w682 * guide_damping + w687
+    w689 = w331 * w662 + w347 * w671 + w344 * w676 + (w444 * w677 + w446 * w678 + w448 * w679) + w451 * w688
+    w690 = w26 * w570 + w16 * w575 + w22 * w577 + (w319 * w558 + w321 * w561 + w325 * w563)
+    w691 = w463 - w462
+    w692 = w152 * w329 + w690 * rod_small_end_rotation_1_0 + w691 * c10
+    w693 = w474 * w644 + w645 * c280 + w281 * w646 + w581 * c279 + (w477 * w648 + w479 * w649 + w481 * w650)
+    w694 = w264 + (w18 * w316 + w310 * rod_small_end_x)
+    w695 = w290 - (w313 * rod_small_end_x + w1 * w316)
+    w696 = w314 + (w1 * w310 - w18 * w313)
+    w697 = (w694 + (w3 * w695 - w2 * w696) * 0.5) / w10
+    w698 = w78 * w697
+    w699 = w698 * rod_small_end_rotation_1_0 - w563 * c10
+    w700 = w470 * w662 - w471 * w671 - w473 * w676 + w693 + w699 * rod_small_end_rotation_1_0 - (w256 * rod_phi_phi_0_0_0_0 + (w287 * rod_phi_phi_0_0_1_1 + w262 * c289))
+    w701 = w489 * w644 + w248 * w645 + w646 * c282 - w582 * c281 + (w493 * w648 + w495 * w649 - w497 * w650)
+    w702 = w313 * w486
+    w703 = w559 + w702
+    w704 = w75 * w696
+    w705 = (w695 + (w4 * w696 - w3 * w694) * 0.5) / w10
+    w706 = w704 - w78 * w705
+    w707 = w703 * c10 - w706 * rod_small_end_rotation_1_0
+    w708 = w485 * w671 - w487 * w662 - w488 * w676 + w701 + w707 * rod_small_end_rotation_2_1 + (w194 * rod_phi_phi_0_1_1_2 + w265 * c290)
+    w709 = w504 * w644 + w645 * c284 + w282 * w646 + w581 * c283 + (w507 * w648 + w509 * w649 + w511 * w650)
+    w710 = w501 * w662 - w502 * w671 - w503 * w676 + w709 + w699 * rod_small_end_rotation_1_2 - (w256 * rod_phi_phi_0_2_0_0 + (w287 * rod_phi_phi_0_2_1_1 + w262 * c291))
+    w711 = w518 * w644 + w249 * w645 + w646 * c286 - w582 * c285 + (w522 * w648 + w524 * w649 - w526 * w650)
+    w712 = w515 * w671 - w516 * w662 - w517 * w676 + w711 + w707 * rod_small_end_rotation_2_3 + (w194 * rod_phi_phi_0_3_1_2 + w265 * c292)
+    w713 = w533 * w644 + w645 * c288 + w283 * w646 + w581 * c287 + (w536 * w648 + w538 * w649 + w540 * w650)
+    w714 = w530 * w662 - w531 * w671 - w532 * w676 + w713 + w699 * rod_small_end_rotation_1_4 - (w256 * rod_phi_phi_0_4_0_0 + (w287 * rod_phi_phi_0_4_1_1 + w262 * c293))
+    w715 = w544 * w676 - (w545 * w662 + w546 * w671) + (w644 * c137 + w251 * w645 + w285 * w646 + (w549 * w649 - w551 * w648 + w555 * w650))
+    w716 = w75 * w695
+    w717 = (w696 + (w2 * w694 - w4 * w695) * 0.5) / w10
+    w718 = w716 + w78 * w717
+    w719 = w313 / w10
+    w720 = w316 * w469
+    w721 = w719 - w720
+    w722 = w715 + (w718 * rod_small_end_rotation_1_0 + w721 * c10) * rod_small_end_rotation_0_5 + (w173 * rod_phi_phi_0_5_1_0 + w266 * rod_phi_phi_0_5_0_1)
+    w723 = w719 + w310 * w472
+    w724 = w310 * w486
+    w725 = w724 - w562
+    w726 = w264 / w10
+    w727 = w568 + w18 * w486
+    w728 = w1 * w486
+    w729 = w565 - w728
+    w730 = w290 * w472 + w726 + (w310 * w727 - w313 * w729)
+    w731 = w1 / w10
+    w732 = w18 * w472 + w731
+    w733 = w290 * w486 - w576 + (w316 * w729 - w310 * w732)
+    w734 = w264 * w486
+    w735 = w313 * w732 - w316 * w727 - (w573 + w734)
+    w736 = w317 * w723 + w291 * w725 + w311 * w703 - (w39 * w730 + w30 * w733 + w36 * w735)
+    w737 = w323 - w322
+    w738 = w736 * rod_small_end_rotation_2_1 + w737 * c2
+    w739 = w343 * w488 - w340 * w487
+    w740 = w343 * w485 + w351 * w487
+    w741 = w357 / w10
+    w742 = w589 - w588
+    w743 = w742 + (w84 * w486 - w591)
+    w744 = w104 * w486
+    w745 = w584 + (w586 + w744)
+    w746 = w356 * w472 + w741 - (w18 * w743 + w1 * w745)
+    w747 = w74 * w75
+    w748 = w486 * w583
+    w749 = w747 - w748
+    w750 = w104 / w10
+    w751 = w749 + (w750 + w84 * w472)
+    w752 = w18 * w751 - w745 * rod_small_end_x + (w356 * w486 - w603)
+    w753 = w357 * w486
+    w754 = w1 * w751 + w743 * rod_small_end_x + (w600 + w753)
+    w755 = w26 * w746 + w16 * w752 - w22 * w754
+    w756 = w22 * w80 - w26 * w84
+    w757 = (w755 * rod_small_end_rotation_2_1 + w756 * c2 + w155 * w394) / w55
+    w758 = w247 * w742 - w243 * w749 - w617 + (w218 * w486 - w194 * w472 - w262 / w10)
+    w759 = w615 + w245 * w749 - (w609 + (w610 * w742 - w614)) + (w266 * w486 + w287 * w472 + w265 / w10)
+    w760 = 2 * -w743
+    w761 = 2 * w745
+    w762 = w368 / w10
+    w763 = w1 * w758 - w18 * w759 + (w356 * w760 - w357 * w761) + (w367 * w472 + w762)
+    w764 = w75 * w611
+    w765 = w486 * w613
+    w766 = w243 * w584
+    w767 = w764 - (w610 * w749 + w765) - (w766 + w245 * w742) + (w210 / w10 - (w256 * w486 + w173 * w472))
+    w768 = 2 * -w751
+    w769 = w758 * rod_small_end_x + w18 * w767 + (w359 * w761 - w356 * w768) + (w367 * w486 - w631)
+    w770 = w368 * w486
+    w771 = w357 * w768 - w359 * w760 - (w1 * w767 + w759 * rod_small_end_x) - (w628 + w770)
+    w772 = w52 * w763 + w48 * w769 + w50 * w771
+    w773 = w52 * w173 - w48 * w287 + w50 * w194
+    w774 = w52 * w746 + w48 * w752 - w50 * w754
+    w775 = w50 * w80 - w52 * w84
+    w776 = (w774 * rod_small_end_rotation_2_1 + w775 * c2 - w138 * w362) / w42
+    w777 = w392 * w757 - ((w772 * rod_small_end_rotation_2_1 + w773 * c2 - w363 * w776 - w138 * w373) / w42 + w155 * w391)
+    w778 = w26 * w763 + w16 * w769 + w22 * w771
+    w779 = w26 * w173 - w16 * w287 + w22 * w194
+    w780 = (w778 * rod_small_end_rotation_2_1 + w779 * c2 + w396 * w757 + w155 * w397) / w55
+    w781 = w777 - w43 * w780
+    w782 = 2 * w757
+    w783 = w26 * w781 + w155 * w384 + w382 * w782 - w39 * w780 - w767 * rod_small_end_rotation_2_1
+    w784 = w16 * w781 + w155 * w375 + w377 * w782 - w30 * w780 - w759 * rod_small_end_rotation_2_1
+    w785 = w22 * w781 + w155 * w376 + w379 * w782 - w36 * w780 - w758 * rod_small_end_rotation_2_1
+    w786 = w776 + w155 * w390 + w43 * w757
+    w787 = w155 * w382 - w26 * w786 - w39 * w757 - w751 * rod_small_end_rotation_2_1
+    w788 = w155 * w377 - w16 * w786 - w30 * w757 - w743 * rod_small_end_rotation_2_1
+    w789 = w155 * w379 - w22 * w786 - w36 * w757 + w745 * rod_small_end_rotation_2_1
+    w790 = w332 * w739 - w346 * w740 + (w355 * w783 - w402 * w784 - w404 * w785) + (w418 * w787 - w425 * w788 - w427 * w789)
+    w791 = 2 * w268
+    w792 = 2 * w196
+    w793 = rod_q2_dot * c20 + rod_q4_dot * c27
+    w794 = rod_q2_dot * rod_phi_phi_1_1_2_2
+    w795 = rod_q1_ddot * rod_phi_phi_1_0_2_1 + rod_q3_ddot * rod_phi_phi_1_2_2_1 + rod_q5_ddot * rod_phi_phi_1_4_2_1
+    w796 = w261 + w219 * w287 - w263
+    w797 = w237 * c19 + (w218 * c57 + w194 * w791 - w91 * w262 - (w63 * w266 - w91 * w287 + w265 * w792) + w796 * c2)
+    w798 = rod_q1_ddot * c103 + rod_q3_ddot * c113 + rod_q5_ddot * c123 - w795 + (w247 * (w793 + w794) - w245 * (rod_q6_dot * rod_phi_phi_1_5_2_0) + w797)
+    w799 = w194 * c281
+    w800 = w287 * c281
+    w801 = w790 + (w798 + (w1 * w799 + w18 * w800))
+    w802 = w351 * w488 + w340 * w485
+    w803 = w332 * w802 - w740 * rod_first_moment_x + (w431 * w784 - w432 * w785 - w402 * w783) + (w435 * w788 - w436 * w789 - w437 * w787)
+    w804 = 2 * w212
+    w805 = rod_q2_dot * rod_phi_phi_1_1_0_0 + rod_q4_dot * rod_phi_phi_1_3_0_0
+    w806 = rod_q1_dot * rod_phi_phi_1_0_2_1 + rod_q3_dot * rod_phi_phi_1_2_2_1 + rod_q5_dot * rod_phi_phi_1_4_2_1
+    w807 = w91 * w173 - w63 * w256 + w210 * w792 - (w218 * w804 + w194 * c57 - w63 * w262) + (w243 * (w794 + w805) - w245 * w806)
+    w808 = w173 * w219 + w194 * c54
+    w809 = w173 * c281
+    w810 = w803 + (w807 + rod_q6_ddot * c322 + w808 * c2 + (w18 * w809 + w799 * rod_small_end_x))
+    w811 = w739 * rod_first_moment_x - w346 * w802 + (w439 * w785 - w404 * w783 - w432 * w784) + (w440 * w789 - w441 * w787 - w442 * w788)
+    w812 = w245 * (w793 + w805) - w247 * (rod_q6_dot * rod_phi_phi_1_5_0_2) - w243 * (rod_q1_dot * c103 + rod_q3_dot * c113 + rod_q5_dot * c123)
+    w813 = w260 + (w287 * c54 - w258)
+    w814 = w266 * w804 - w287 * c57 + w63 * w265 - (w173 * w791 - w256 * c57 + w91 * w210) - w236 * c19 + w813 * c2
+    w815 = w811 + (w812 + w814 - (w1 * w809 - w800 * rod_small_end_x))
+    w816 = w346 * w785 - w332 * w784 - w802 * rod_mass + (w416 * w788 - w411 * w789) - (w809 - (w309 * w485 + w312 * w488))
+    w817 = w739 * rod_mass + (w785 * rod_first_moment_x + w332 * w783) + (w424 * w789 - w416 * w787) + (w800 + (w309 * w487 - w315 * w488))
+    w818 = w740 * rod_mass - (w346 * w783 + w784 * rod_first_moment_x) + (w411 * w787 - w424 * w788) - (w799 + (w312 * w487 + w315 * w485))
+    w819 = w40 * w746 + w34 * w752 - w37 * w754
+    w820 = w37 * w80 - w40 * w84
+    w821 = w453 * w483 - (w819 * rod_small_end_rotation_2_1 + w820 * c2) - w155 * w452 - (w54 * w786 + w230 * w757)
+    w822 = w40 * w763 + w34 * w769 + w37 * w771
+    w823 = w40 * w173 - w34 * w287 + w37 * w194
+    w824 = w456 * w483 - (w822 * rod_small_end_rotation_2_1 + w823 * c2) - w155 * w455 + (w458 * w757 - w457 * w786)
+    w825 = w40 * w723 + w34 * w725 - w37 * w703
+    w826 = (w824 + (w54 * w781 - w230 * w780)) * slider_mass + (w155 * w465 - w464 * w483 + w825 * rod_small_end_rotation_2_1)
+    w827 = w821 * guide_damping + w826
+    w828 = w331 * w801 + w347 * w810 + w344 * w815 + (w444 * w816 + w446 * w817 + w448 * w818) + w451 * w827
+    w829 = w26 * w730 + w16 * w733 + w22 * w735 + (w319 * w723 - w321 * w725 - w325 * w703)
+    w830 = w461 - w460
+    w831 = w155 * w329 + w829 * rod_small_end_rotation_2_1 + w830 * c2
+    w832 = w474 * w783 + w784 * c280 + w281 * w785 - w740 * c279 + (w477 * w787 + w479 * w788 + w481 * w789)
+    w833 = w704 + w76 * w697
+    w834 = w833 * rod_small_end_rotation_2_1 + w561 * c2
+    w835 = w470 * w801 - w471 * w810 - w473 * w815 + w832 + w834 * rod_small_end_rotation_1_0 + (w265 * rod_phi_phi_1_0_2_1 + w194 * c294)
+    w836 = w489 * w783 + w248 * w784 + w785 * c282 - w739 * c281 + (w493 * w787 + w495 * w788 - w497 * w789)
+    w837 = w76 * w705
+    w838 = w562 - w724
+    w839 = w837 * rod_small_end_rotation_2_1 + w838 * c2
+    w840 = w485 * w810 - w487 * w801 - w488 * w815 + w836 + w839 * rod_small_end_rotation_2_1 - (w256 * rod_phi_phi_1_1_0_0 + (w262 * rod_phi_phi_1_1_2_2 + w287 * c295))
+    w841 = w504 * w783 + w784 * c284 + w282 * w785 - w740 * c283 + (w507 * w787 + w509 * w788 + w511 * w789)
+    w842 = w501 * w801 - w502 * w810 - w503 * w815 + w841 + w834 * rod_small_end_rotation_1_2 + (w265 * rod_phi_phi_1_2_2_1 + w194 * c296)
+    w843 = w518 * w783 + w249 * w784 + w785 * c286 - w739 * c285 + (w522 * w787 + w524 * w788 - w526 * w789)
+    w844 = w515 * w810 - w516 * w801 - w517 * w815 + w843 + w839 * rod_small_end_rotation_2_3 - (w256 * rod_phi_phi_1_3_0_0 + w287 * c297)
+    w845 = w533 * w783 + w784 * c288 + w283 * w785 - w740 * c287 + (w536 * w787 + w538 * w788 + w540 * w789)
+    w846 = w530 * w801 - w531 * w810 - w532 * w815 + w845 + w834 * rod_small_end_rotation_1_4 + (w265 * rod_phi_phi_1_4_2_1 + w194 * c298)
+    w847 = w544 * w815 - (w545 * w801 + w546 * w810) + (w783 * c137 + w251 * w784 + w285 * w785 + (w549 * w788 - w551 * w787 + w555 * w789))
+    w848 = w75 * w694
+    w849 = w848 - w76 * w717
+    w850 = w557 + w316 * w486
+    w851 = w847 - (w849 * rod_small_end_rotation_2_1 + w850 * c2) * rod_small_end_rotation_0_5 + (w210 * rod_phi_phi_1_5_2_0 + w218 * rod_phi_phi_1_5_0_2)
+    w852 = w578 * rod_small_end_rotation_1_2 + w579 * c11
+    w853 = w343 * w502 + w351 * w501
+    w854 = w340 * w501 + w343 * w503
+    w855 = (w605 * rod_small_end_rotation_1_2 + w606 * c11 + w156 * w394) / w55
+    w856 = (w635 * rod_small_end_rotation_1_2 + w636 * c11 - w139 * w362) / w42
+    w857 = w392 * w855 - ((w633 * rod_small_end_rotation_1_2 + w634 * c11 - w363 * w856 - w139 * w373) / w42 + w156 * w391)
+    w858 = (w639 * rod_small_end_rotation_1_2 + w640 * c11 + w396 * w855 + w156 * w397) / w55
+    w859 = w857 - w43 * w858
+    w860 = 2 * w855
+    w861 = w26 * w859 + w156 * w384 + w382 * w860 - w39 * w858 - w626 * rod_small_end_rotation_1_2
+    w862 = w16 * w859 + w156 * w375 + w377 * w860 - w30 * w858 - w618 * rod_small_end_rotation_1_2
+    w863 = w22 * w859 + w156 * w376 + w379 * w860 - w36 * w858 - w616 * rod_small_end_rotation_1_2
+    w864 = w856 + w156 * w390 + w43 * w855
+    w865 = w156 * w382 - w26 * w864 - w39 * w855 - w599 * rod_small_end_rotation_1_2
+    w866 = w156 * w377 - w16 * w864 - w30 * w855 + w587 * rod_small_end_rotation_1_2
+    w867 = w156 * w379 - w22 * w864 - w36 * w855 - w592 * rod_small_end_rotation_1_2
+    w868 = w346 * w853 + w332 * w854 + (w355 * w861 - w402 * w862 - w404 * w863) + (w418 * w865 - w425 * w866 - w427 * w867)
+    w869 = 2 * w269
+    w870 = 2 * w197
+    w871 = rod_q1_dot * rod_phi_phi_2_0_1_1 + rod_q3_dot * rod_phi_phi_2_2_1_1 + rod_q5_dot * rod_phi_phi_2_4_1_1
+    w872 = rod_q1_dot * c37 + rod_q3_dot * c43 + rod_q5_dot * c49
+    w873 = w179 * w218 + w194 * w869 - w94 * w262 - (w266 * c78 - w94 * w287 + w265 * w870) - w275 * c36 + (w247 * (w871 + w872) - w243 * (rod_q6_dot * rod_phi_phi_2_5_1_0))
+    w874 = rod_q2_ddot * rod_phi_phi_2_1_1_2 + rod_q4_ddot * rod_phi_phi_2_3_1_2 - (rod_q2_ddot * c111 + rod_q4_ddot * c121)
+    w875 = w262 * c36 + w659 * c11
+    w876 = w265 * c283
+    w877 = w868 + (w873 + w874 - w658 * c11 + w289 * c11 - (w1 * w875 + w18 * w876))
+    w878 = w340 * w502 - w351 * w503
+    w879 = w853 * rod_first_moment_x - w332 * w878 + (w431 * w862 - w432 * w863 - w402 * w861) + (w435 * w866 - w436 * w867 - w437 * w865)
+    w880 = 2 * w213
+    w881 = rod_q1_dot * rod_phi_phi_2_0_0_0 + rod_q3_dot * rod_phi_phi_2_2_0_0 + rod_q5_dot * rod_phi_phi_2_4_0_0
+    w882 = w243 * (w872 + w881) - w245 * (rod_q2_dot * c111 + rod_q4_dot * c121) - w247 * (rod_q6_dot * rod_phi_phi_2_5_0_1)
+    w883 = w236 * c36 + (w94 * w173 - w256 * c78 + w210 * w870 - (w218 * w880 + w179 * w194 - w262 * c78) + w668 * c11)
+    w884 = w210 * c283
+    w885 = w879 + (w882 + w883 - (w875 * rod_small_end_x - w18 * w884))
+    w886 = w854 * rod_first_moment_x + w346 * w878 + (w439 * w863 - w404 * w861 - w432 * w862) + (w440 * w867 - w441 * w865 - w442 * w866)
+    w887 = w245 * (w871 + w881) - w243 * (rod_q2_dot * rod_phi_phi_2_1_1_2 + rod_q4_dot * rod_phi_phi_2_3_1_2)
+    w888 = w266 * w880 - w179 * w287 + w265 * c78 - (w173 * w869 - w179 * w256 + w94 * w210) + w887 + rod_q6_ddot * c326
+    w889 = w886 + (w888 - w675 * c11 - (w876 * rod_small_end_x + w1 * w884))
+    w890 = w878 * rod_mass + (w346 * w863 - w332 * w862) + (w416 * w866 - w411 * w867) + (w312 * w503 - w309 * w502 - w884)
+    w891 = w854 * rod_mass + (w863 * rod_first_moment_x + w332 * w861) + (w424 * w867 - w416 * w865) - (w876 + (w315 * w503 + w309 * w501))
+    w892 = w411 * w865 - w424 * w866 - (w853 * rod_mass + (w346 * w861 + w862 * rod_first_moment_x)) + (w875 + (w312 * w501 + w315 * w502))
+    w893 = w453 * w499 - (w680 * rod_small_end_rotation_1_2 + w681 * c11) - w156 * w452 - (w54 * w864 + w230 * w855)
+    w894 = w456 * w499 - (w683 * rod_small_end_rotation_1_2 + w684 * c11) - w156 * w455 + (w458 * w855 - w457 * w864)
+    w895 = (w894 + (w54 * w859 - w230 * w858)) * slider_mass + (w156 * w465 - w464 * w499 + w686 * rod_small_end_rotation_1_2)
+    w896 = w893 * guide_damping + w895
+    w897 = w331 * w877 + w347 * w885 + w344 * w889 + (w444 * w890 + w446 * w891 + w448 * w892) + w451 * w896
+    w898 = w156 * w329 + w690 * rod_small_end_rotation_1_2 + w691 * c11
+    w899 = w474 * w861 + w862 * c280 + w281 * w863 + w853 * c279 + (w477 * w865 + w479 * w866 + w481 * w867)
+    w900 = w698 * rod_small_end_rotation_1_2 - w563 * c11
+    w901 = w470 * w877 - w471 * w885 - w473 * w889 + w899 + w900 * rod_small_end_rotation_1_0 - (w287 * rod_phi_phi_2_0_1_1 + (w256 * rod_phi_phi_2_0_0_0 + w262 * c299) + w875 * c10)
+    w902 = w489 * w861 + w248 * w862 + w863 * c282 - w854 * c281 + (w493 * w865 + w495 * w866 - w497 * w867)
+    w903 = w703 * c11 - w706 * rod_small_end_rotation_1_2
+    w904 = w485 * w885 - w487 * w877 - w488 * w889 + w902 + w903 * rod_small_end_rotation_2_1 + (w194 * rod_phi_phi_2_1_1_2 + w265 * c300)
+    w905 = w504 * w861 + w862 * c284 + w282 * w863 + w853 * c283 + (w507 * w865 + w509 * w866 + w511 * w867)
+    w906 = w501 * w877 - w502 * w885 - w503 * w889 + w905 + w900 * rod_small_end_rotation_1_2 - (w287 * rod_phi_phi_2_2_1_1 + (w256 * rod_phi_phi_2_2_0_0 + w262 * c301) + w875 * c11)
+    w907 = w518 * w861 + w249 * w862 + w863 * c286 - w854 * c285 + (w522 * w865 + w524 * w866 - w526 * w867)
+    w908 = w515 * w885 - w516 * w877 - w517 * w889 + w907 + w903 * rod_small_end_rotation_2_3 + (w194 * rod_phi_phi_2_3_1_2 + w265 * c302)
+    w909 = w533 * w861 + w862 * c288 + w283 * w863 + w853 * c287 + (w536 * w865 + w538 * w866 + w540 * w867)
+    w910 = w530 * w877 - w531 * w885 - w532 * w889 + w909 + w900 * rod_small_end_rotation_1_4 - (w287 * rod_phi_phi_2_4_1_1 + (w256 * rod_phi_phi_2_4_0_0 + w262 * c303) + w875 * c12)
+    w911 = w544 * w889 - (w545 * w877 + w546 * w885) + (w861 * c137 + w251 * w862 + w285 * w863 + (w549 * w866 - w551 * w865 + w555 * w867))
+    w912 = w911 + (w718 * rod_small_end_rotation_1_2 + w721 * c11) * rod_small_end_rotation_0_5 + (w173 * rod_phi_phi_2_5_1_0 + w266 * rod_phi_phi_2_5_0_1)
+    w913 = w736 * rod_small_end_rotation_2_3 + w737 * c3
+    w914 = w343 * w517 - w340 * w516
+    w915 = w343 * w515 + w351 * w516
+    w916 = (w755 * rod_small_end_rotation_2_3 + w756 * c3 + w157 * w394) / w55
+    w917 = (w774 * rod_small_end_rotation_2_3 + w775 * c3 - w140 * w362) / w42
+    w918 = w392 * w916 - ((w772 * rod_small_end_rotation_2_3 + w773 * c3 - w363 * w917 - w140 * w373) / w42 + w157 * w391)
+    w919 = (w778 * rod_small_end_rotation_2_3 + w779 * c3 + w396 * w916 + w157 * w397) / w55
+    w920 = w918 - w43 * w919
+    w921 = 2 * w916
+    w922 = w26 * w920 + w157 * w384 + w382 * w921 - w39 * w919 - w767 * rod_small_end_rotation_2_3
+    w923 = w16 * w920 + w157 * w375 + w377 * w921 - w30 * w919 - w759 * rod_small_end_rotation_2_3
+    w924 = w22 * w920 + w157 * w376 + w379 * w921 - w36 * w919 - w758 * rod_small_end_rotation_2_3
+    w925 = w917 + w157 * w390 + w43 * w916
+    w926 = w157 * w382 - w26 * w925 - w39 * w916 - w751 * rod_small_end_rotation_2_3
+    w927 = w157 * w377 - w16 * w925 - w30 * w916 - w743 * rod_small_end_rotation_2_3
+    w928 = w157 * w379 - w22 * w925 - w36 * w916 + w745 * rod_small_end_rotation_2_3
+    w929 = w332 * w914 - w346 * w915 + (w355 * w922 - w402 * w923 - w404 * w924) + (w418 * w926 - w425 * w927 - w427 * w928)
+    w930 = 2 * w270
+    w931 = 2 * w198
+    w932 = rod_q2_dot * c22 + rod_q4_dot * c28
+    w933 = rod_q4_dot * rod_phi_phi_3_3_2_2
+    w934 = rod_q1_ddot * rod_phi_phi_3_0_2_1 + rod_q3_ddot * rod_phi_phi_3_2_2_1 + rod_q5_ddot * rod_phi_phi_3_4_2_1
+    w935 = w237 * c21 + (w218 * c62 + w194 * w930 - w97 * w262 - (w66 * w266 - w97 * w287 + w265 * w931) + w796 * c3)
+    w936 = rod_q1_ddot * c104 + rod_q3_ddot * c114 + rod_q5_ddot * c124 - w934 + (w247 * (w932 + w933) - w245 * (rod_q6_dot * rod_phi_phi_3_5_2_0) + w935)
+    w937 = w194 * c285
+    w938 = w287 * c21 + w287 * rod_mass * c3
+    w939 = w929 + (w936 + (w1 * w937 + w18 * w938))
+    w940 = w351 * w517 + w340 * w515
+    w941 = w332 * w940 - w915 * rod_first_moment_x + (w431 * w923 - w432 * w924 - w402 * w922) + (w435 * w927 - w436 * w928 - w437 * w926)
+    w942 = 2 * w214
+    w943 = rod_q2_dot * rod_phi_phi_3_1_0_0 + rod_q4_dot * rod_phi_phi_3_3_0_0
+    w944 = rod_q1_dot * rod_phi_phi_3_0_2_1 + rod_q3_dot * rod_phi_phi_3_2_2_1 + rod_q5_dot * rod_phi_phi_3_4_2_1
+    w945 = w97 * w173 - w66 * w256 + w210 * w931 - (w218 * w942 + w194 * c62 - w66 * w262) + (w243 * (w933 + w943) - w245 * w944)
+    w946 = w173 * c285
+    w947 = w941 + (w945 + rod_q6_ddot * c331 + w808 * c3 + (w18 * w946 + w937 * rod_small_end_x))
+    w948 = w914 * rod_first_moment_x - w346 * w940 + (w439 * w924 - w404 * w922 - w432 * w923) + (w440 * w928 - w441 * w926 - w442 * w927)
+    w949 = w245 * (w932 + w943) - w247 * (rod_q6_dot * rod_phi_phi_3_5_0_2) - w243 * (rod_q1_dot * c104 + rod_q3_dot * c114 + rod_q5_dot * c124)
+    w950 = w266 * w942 - w287 * c62 + w66 * w265 - (w173 * w930 - w256 * c62 + w97 * w210) - w236 * c21 + w813 * c3
+    w951 = w948 + (w949 + w950 - (w1 * w946 - w938 * rod_small_end_x))
+    w952 = w346 * w924 - w332 * w923 - w940 * rod_mass + (w416 * w927 - w411 * w928) - (w946 - (w309 * w515 + w312 * w517))
+    w953 = w914 * rod_mass + (w924 * rod_first_moment_x + w332 * w922) + (w424 * w928 - w416 * w926) + (w938 + (w309 * w516 - w315 * w517))
+    w954 = w915 * rod_mass - (w346 * w922 + w923 * rod_first_moment_x) + (w411 * w926 - w424 * w927) - (w937 + (w312 * w516 + w315 * w515))
+    w955 = w453 * w513 - (w819 * rod_small_end_rotation_2_3 + w820 * c3) - w157 * w452 - (w54 * w925 + w230 * w916)
+    w956 = w456 * w513 - (w822 * rod_small_end_rotation_2_3 + w823 * c3) - w157 * w455 + (w458 * w916 - w457 * w925)
+    w957 = (w956 + (w54 * w920 - w230 * w919)) * slider_mass + (w157 * w465 - w464 * w513 + w825 * rod_small_end_rotation_2_3)
+    w958 = w955 * guide_damping + w957
+    w959 = w331 * w939 + w347 * w947 + w344 * w951 + (w444 * w952 + w446 * w953 + w448 * w954) + w451 * w958
+    w960 = w157 * w329 + w829 * rod_small_end_rotation_2_3 + w830 * c3
+    w961 = w474 * w922 + w923 * c280 + w281 * w924 - w915 * c279 + (w477 * w926 + w479 * w927 + w481 * w928)
+    w962 = w833 * rod_small_end_rotation_2_3 + w561 * c3
+    w963 = w470 * w939 - w471 * w947 - w473 * w951 + w961 + w962 * rod_small_end_rotation_1_0 + (w265 * rod_phi_phi_3_0_2_1 + w194 * c304)
+    w964 = w489 * w922 + w248 * w923 + w924 * c282 - w914 * c281 + (w493 * w926 + w495 * w927 - w497 * w928)
+    w965 = w837 * rod_small_end_rotation_2_3 + w838 * c3
+    w966 = w485 * w947 - w487 * w939 - w488 * w951 + w964 + w965 * rod_small_end_rotation_2_1 - (w256 * rod_phi_phi_3_1_0_0 + w287 * c305 + w938 * c2)
+    w967 = w504 * w922 + w923 * c284 + w282 * w924 - w915 * c283 + (w507 * w926 + w509 * w927 + w511 * w928)
+    w968 = w501 * w939 - w502 * w947 - w503 * w951 + w967 + w962 * rod_small_end_rotation_1_2 + (w265 * rod_phi_phi_3_2_2_1 + w194 * c306)
+    w969 = w518 * w922 + w249 * w923 + w924 * c286 - w914 * c285 + (w522 * w926 + w524 * w927 - w526 * w928)
+    w970 = w515 * w947 - w516 * w939 - w517 * w951 + w969 + w965 * rod_small_end_rotation_2_3 - (w262 * rod_phi_phi_3_3_2_2 + (w256 * rod_phi_phi_3_3_0_0 + w287 * c307) + w938 * c3)
+    w971 = w533 * w922 + w923 * c288 + w283 * w924 - w915 * c287 + (w536 * w926 + w538 * w927 + w540 * w928)
+    w972 = w530 * w939 - w531 * w947 - w532 * w951 + w971 + w962 * rod_small_end_rotation_1_4 + (w265 * rod_phi_phi_3_4_2_1 + w194 * c308)
+    w973 = w544 * w951 - (w545 * w939 + w546 * w947) + (w922 * c137 + w251 * w923 + w285 * w924 + (w549 * w927 - w551 * w926 + w555 * w928))
+    w974 = w973 - (w849 * rod_small_end_rotation_2_3 + w850 * c3) * rod_small_end_rotation_0_5 + (w210 * rod_phi_phi_3_5_2_0 + w218 * rod_phi_phi_3_5_0_2)
+    w975 = w578 * rod_small_end_rotation_1_4 + w579 * c12
+    w976 = w343 * w531 + w351 * w530
+    w977 = w340 * w530 + w343 * w532
+    w978 = (w605 * rod_small_end_rotation_1_4 + w606 * c12 + w158 * w394) / w55
+    w979 = (w635 * rod_small_end_rotation_1_4 + w636 * c12 - w141 * w362) / w42
+    w980 = w392 * w978 - ((w633 * rod_small_end_rotation_1_4 + w634 * c12 - w363 * w979 - w141 * w373) / w42 + w158 * w391)
+    w981 = (w639 * rod_small_end_rotation_1_4 + w640 * c12 + w396 * w978 + w158 * w397) / w55
+    w982 = w980 - w43 * w981
+    w983 = 2 * w978
+    w984 = w26 * w982 + w158 * w384 + w382 * w983 - w39 * w981 - w626 * rod_small_end_rotation_1_4
+    w985 = w16 * w982 + w158 * w375 + w377 * w983 - w30 * w981 - w618 * rod_small_end_rotation_1_4
+    w986 = w22 * w982 + w158 * w376 + w379 * w983 - w36 * w981 - w616 * rod_small_end_rotation_1_4
+    w987 = w979 + w158 * w390 + w43 * w978
+    w988 = w158 * w382 - w26 * w987 - w39 * w978 - w599 * rod_small_end_rotation_1_4
+    w989 = w158 * w377 - w16 * w987 - w30 * w978 + w587 * rod_small_end_rotation_1_4
+    w990 = w158 * w379 - w22 * w987 - w36 * w978 - w592 * rod_small_end_rotation_1_4
+    w991 = w346 * w976 + w332 * w977 + (w355 * w984 - w402 * w985 - w404 * w986) + (w418 * w988 - w425 * w989 - w427 * w990)
+    w992 = 2 * w271
+    w993 = 2 * w199
+    w994 = rod_q1_dot * rod_phi_phi_4_0_1_1 + rod_q3_dot * rod_phi_phi_4_2_1_1 + rod_q5_dot * rod_phi_phi_4_4_1_1
+    w995 = rod_q1_dot * c39 + rod_q3_dot * c44 + rod_q5_dot * c50
+    w996 = w182 * w218 + w194 * w992 - w100 * w262 - (w266 * c83 - w100 * w287 + w265 * w993) - w275 * c38 + (w247 * (w994 + w995) - w243 * (rod_q6_dot * rod_phi_phi_4_5_1_0))
+    w997 = rod_q2_ddot * rod_phi_phi_4_1_1_2 + rod_q4_ddot * rod_phi_phi_4_3_1_2 - (rod_q2_ddot * c112 + rod_q4_ddot * c122)
+    w998 = w262 * c38 + w659 * c12
+    w999 = w265 * c287
+    w1000 = w991 + (w996 + w997 - w658 * c12 + w289 * c12 - (w1 * w998 + w18 * w999))
+    w1001 = w340 * w531 - w351 * w532
+    w1002 = w976 * rod_first_moment_x - w332 * w1001 + (w431 * w985 - w432 * w986 - w402 * w984) + (w435 * w989 - w436 * w990 - w437 * w988)
+    w1003 = 2 * w215
+    w1004 = rod_q1_dot * rod_phi_phi_4_0_0_0 + rod_q3_dot * rod_phi_phi_4_2_0_0 + rod_q5_dot * rod_phi_phi_4_4_0_0
+    w1005 = w243 * (w995 + w1004) - w245 * (rod_q2_dot * c112 + rod_q4_dot * c122) - w247 * (rod_q6_dot * rod_phi_phi_4_5_0_1)
+    w1006 = w236 * c38 + (w100 * w173 - w256 * c83 + w210 * w993 - (w218 * w1003 + w182 * w194 - w262 * c83) + w668 * c12)
+    w1007 = w210 * c287
+    w1008 = w1002 + (w1005 + w1006 - (w998 * rod_small_end_x - w18 * w1007))
+    w1009 = w977 * rod_first_moment_x + w346 * w1001 + (w439 * w986 - w404 * w984 - w432 * w985) + (w440 * w990 - w441 * w988 - w442 * w989)
+    w1010 = w245 * (w994 + w1004) - w243 * (rod_q2_dot * rod_phi_phi_4_1_1_2 + rod_q4_dot * rod_phi_phi_4_3_1_2)
+    w1011 = w266 * w1003 - w182 * w287 + w265 * c83 - (w173 * w992 - w182 * w256 + w100 * w210) + w1010 + rod_q6_ddot * c335
+    w1012 = w1009 + (w1011 - w675 * c12 - (w999 * rod_small_end_x + w1 * w1007))
+    w1013 = w1001 * rod_mass + (w346 * w986 - w332 * w985) + (w416 * w989 - w411 * w990) + (w312 * w532 - w309 * w531 - w1007)
+    w1014 = w977 * rod_mass + (w986 * rod_first_moment_x + w332 * w984) + (w424 * w990 - w416 * w988) - (w999 + (w315 * w532 + w309 * w530))
+    w1015 = w411 * w988 - w424 * w989 - (w976 * rod_mass + (w346 * w984 + w985 * rod_first_moment_x)) + (w998 + (w312 * w530 + w315 * w531))
+    w1016 = w453 * w528 - (w680 * rod_small_end_rotation_1_4 + w681 * c12) - w158 * w452 - (w54 * w987 + w230 * w978)
+    w1017 = w456 * w528 - (w683 * rod_small_end_rotation_1_4 + w684 * c12) - w158 * w455 + (w458 * w978 - w457 * w987)
+    w1018 = (w1017 + (w54 * w982 - w230 * w981)) * slider_mass + (w158 * w465 - w464 * w528 + w686 * rod_small_end_rotation_1_4)
+    w1019 = w1016 * guide_damping + w1018
+    w1020 = w331 * w1000 + w347 * w1008 + w344 * w1012 + (w444 * w1013 + w446 * w1014 + w448 * w1015) + w451 * w1019
+    w1021 = w158 * w329 + w690 * rod_small_end_rotation_1_4 + w691 * c12
+    w1022 = w474 * w984 + w985 * c280 + w281 * w986 + w976 * c279 + (w477 * w988 + w479 * w989 + w481 * w990)
+    w1023 = w698 * rod_small_end_rotation_1_4 - w563 * c12
+    w1024 = w470 * w1000 - w471 * w1008 - w473 * w1012 + w1022 + w1023 * rod_small_end_rotation_1_0 - (w287 * rod_phi_phi_4_0_1_1 + (w256 * rod_phi_phi_4_0_0_0 + w262 * c309) + w998 * c10)
+    w1025 = w489 * w984 + w248 * w985 + w986 * c282 - w977 * c281 + (w493 * w988 + w495 * w989 - w497 * w990)
+    w1026 = w703 * c12 - w706 * rod_small_end_rotation_1_4
+    w1027 = w485 * w1008 - w487 * w1000 - w488 * w1012 + w1025 + w1026 * rod_small_end_rotation_2_1 + (w194 * rod_phi_phi_4_1_1_2 + w265 * c310)
+    w1028 = w504 * w984 + w985 * c284 + w282 * w986 + w976 * c283 + (w507 * w988 + w509 * w989 + w511 * w990)
+    w1029 = w501 * w1000 - w502 * w1008 - w503 * w1012 + w1028 + w1023 * rod_small_end_rotation_1_2 - (w287 * rod_phi_phi_4_2_1_1 + (w256 * rod_phi_phi_4_2_0_0 + w262 * c311) + w998 * c11)
+    w1030 = w518 * w984 + w249 * w985 + w986 * c286 - w977 * c285 + (w522 * w988 + w524 * w989 - w526 * w990)
+    w1031 = w515 * w1008 - w516 * w1000 - w517 * w1012 + w1030 + w1026 * rod_small_end_rotation_2_3 + (w194 * rod_phi_phi_4_3_1_2 + w265 * c312)
+    w1032 = w533 * w984 + w985 * c288 + w283 * w986 + w976 * c287 + (w536 * w988 + w538 * w989 + w540 * w990)
+    w1033 = w530 * w1000 - w531 * w1008 - w532 * w1012 + w1032 + w1023 * rod_small_end_rotation_1_4 - (w287 * rod_phi_phi_4_4_1_1 + (w256 * rod_phi_phi_4_4_0_0 + w262 * c313) + w998 * c12)
+    w1034 = w544 * w1012 - (w545 * w1000 + w546 * w1008) + (w984 * c137 + w251 * w985 + w285 * w986 + (w549 * w989 - w551 * w988 + w555 * w990))
+    w1035 = w1034 + (w718 * rod_small_end_rotation_1_4 + w721 * c12) * rod_small_end_rotation_0_5 + (w173 * rod_phi_phi_4_5_1_0 + w266 * rod_phi_phi_4_5_0_1)
+    w1036 = w560 + w702
+    w1037 = w720 - w719
+    w1038 = w571 - w486 * rod_small_end_x
+    w1039 = w731 + w469 * rod_small_end_x
+    w1040 = w310 * w1038 + w313 * w1039 - (w574 + w734)
+    w1041 = w566 + w728
+    w1042 = w564 + w314 * w486 + (w310 * w1041 - w316 * w1039)
+    w1043 = w314 * w469 - w726 - (w313 * w1041 + w316 * w1038)
+    w1044 = (w291 * w850 - w317 * w1036 - w311 * w1037 - (w39 * w1040 + w30 * w1042 + w36 * w1043)) * rod_small_end_rotation_0_5
+    w1045 = w748 - w747
+    w1046 = w1045 + (w80 * w469 - w750)
+    w1047 = w596 - w595
+    w1048 = w1047 + (w598 + w80 * w486)
+    w1049 = w1 * w1046 - w18 * w1048 - (w601 + w753)
+    w1050 = w584 + (w585 + w744)
+    w1051 = w1046 * rod_small_end_x - w18 * w1050 + (w593 + w359 * w486)
+    w1052 = w1 * w1050 - w1048 * rod_small_end_x + (w359 * w469 - w741)
+    w1053 = ((w26 * w1049 + w16 * w1051 + w22 * w1052) * rod_small_end_rotation_0_5 + w161 * w394) / w55
+    w1054 = w766 + w247 * w1047 - (w764 + (w610 * w1045 - w765)) + (w218 / w10 + w194 * w469 + w262 * w486)
+    w1055 = w624 - (w625 + w610 * w1047) - (w623 + w247 * w1045) + (w266 / w10 - w287 * w469 - w265 * w486)
+    w1056 = 2 * -w1048
+    w1057 = 2 * -w1046
+    w1058 = w1 * w1054 - w18 * w1055 + (w356 * w1056 - w357 * w1057) - (w629 + w770)
+    w1059 = w243 * w1045 - w245 * w1047 - w617 + (w173 * w469 - w256 / w10 - w210 * w486)
+    w1060 = 2 * w1050
+    w1061 = w1054 * rod_small_end_x + w18 * w1059 + (w359 * w1057 - w356 * w1060) + (w621 + w370 * w486)
+    w1062 = w357 * w1060 - w359 * w1056 - (w1 * w1059 + w1055 * rod_small_end_x) + (w370 * w469 - w762)
+    w1063 = ((w52 * w1049 + w48 * w1051 + w50 * w1052) * rod_small_end_rotation_0_5 - w145 * w362) / w42
+    w1064 = (w52 * w1058 + w48 * w1061 + w50 * w1062) * rod_small_end_rotation_0_5 - w363 * w1063 - w145 * w373
+    w1065 = (w26 * w1058 + w16 * w1061 + w22 * w1062) * rod_small_end_rotation_0_5 + w396 * w1053 + w161 * w397
+    w1066 = w1065 / w55
+    w1067 = w392 * w1053 - (w1064 / w42 + w161 * w391) - w43 * w1066
+    w1068 = 2 * w1053
+    w1069 = w26 * w1067 + w161 * w384 + w382 * w1068 - w39 * w1066 - w1059 * rod_small_end_rotation_0_5
+    w1070 = w16 * w1067 + w161 * w375 + w377 * w1068 - w30 * w1066 - w1055 * rod_small_end_rotation_0_5
+    w1071 = w22 * w1067 + w161 * w376 + w379 * w1068 - w36 * w1066 - w1054 * rod_small_end_rotation_0_5
+    w1072 = w351 * w545 - w343 * w546
+    w1073 = w340 * w545 + w343 * w544
+    w1074 = w1063 + w161 * w390 + w43 * w1053
+    w1075 = w161 * w382 - w26 * w1074 - w39 * w1053 + w1050 * rod_small_end_rotation_0_5
+    w1076 = w161 * w377 - w16 * w1074 - w30 * w1053 - w1048 * rod_small_end_rotation_0_5
+    w1077 = w161 * w379 - w22 * w1074 - w36 * w1053 - w1046 * rod_small_end_rotation_0_5
+    w1078 = w355 * w1069 - w402 * w1070 - w404 * w1071 - (w346 * w1072 + w332 * w1073) + (w418 * w1075 - w425 * w1076 - w427 * w1077)
+    w1079 = 2 * w273
+    w1080 = 2 * w201
+    w1081 = rod_q6_dot * rod_phi_phi_5_5_1_1
+    w1082 = rod_q6_dot * rod_phi_phi_5_5_2_2
+    w1083 = rod_q1_dot * rod_phi_phi_5_0_1_0 + rod_q3_dot * rod_phi_phi_5_2_1_0 + rod_q5_dot * rod_phi_phi_5_4_1_0
+    w1084 = w247 * (w1081 + w1082) - w243 * w1083 - w245 * (rod_q2_dot * rod_phi_phi_5_1_2_0 + rod_q4_dot * rod_phi_phi_5_3_2_0)
+    w1085 = w1078 + (w186 * w218 + w194 * w1079 - w262 * c129 - (w69 * w266 - w287 * c129 + w265 * w1080) + w1084)
+    w1086 = w351 * w544 + w340 * w546
+    w1087 = w431 * w1070 - w432 * w1071 - w402 * w1069 - (w332 * w1086 + w1072 * rod_first_moment_x) + (w435 * w1076 - w436 * w1077 - w437 * w1075)
+    w1088 = 2 * w216
+    w1089 = rod_q6_dot * rod_phi_phi_5_5_0_0
+    w1090 = rod_q1_dot * rod_phi_phi_5_0_0_1 + rod_q3_dot * rod_phi_phi_5_2_0_1 + rod_q5_dot * rod_phi_phi_5_4_0_1
+    w1091 = w173 * c129 - w69 * w256 + w210 * w1080 - (w218 * w1088 + w186 * w194 - w69 * w262) + (w243 * (w1082 + w1089) - w247 * w1090)
+    w1092 = rod_q2_ddot * rod_phi_phi_5_1_2_0 + rod_q4_ddot * rod_phi_phi_5_3_2_0 - (rod_q2_ddot * rod_phi_phi_5_1_0_2 + rod_q4_ddot * rod_phi_phi_5_3_0_2)
+    w1093 = w1087 + (w1091 + w1092)
+    w1094 = w346 * w1086 - w1073 * rod_first_moment_x + (w439 * w1071 - w404 * w1069 - w432 * w1070) + (w440 * w1077 - w441 * w1075 - w442 * w1076)
+    w1095 = w245 * (w1081 + w1089) - w247 * (rod_q2_dot * rod_phi_phi_5_1_0_2 + rod_q4_dot * rod_phi_phi_5_3_0_2)
+    w1096 = rod_q1_ddot * rod_phi_phi_5_0_0_1 + rod_q3_ddot * rod_phi_phi_5_2_0_1 + rod_q5_ddot * rod_phi_phi_5_4_0_1
+    w1097 = rod_q1_ddot * rod_phi_phi_5_0_1_0 + rod_q3_ddot * rod_phi_phi_5_2_1_0 + rod_q5_ddot * rod_phi_phi_5_4_1_0
+    w1098 = w266 * w1088 - w186 * w287 + w69 * w265 - (w173 * w1079 - w186 * w256 + w210 * c129) + w1095 + (w1096 - w1097)
+    w1099 = w1094 + w1098
+    w1100 = w1086 * rod_mass + (w346 * w1071 - w332 * w1070) + (w416 * w1076 - w411 * w1077) - (w309 * w546 + w312 * w544)
+    w1101 = w1071 * rod_first_moment_x + w332 * w1069 - w1073 * rod_mass + (w424 * w1077 - w416 * w1075) + (w315 * w544 + w309 * w545)
+    w1102 = w1072 * rod_mass - (w346 * w1069 + w1070 * rod_first_moment_x) + (w411 * w1075 - w424 * w1076) + (w315 * w546 - w312 * w545)
+    w1103 = w453 * w542 - (w40 * w1049 + w34 * w1051 + w37 * w1052) * rod_small_end_rotation_0_5 - w161 * w452
+    w1104 = w1103 - (w54 * w1074 + w230 * w1053)
+    w1105 = w456 * w542 - (w40 * w1058 + w34 * w1061 + w37 * w1062) * rod_small_end_rotation_0_5 - w161 * w455
+    w1106 = w161 * w465 - w464 * w542 + (w34 * w850 - w40 * w1036 + w37 * w1037) * rod_small_end_rotation_0_5
+    w1107 = w1104 * guide_damping + ((w1105 + (w458 * w1053 - w457 * w1074) + (w54 * w1067 - w230 * w1066)) * slider_mass + w1106)
+    w1108 = w331 * w1085 + w347 * w1093 + w344 * w1099 + (w444 * w1100 + w446 * w1101 + w448 * w1102) + w451 * w1107
+    w1109 = (w26 * w1040 + w16 * w1042 + w22 * w1043 + (w325 * w1037 - (w319 * w1036 + w321 * w850))) * rod_small_end_rotation_0_5
+    w1110 = w161 * w329 + w1109
+    w1111 = w474 * w1069 + w1070 * c280 + w281 * w1071 - w1072 * c279 + (w477 * w1075 + w479 * w1076 + w481 * w1077)
+    w1112 = (w716 - w82 * w697) * rod_small_end_rotation_0_5
+    w1113 = w470 * w1085 - w471 * w1093 - w473 * w1099 + w1111 - w1112 * rod_small_end_rotation_1_0 + (w173 * rod_phi_phi_5_0_1_0 + w266 * rod_phi_phi_5_0_0_1)
+    w1114 = w489 * w1069 + w248 * w1070 + w1071 * c282 + w1073 * c281 + (w493 * w1075 + w495 * w1076 - w497 * w1077)
+    w1115 = (w848 + w82 * w705) * rod_small_end_rotation_0_5
+    w1116 = w485 * w1093 - w487 * w1085 - w488 * w1099 + w1114 + w1115 * rod_small_end_rotation_2_1 + (w210 * rod_phi_phi_5_1_2_0 + w218 * rod_phi_phi_5_1_0_2)
+    w1117 = w504 * w1069 + w1070 * c284 + w282 * w1071 - w1072 * c283 + (w507 * w1075 + w509 * w1076 + w511 * w1077)
+    w1118 = w501 * w1085 - w502 * w1093 - w503 * w1099 + w1117 - w1112 * rod_small_end_rotation_1_2 + (w173 * rod_phi_phi_5_2_1_0 + w266 * rod_phi_phi_5_2_0_1)
+    w1119 = w518 * w1069 + w249 * w1070 + w1071 * c286 + w1073 * c285 + (w522 * w1075 + w524 * w1076 - w526 * w1077)
+    w1120 = w515 * w1093 - w516 * w1085 - w517 * w1099 + w1119 + w1115 * rod_small_end_rotation_2_3 + (w210 * rod_phi_phi_5_3_2_0 + w218 * rod_phi_phi_5_3_0_2)
+    w1121 = w533 * w1069 + w1070 * c288 + w283 * w1071 - w1072 * c287 + (w536 * w1075 + w538 * w1076 + w540 * w1077)
+    w1122 = w530 * w1085 - w531 * w1093 - w532 * w1099 + w1121 - w1112 * rod_small_end_rotation_1_4 + (w173 * rod_phi_phi_5_4_1_0 + w266 * rod_phi_phi_5_4_0_1)
+    w1123 = w544 * w1099 - (w545 * w1085 + w546 * w1093) + (w1069 * c137 + w251 * w1070 + w285 * w1071 + (w549 * w1076 - w551 * w1075 + w555 * w1077))
+    w1124 = w1123 + w82 * w717 * c272 - (w256 * rod_phi_phi_5_5_0_0 + w287 * rod_phi_phi_5_5_1_1 + w262 * rod_phi_phi_5_5_2_2)
+    w1125 = 2 * -(w48 * w365 + w16 * w393)
+    w1126 = 2 * -(w50 * w365 + w22 * w393)
+    w1127 = 2 * w420
+    w1128 = 2 * w426
+    w1129 = 2 * w428
+    w1130 = w332 * w1125 - w346 * w1126 + (w355 * w1127 - w402 * w1128 - w404 * w1129) + (w331 * w418 - w347 * w425 - w344 * w427)
+    w1131 = 2 * -(w52 * w365 + w26 * w393)
+    w1132 = w431 * w1128 - w432 * w1129 - w402 * w1127 - (w332 * w1131 + w1126 * rod_first_moment_x) + (w347 * w435 - w344 * w436 - w331 * w437)
+    w1133 = w1125 * rod_first_moment_x + w346 * w1131 + (w439 * w1129 - w404 * w1127 - w432 * w1128) + (w344 * w440 - w331 * w441 - w347 * w442)
+    w1134 = w446 * (w1125 * rod_mass + (w1129 * rod_first_moment_x + w332 * w1127) + (w344 * w424 - w331 * w416))
+    w1135 = w448 * (w1126 * rod_mass - (w346 * w1127 + w1128 * rod_first_moment_x) + (w331 * w411 - w347 * w424))
+    w1136 = w451 * guide_damping + 2 * w454 * slider_mass
+    w1137 = w474 * w1127 + w1128 * c280 + w281 * w1129 - w1126 * c279 + (w331 * w477 + w347 * w479 + w344 * w481)
+    w1138 = w489 * w1127 + w248 * w1128 + w1129 * c282 - w1125 * c281 + (w331 * w493 + w347 * w495 - w344 * w497)
+    w1139 = w504 * w1127 + w1128 * c284 + w282 * w1129 - w1126 * c283 + (w331 * w507 + w347 * w509 + w344 * w511)
+    w1140 = w518 * w1127 + w249 * w1128 + w1129 * c286 - w1125 * c285 + (w331 * w522 + w347 * w524 - w344 * w526)
+    w1141 = w533 * w1127 + w1128 * c288 + w283 * w1129 - w1126 * c287 + (w331 * w536 + w347 * w538 + w344 * w540)
+    w1142 = w544 * w1133 - (w545 * w1130 + w546 * w1132) + (w1127 * c137 + w251 * w1128 + w285 * w1129 + (w347 * w549 - w331 * w551 + w344 * w555))
+    w1143 = w468 * guide_damping - 2 * w682 * slider_mass
+    w1144 = 2 * w648
+    w1145 = 2 * w649
+    w1146 = 2 * w650
+    w1147 = w80 * c314
+    w1148 = w355 * w1144 - w402 * w1145 - w404 * w1146 + (w418 * w470 + w425 * w471 + w427 * w473) + (w476 - w175 * w243 - w245 * rod_rho_phi_0_2_0 + w408 * c10 + w18 * w1147)
     w1149 = 2 * -w104
     w1150 = w219 * w1149
     w1151 = w1149 * rod_mass
     w1152 = w1151 * c10 - w243 * c34
-    w1153 = w431 * w1145 - w432 * w1146 - w402 * w1144 + (w436 * w481 - w435 * w479 - w437 * w478) + (w486 - w87 * w245 - w174 * w247 - w1150 * c10 - w18 * w1152)
+    w1153 = w431 * w1145 - w432 * w1146 - w402 * w1144 + (w436 * w473 - w435 * w471 - w437 * w470) + (w478 - w87 * w245 - w174 * w247 - w1150 * c10 - w18 * w1152)
     w1154 = w247 * c54 + w257 * w1149
-    w1155 = w439 * w1146 - w404 * w1144 - w432 * w1145 + (w442 * w479 - (w440 * w481 + w441 * w478)) + (w488 - w247 * c71 - w86 * w243 + w1154 * c10 + (w1147 * rod_small_end_x + w1 * w1152))
-    w1156 = w446 * w1144 - w448 * w1145 + w449 * w1146 + (w453 * w478 - w454 * w479 - w455 * w481) + (w447 * w1152 + w444 * w1147)
-    w1157 = w247 * c19
-    w1158 = w247 * c21
-    w1159 = w492 * guide_damping - 2 * w827 * slider_mass
-    w1160 = 2 * w794
-    w1161 = 2 * w795
-    w1162 = 2 * w796
-    w1163 = 2 * -w80
-    w1164 = w257 * w1163
-    w1165 = w1163 * rod_mass
-    w1166 = w1165 * c2 - w1157
-    w1167 = w355 * w1160 - w402 * w1161 - w404 * w1162 + (w427 * w496 - (w418 * w495 + w425 * w493)) + (w499 - w243 * rod_rho_phi_1_1_0 - w62 * w245 - w1164 * c2 - w1 * w1166)
-    w1168 = w219 * w245 + w1163 * c54
-    w1169 = w84 * c324
-    w1170 = w431 * w1161 - w432 * w1162 - w402 * w1160 + (w435 * w493 + w436 * w496 + w437 * w495) + (w502 - w90 * w245 - w247 * c55 - w1168 * c2 - (w18 * w1169 + w1166 * rod_small_end_x))
-    w1171 = w439 * w1162 - w404 * w1160 - w432 * w1161 + (w441 * w495 - w440 * w496 - w442 * w493) + (w504 - w61 * w247 - w89 * w243 + w421 * c2 + w1 * w1169)
-    w1172 = w446 * w1160 - w448 * w1161 + w449 * w1162 + (w454 * w493 - w453 * w495 - w455 * w496) + (w447 * w1169 + w445 * w1166)
-    w1173 = w1163 * c34
-    w1174 = w1163 * c36
-    w1175 = w1163 * c38
-    w1176 = w508 * guide_damping - 2 * w898 * slider_mass
-    w1177 = 2 * w871
-    w1178 = 2 * w872
-    w1179 = 2 * w873
-    w1180 = w80 * c329
-    w1181 = w355 * w1177 - w402 * w1178 - w404 * w1179 + (w418 * w509 + w425 * w510 + w427 * w511) + (w514 - w178 * w243 - w245 * rod_rho_phi_2_2_0 + w408 * c11 + w18 * w1180)
-    w1182 = w1151 * c11 - w243 * c36
-    w1183 = w431 * w1178 - w432 * w1179 - w402 * w1177 + (w436 * w511 - w435 * w510 - w437 * w509) + (w516 - w93 * w245 - w177 * w247 - w1150 * c11 - w18 * w1182)
-    w1184 = w439 * w1179 - w404 * w1177 - w432 * w1178 + (w442 * w510 - (w440 * w511 + w441 * w509)) + (w518 - w247 * c76 - w92 * w243 + w1154 * c11 + (w1180 * rod_small_end_x + w1 * w1182))
-    w1185 = w446 * w1177 - w448 * w1178 + w449 * w1179 + (w453 * w509 - w454 * w510 - w455 * w511) + (w447 * w1182 + w444 * w1180)
-    w1186 = w522 * guide_damping - 2 * w959 * slider_mass
-    w1187 = 2 * w931
-    w1188 = 2 * w932
-    w1189 = 2 * w933
-    w1190 = w1165 * c3 - w1158
-    w1191 = w355 * w1187 - w402 * w1188 - w404 * w1189 + (w427 * w525 - (w418 * w524 + w425 * w523)) + (w528 - w243 * rod_rho_phi_3_1_0 - w65 * w245 - w1164 * c3 - w1 * w1190)
-    w1192 = w84 * c333
-    w1193 = w431 * w1188 - w432 * w1189 - w402 * w1187 + (w435 * w523 + w436 * w525 + w437 * w524) + (w531 - w96 * w245 - w247 * c60 - w1168 * c3 - (w18 * w1192 + w1190 * rod_small_end_x))
-    w1194 = w439 * w1189 - w404 * w1187 - w432 * w1188 + (w441 * w524 - w440 * w525 - w442 * w523) + (w533 - w64 * w247 - w95 * w243 + w421 * c3 + w1 * w1192)
-    w1195 = w446 * w1187 - w448 * w1188 + w449 * w1189 + (w454 * w523 - w453 * w524 - w455 * w525) + (w447 * w1192 + w445 * w1190)
-    w1196 = w537 * guide_damping - 2 * w1019 * slider_mass
-    w1197 = 2 * w992
-    w1198 = 2 * w993
-    w1199 = 2 * w994
-    w1200 = w80 * c338
-    w1201 = w355 * w1197 - w402 * w1198 - w404 * w1199 + (w418 * w538 + w425 * w539 + w427 * w540) + (w543 - w181 * w243 - w245 * rod_rho_phi_4_2_0 + w408 * c12 + w18 * w1200)
-    w1202 = w1151 * c12 - w243 * c38
-    w1203 = w431 * w1198 - w432 * w1199 - w402 * w1197 + (w436 * w540 - w435 * w539 - w437 * w538) + (w545 - w99 * w245 - w180 * w247 - w1150 * c12 - w18 * w1202)
-    w1204 = w439 * w1199 - w404 * w1197 - w432 * w1198 + (w442 * w539 - (w440 * w540 + w441 * w538)) + (w547 - w247 * c81 - w98 * w243 + w1154 * c12 + (w1200 * rod_small_end_x + w1 * w1202))
-    w1205 = w446 * w1197 - w448 * w1198 + w449 * w1199 + (w453 * w538 - w454 * w539 - w455 * w540) + (w447 * w1202 + w444 * w1200)
-    w1206 = w551 * guide_damping - 2 * w1106 * slider_mass
-    w1207 = 2 * w1078
-    w1208 = 2 * w1079
-    w1209 = 2 * w1080
-    w1210 = w355 * w1207 - w402 * w1208 - w404 * w1209 + (w425 * w554 - w418 * w553 - w427 * w552) + (w558 - w185 * w243 - w68 * w245)
-    w1211 = w431 * w1208 - w432 * w1209 - w402 * w1207 + (w437 * w553 - (w435 * w554 + w436 * w552)) + (w556 - w245 * rod_rho_phi_5_2_1 - w184 * w247)
-    w1212 = w439 * w1209 - w404 * w1207 - w432 * w1208 + (w440 * w552 + w441 * w553 + w442 * w554) + (w562 - w67 * w247 - w243 * rod_rho_phi_5_1_2)
-    w1213 = w331 * w1210 + w347 * w1211 + w344 * w1212 + (w446 * w1207 - w448 * w1208 + w449 * w1209 + (w455 * w552 - (w453 * w553 + w454 * w554)))
-    w1214 = w448 * w1130 - w446 * w1129 - w449 * w1131 - (w450 * w1133 + w451 * w1127 + w452 * w1128) - (w331 * w453 + w347 * w454 + w344 * w455)
-    w1215 = w481 * w1155 - (w478 * w1148 - w479 * w1153) - (w482 * w1144 + w1145 * c286 + w281 * w1146 + (w478 * w485 - w479 * w487 - w481 * w489))
-    w1216 = w496 * w1155 - (w493 * w1153 - w495 * w1148) - (w497 * w1144 + w248 * w1145 + w1146 * c288 + (w478 * w501 - w479 * w503 + w481 * w505))
-    w1217 = w511 * w1155 - (w509 * w1148 - w510 * w1153) - (w512 * w1144 + w1145 * c290 + w282 * w1146 + (w478 * w515 - w479 * w517 - w481 * w519))
-    w1218 = w525 * w1155 - (w523 * w1153 - w524 * w1148) - (w526 * w1144 + w249 * w1145 + w1146 * c292 + (w478 * w530 - w479 * w532 + w481 * w534))
-    w1219 = w540 * w1155 - (w538 * w1148 - w539 * w1153) - (w541 * w1144 + w1145 * c294 + w283 * w1146 + (w478 * w544 - w479 * w546 - w481 * w548))
-    w1220 = w553 * w1148 + w554 * w1153 - w552 * w1155 - (w1144 * c137 + w251 * w1145 + w285 * w1146 - (w478 * w559 + w479 * w557 + w481 * w563))
-    w1221 = w481 * w1171 - (w478 * w1167 - w479 * w1170) - (w482 * w1160 + w1161 * c286 + w281 * w1162 + (w487 * w493 - w485 * w495 - w489 * w496))
-    w1222 = w496 * w1171 - (w493 * w1170 - w495 * w1167) - (w497 * w1160 + w248 * w1161 + w1162 * c288 + (w493 * w503 - w495 * w501 + w496 * w505))
-    w1223 = w511 * w1171 - (w509 * w1167 - w510 * w1170) - (w512 * w1160 + w1161 * c290 + w282 * w1162 + (w493 * w517 - w495 * w515 - w496 * w519))
-    w1224 = w525 * w1171 - (w523 * w1170 - w524 * w1167) - (w526 * w1160 + w249 * w1161 + w1162 * c292 + (w493 * w532 - w495 * w530 + w496 * w534))
-    w1225 = w540 * w1171 - (w538 * w1167 - w539 * w1170) - (w541 * w1160 + w1161 * c294 + w283 * w1162 + (w493 * w546 - w495 * w544 - w496 * w548))
-    w1226 = w553 * w1167 + w554 * w1170 - w552 * w1171 - (w1160 * c137 + w251 * w1161 + w285 * w1162 + (w495 * w559 + w493 * w557 - w496 * w563))
-    w1227 = w481 * w1184 - (w478 * w1181 - w479 * w1183) - (w482 * w1177 + w1178 * c286 + w281 * w1179 + (w485 * w509 - w487 * w510 - w489 * w511))
-    w1228 = w496 * w1184 - (w493 * w1183 - w495 * w1181) - (w497 * w1177 + w248 * w1178 + w1179 * c288 + (w501 * w509 - w503 * w510 + w505 * w511))
-    w1229 = w511 * w1184 - (w509 * w1181 - w510 * w1183) - (w512 * w1177 + w1178 * c290 + w282 * w1179 + (w509 * w515 - w510 * w517 - w511 * w519))
-    w1230 = w525 * w1184 - (w523 * w1183 - w524 * w1181) - (w526 * w1177 + w249 * w1178 + w1179 * c292 + (w509 * w530 - w510 * w532 + w511 * w534))
-    w1231 = w540 * w1184 - (w538 * w1181 - w539 * w1183) - (w541 * w1177 + w1178 * c294 + w283 * w1179 + (w509 * w544 - w510 * w546 - w511 * w548))
-    w1232 = w553 * w1181 + w554 * w1183 - w552 * w1184 - (w1177 * c137 + w251 * w1178 + w285 * w1179 - (w509 * w559 + w510 * w557 + w511 * w563))
-    w1233 = w481 * w1194 - (w478 * w1191 - w479 * w1193) - (w482 * w1187 + w1188 * c286 + w281 * w1189 + (w487 * w523 - w485 * w524 - w489 * w525))
-    w1234 = w496 * w1194 - (w493 * w1193 - w495 * w1191) - (w497 * w1187 + w248 * w1188 + w1189 * c288 + (w503 * w523 - w501 * w524 + w505 * w525))
-    w1235 = w511 * w1194 - (w509 * w1191 - w510 * w1193) - (w512 * w1187 + w1188 * c290 + w282 * w1189 + (w517 * w523 - w515 * w524 - w519 * w525))
-    w1236 = w525 * w1194 - (w523 * w1193 - w524 * w1191) - (w526 * w1187 + w249 * w1188 + w1189 * c292 + (w523 * w532 - w524 * w530 + w525 * w534))
-    w1237 = w540 * w1194 - (w538 * w1191 - w539 * w1193) - (w541 * w1187 + w1188 * c294 + w283 * w1189 + (w523 * w546 - w524 * w544 - w525 * w548))
-    w1238 = w553 * w1191 + w554 * w1193 - w552 * w1194 - (w1187 * c137 + w251 * w1188 + w285 * w1189 + (w524 * w559 + w523 * w557 - w525 * w563))
-    w1239 = w481 * w1204 - (w478 * w1201 - w479 * w1203) - (w482 * w1197 + w1198 * c286 + w281 * w1199 + (w485 * w538 - w487 * w539 - w489 * w540))
-    w1240 = w496 * w1204 - (w493 * w1203 - w495 * w1201) - (w497 * w1197 + w248 * w1198 + w1199 * c288 + (w501 * w538 - w503 * w539 + w505 * w540))
-    w1241 = w511 * w1204 - (w509 * w1201 - w510 * w1203) - (w512 * w1197 + w1198 * c290 + w282 * w1199 + (w515 * w538 - w517 * w539 - w519 * w540))
-    w1242 = w525 * w1204 - (w523 * w1203 - w524 * w1201) - (w526 * w1197 + w249 * w1198 + w1199 * c292 + (w530 * w538 - w532 * w539 + w534 * w540))
-    w1243 = w540 * w1204 - (w538 * w1201 - w539 * w1203) - (w541 * w1197 + w1198 * c294 + w283 * w1199 + (w538 * w544 - w539 * w546 - w540 * w548))
-    w1244 = w553 * w1201 + w554 * w1203 - w552 * w1204 - (w1197 * c137 + w251 * w1198 + w285 * w1199 - (w538 * w559 + w539 * w557 + w540 * w563))
-    w1245 = w481 * w1212 - (w478 * w1210 - w479 * w1211) - (w482 * w1207 + w1208 * c286 + w281 * w1209 + (w489 * w552 - (w485 * w553 + w487 * w554)))
-    w1246 = w496 * w1212 - (w493 * w1211 - w495 * w1210) - (w497 * w1207 + w248 * w1208 + w1209 * c288 - (w501 * w553 + w503 * w554 + w505 * w552))
-    w1247 = w511 * w1212 - (w509 * w1210 - w510 * w1211) - (w512 * w1207 + w1208 * c290 + w282 * w1209 + (w519 * w552 - (w515 * w553 + w517 * w554)))
-    w1248 = w525 * w1212 - (w523 * w1211 - w524 * w1210) - (w526 * w1207 + w249 * w1208 + w1209 * c292 - (w530 * w553 + w532 * w554 + w534 * w552))
-    w1249 = w540 * w1212 - (w538 * w1210 - w539 * w1211) - (w541 * w1207 + w1208 * c294 + w283 * w1209 + (w548 * w552 - (w544 * w553 + w546 * w554)))
-    w1250 = w553 * w1210 + w554 * w1211 - w552 * w1212 - (w1207 * c137 + w251 * w1208 + w285 * w1209 + (w553 * w559 - w554 * w557 + w552 * w563))
+    w1155 = w439 * w1146 - w404 * w1144 - w432 * w1145 + (w442 * w471 - (w440 * w473 + w441 * w470)) + (w480 - w247 * c71 - w86 * w243 + w1154 * c10 + (w1147 * rod_small_end_x + w1 * w1152))
+    w1156 = w444 * (w1152 + (w346 * w1146 - w332 * w1145 + (w411 * w473 - w416 * w471))) + w446 * (w1147 + (w1146 * rod_first_moment_x + w332 * w1144 - (w424 * w473 + w416 * w470)))
+    w1157 = w331 * w1148 + w347 * w1153 + w344 * w1155 + (w1156 + w448 * (w411 * w470 + w424 * w471 - (w346 * w1144 + w1145 * rod_first_moment_x)))
+    w1158 = w247 * c19
+    w1159 = w247 * c21
+    w1160 = w484 * guide_damping - 2 * w821 * slider_mass
+    w1161 = 2 * w787
+    w1162 = 2 * w788
+    w1163 = 2 * w789
+    w1164 = 2 * -w80
+    w1165 = w257 * w1164
+    w1166 = w1164 * rod_mass
+    w1167 = w1166 * c2 - w1158
+    w1168 = w355 * w1161 - w402 * w1162 - w404 * w1163 + (w427 * w488 - (w418 * w487 + w425 * w485)) + (w491 - w243 * rod_rho_phi_1_1_0 - w62 * w245 - w1165 * c2 - w1 * w1167)
+    w1169 = w219 * w245 + w1164 * c54
+    w1170 = w84 * c318
+    w1171 = w431 * w1162 - w432 * w1163 - w402 * w1161 + (w435 * w485 + w436 * w488 + w437 * w487) + (w494 - w90 * w245 - w247 * c55 - w1169 * c2 - (w18 * w1170 + w1167 * rod_small_end_x))
+    w1172 = w439 * w1163 - w404 * w1161 - w432 * w1162 + (w441 * w487 - w440 * w488 - w442 * w485) + (w496 - w61 * w247 - w89 * w243 + w421 * c2 + w1 * w1170)
+    w1173 = w444 * (w1170 + (w346 * w1163 - w332 * w1162 + (w416 * w485 + w411 * w488))) + w446 * (w1163 * rod_first_moment_x + w332 * w1161 + (w416 * w487 - w424 * w488))
+    w1174 = w1173 + w448 * (w1167 - (w346 * w1161 + w1162 * rod_first_moment_x + (w411 * w487 + w424 * w485)))
+    w1175 = w1164 * c34
+    w1176 = w1164 * c36
+    w1177 = w1164 * c38
+    w1178 = w500 * guide_damping - 2 * w893 * slider_mass
+    w1179 = 2 * w865
+    w1180 = 2 * w866
+    w1181 = 2 * w867
+    w1182 = w80 * c323
+    w1183 = w355 * w1179 - w402 * w1180 - w404 * w1181 + (w418 * w501 + w425 * w502 + w427 * w503) + (w506 - w178 * w243 - w245 * rod_rho_phi_2_2_0 + w408 * c11 + w18 * w1182)
+    w1184 = w1151 * c11 - w243 * c36
+    w1185 = w431 * w1180 - w432 * w1181 - w402 * w1179 + (w436 * w503 - w435 * w502 - w437 * w501) + (w508 - w93 * w245 - w177 * w247 - w1150 * c11 - w18 * w1184)
+    w1186 = w439 * w1181 - w404 * w1179 - w432 * w1180 + (w442 * w502 - (w440 * w503 + w441 * w501)) + (w510 - w247 * c76 - w92 * w243 + w1154 * c11 + (w1182 * rod_small_end_x + w1 * w1184))
+    w1187 = w444 * (w1184 + (w346 * w1181 - w332 * w1180 + (w411 * w503 - w416 * w502))) + w446 * (w1182 + (w1181 * rod_first_moment_x + w332 * w1179 - (w424 * w503 + w416 * w501)))
+    w1188 = w331 * w1183 + w347 * w1185 + w344 * w1186 + (w1187 + w448 * (w411 * w501 + w424 * w502 - (w346 * w1179 + w1180 * rod_first_moment_x)))
+    w1189 = w514 * guide_damping - 2 * w955 * slider_mass
+    w1190 = 2 * w926
+    w1191 = 2 * w927
+    w1192 = 2 * w928
+    w1193 = w1166 * c3 - w1159
+    w1194 = w355 * w1190 - w402 * w1191 - w404 * w1192 + (w427 * w517 - (w418 * w516 + w425 * w515)) + (w520 - w243 * rod_rho_phi_3_1_0 - w65 * w245 - w1165 * c3 - w1 * w1193)
+    w1195 = w84 * c327
+    w1196 = w431 * w1191 - w432 * w1192 - w402 * w1190 + (w435 * w515 + w436 * w517 + w437 * w516) + (w523 - w96 * w245 - w247 * c60 - w1169 * c3 - (w18 * w1195 + w1193 * rod_small_end_x))
+    w1197 = w439 * w1192 - w404 * w1190 - w432 * w1191 + (w441 * w516 - w440 * w517 - w442 * w515) + (w525 - w64 * w247 - w95 * w243 + w421 * c3 + w1 * w1195)
+    w1198 = w444 * (w1195 + (w346 * w1192 - w332 * w1191 + (w416 * w515 + w411 * w517))) + w446 * (w1192 * rod_first_moment_x + w332 * w1190 + (w416 * w516 - w424 * w517))
+    w1199 = w1198 + w448 * (w1193 - (w346 * w1190 + w1191 * rod_first_moment_x + (w411 * w516 + w424 * w515)))
+    w1200 = w529 * guide_damping - 2 * w1016 * slider_mass
+    w1201 = 2 * w988
+    w1202 = 2 * w989
+    w1203 = 2 * w990
+    w1204 = w80 * c332
+    w1205 = w355 * w1201 - w402 * w1202 - w404 * w1203 + (w418 * w530 + w425 * w531 + w427 * w532) + (w535 - w181 * w243 - w245 * rod_rho_phi_4_2_0 + w408 * c12 + w18 * w1204)
+    w1206 = w1151 * c12 - w243 * c38
+    w1207 = w431 * w1202 - w432 * w1203 - w402 * w1201 + (w436 * w532 - w435 * w531 - w437 * w530) + (w537 - w99 * w245 - w180 * w247 - w1150 * c12 - w18 * w1206)
+    w1208 = w439 * w1203 - w404 * w1201 - w432 * w1202 + (w442 * w531 - (w440 * w532 + w441 * w530)) + (w539 - w247 * c81 - w98 * w243 + w1154 * c12 + (w1204 * rod_small_end_x + w1 * w1206))
+    w1209 = w444 * (w1206 + (w346 * w1203 - w332 * w1202 + (w411 * w532 - w416 * w531))) + w446 * (w1204 + (w1203 * rod_first_moment_x + w332 * w1201 - (w424 * w532 + w416 * w530)))
+    w1210 = w331 * w1205 + w347 * w1207 + w344 * w1208 + (w1209 + w448 * (w411 * w530 + w424 * w531 - (w346 * w1201 + w1202 * rod_first_moment_x)))
+    w1211 = w543 * guide_damping - 2 * w1104 * slider_mass
+    w1212 = 2 * w1075
+    w1213 = 2 * w1076
+    w1214 = 2 * w1077
+    w1215 = w355 * w1212 - w402 * w1213 - w404 * w1214 + (w425 * w546 - w418 * w545 - w427 * w544) + (w550 - w185 * w243 - w68 * w245)
+    w1216 = w431 * w1213 - w432 * w1214 - w402 * w1212 + (w437 * w545 - (w435 * w546 + w436 * w544)) + (w548 - w245 * rod_rho_phi_5_2_1 - w184 * w247)
+    w1217 = w439 * w1214 - w404 * w1212 - w432 * w1213 + (w440 * w544 + w441 * w545 + w442 * w546) + (w554 - w67 * w247 - w243 * rod_rho_phi_5_1_2)
+    w1218 = w444 * (w346 * w1214 - w332 * w1213 - (w416 * w546 + w411 * w544)) + w446 * (w1214 * rod_first_moment_x + w332 * w1212 + (w424 * w544 + w416 * w545))
+    w1219 = w331 * w1215 + w347 * w1216 + w344 * w1217 + (w1218 + w448 * (w424 * w546 - w411 * w545 - (w346 * w1212 + w1213 * rod_first_moment_x)))
+    w1220 = (w1131 * c338 - (w346 * w1129 - w332 * w1128) - (w347 * w416 - w344 * w411)) * w444 - w1134 - w1135
+    w1221 = w473 * w1155 - (w470 * w1148 - w471 * w1153) - (w474 * w1144 + w1145 * c280 + w281 * w1146 + (w470 * w477 - w471 * w479 - w473 * w481))
+    w1222 = w488 * w1155 - (w485 * w1153 - w487 * w1148) - (w489 * w1144 + w248 * w1145 + w1146 * c282 + (w470 * w493 - w471 * w495 + w473 * w497))
+    w1223 = w503 * w1155 - (w501 * w1148 - w502 * w1153) - (w504 * w1144 + w1145 * c284 + w282 * w1146 + (w470 * w507 - w471 * w509 - w473 * w511))
+    w1224 = w517 * w1155 - (w515 * w1153 - w516 * w1148) - (w518 * w1144 + w249 * w1145 + w1146 * c286 + (w470 * w522 - w471 * w524 + w473 * w526))
+    w1225 = w532 * w1155 - (w530 * w1148 - w531 * w1153) - (w533 * w1144 + w1145 * c288 + w283 * w1146 + (w470 * w536 - w471 * w538 - w473 * w540))
+    w1226 = w545 * w1148 + w546 * w1153 - w544 * w1155 - (w1144 * c137 + w251 * w1145 + w285 * w1146 - (w470 * w551 + w471 * w549 + w473 * w555))
+    w1227 = w473 * w1172 - (w470 * w1168 - w471 * w1171) - (w474 * w1161 + w1162 * c280 + w281 * w1163 + (w479 * w485 - w477 * w487 - w481 * w488))
+    w1228 = w488 * w1172 - (w485 * w1171 - w487 * w1168) - (w489 * w1161 + w248 * w1162 + w1163 * c282 + (w485 * w495 - w487 * w493 + w488 * w497))
+    w1229 = w503 * w1172 - (w501 * w1168 - w502 * w1171) - (w504 * w1161 + w1162 * c284 + w282 * w1163 + (w485 * w509 - w487 * w507 - w488 * w511))
+    w1230 = w517 * w1172 - (w515 * w1171 - w516 * w1168) - (w518 * w1161 + w249 * w1162 + w1163 * c286 + (w485 * w524 - w487 * w522 + w488 * w526))
+    w1231 = w532 * w1172 - (w530 * w1168 - w531 * w1171) - (w533 * w1161 + w1162 * c288 + w283 * w1163 + (w485 * w538 - w487 * w536 - w488 * w540))
+    w1232 = w545 * w1168 + w546 * w1171 - w544 * w1172 - (w1161 * c137 + w251 * w1162 + w285 * w1163 + (w487 * w551 + w485 * w549 - w488 * w555))
+    w1233 = w473 * w1186 - (w470 * w1183 - w471 * w1185) - (w474 * w1179 + w1180 * c280 + w281 * w1181 + (w477 * w501 - w479 * w502 - w481 * w503))
+    w1234 = w488 * w1186 - (w485 * w1185 - w487 * w1183) - (w489 * w1179 + w248 * w1180 + w1181 * c282 + (w493 * w501 - w495 * w502 + w497 * w503))
+    w1235 = w503 * w1186 - (w501 * w1183 - w502 * w1185) - (w504 * w1179 + w1180 * c284 + w282 * w1181 + (w501 * w507 - w502 * w509 - w503 * w511))
+    w1236 = w517 * w1186 - (w515 * w1185 - w516 * w1183) - (w518 * w1179 + w249 * w1180 + w1181 * c286 + (w501 * w522 - w502 * w524 + w503 * w526))
+    w1237 = w532 * w1186 - (w530 * w1183 - w531 * w1185) - (w533 * w1179 + w1180 * c288 + w283 * w1181 + (w501 * w536 - w502 * w538 - w503 * w540))
+    w1238 = w545 * w1183 + w546 * w1185 - w544 * w1186 - (w1179 * c137 + w251 * w1180 + w285 * w1181 - (w501 * w551 + w502 * w549 + w503 * w555))
+    w1239 = w473 * w1197 - (w470 * w1194 - w471 * w1196) - (w474 * w1190 + w1191 * c280 + w281 * w1192 + (w479 * w515 - w477 * w516 - w481 * w517))
+    w1240 = w488 * w1197 - (w485 * w1196 - w487 * w1194) - (w489 * w1190 + w248 * w1191 + w1192 * c282 + (w495 * w515 - w493 * w516 + w497 * w517))
+    w1241 = w503 * w1197 - (w501 * w1194 - w502 * w1196) - (w504 * w1190 + w1191 * c284 + w282 * w1192 + (w509 * w515 - w507 * w516 - w511 * w517))
+    w1242 = w517 * w1197 - (w515 * w1196 - w516 * w1194) - (w518 * w1190 + w249 * w1191 + w1192 * c286 + (w515 * w524 - w516 * w522 + w517 * w526))
+    w1243 = w532 * w1197 - (w530 * w1194 - w531 * w1196) - (w533 * w1190 + w1191 * c288 + w283 * w1192 + (w515 * w538 - w516 * w536 - w517 * w540))
+    w1244 = w545 * w1194 + w546 * w1196 - w544 * w1197 - (w1190 * c137 + w251 * w1191 + w285 * w1192 + (w516 * w551 + w515 * w549 - w517 * w555))
+    w1245 = w473 * w1208 - (w470 * w1205 - w471 * w1207) - (w474 * w1201 + w1202 * c280 + w281 * w1203 + (w477 * w530 - w479 * w531 - w481 * w532))
+    w1246 = w488 * w1208 - (w485 * w1207 - w487 * w1205) - (w489 * w1201 + w248 * w1202 + w1203 * c282 + (w493 * w530 - w495 * w531 + w497 * w532))
+    w1247 = w503 * w1208 - (w501 * w1205 - w502 * w1207) - (w504 * w1201 + w1202 * c284 + w282 * w1203 + (w507 * w530 - w509 * w531 - w511 * w532))
+    w1248 = w517 * w1208 - (w515 * w1207 - w516 * w1205) - (w518 * w1201 + w249 * w1202 + w1203 * c286 + (w522 * w530 - w524 * w531 + w526 * w532))
+    w1249 = w532 * w1208 - (w530 * w1205 - w531 * w1207) - (w533 * w1201 + w1202 * c288 + w283 * w1203 + (w530 * w536 - w531 * w538 - w532 * w540))
+    w1250 = w545 * w1205 + w546 * w1207 - w544 * w1208 - (w1201 * c137 + w251 * w1202 + w285 * w1203 - (w530 * w551 + w531 * w549 + w532 * w555))
+    w1251 = w473 * w1217 - (w470 * w1215 - w471 * w1216) - (w474 * w1212 + w1213 * c280 + w281 * w1214 + (w481 * w544 - (w477 * w545 + w479 * w546)))
+    w1252 = w488 * w1217 - (w485 * w1216 - w487 * w1215) - (w489 * w1212 + w248 * w1213 + w1214 * c282 - (w493 * w545 + w495 * w546 + w497 * w544))
+    w1253 = w503 * w1217 - (w501 * w1215 - w502 * w1216) - (w504 * w1212 + w1213 * c284 + w282 * w1214 + (w511 * w544 - (w507 * w545 + w509 * w546)))
+    w1254 = w517 * w1217 - (w515 * w1216 - w516 * w1215) - (w518 * w1212 + w249 * w1213 + w1214 * c286 - (w522 * w545 + w524 * w546 + w526 * w544))
+    w1255 = w532 * w1217 - (w530 * w1215 - w531 * w1216) - (w533 * w1212 + w1213 * c288 + w283 * w1214 + (w540 * w544 - (w536 * w545 + w538 * w546)))
+    w1256 = w545 * w1215 + w546 * w1216 - w544 * w1217 - (w1212 * c137 + w251 * w1213 + w285 * w1214 + (w545 * w551 - w546 * w549 + w544 * w555))
     # outputs
     J_q = ca.vertcat(
-        ca.horzcat(w60 * w330 - (w458 + w459 * w474), w699, w837, w903, w964, w1024, w1112),  # axle.angle
+        ca.horzcat(  # axle.angle
+            w60 * w330 - (w450 + w451 * w466), w56 * w580 - (w689 + w60 * w692), w56 * w738 - (w828 + w60 * w831),
+            w56 * w852 - (w897 + w60 * w898), w56 * w913 - (w959 + w60 * w960), w56 * w975 - (w1020 + w60 * w1021),
+            w56 * w1044 - (w1108 + w60 * w1110),
+        ),
         ca.horzcat(  # rod.q1
-            w474 * w476 - (w429 * w478 - w438 * w479 - w443 * w481 + w490) - w330 * w475,
-            w476 * w695 - (rod_K_ff_0_0 + w707) + w475 * w698 - w152 * w588,
-            w476 * w833 - w841 + w475 * w836 - w152 * w745, w476 * w901 - w906 + w475 * w902 - w152 * w858,
-            w476 * w962 - w967 + w475 * w963 - w152 * w918, w476 * w1022 - w1027 + w475 * w1023 - w152 * w979,
-            w476 * w1109 - w1115 + w475 * w1111 - w152 * w1047,
+            w466 * w468 - (w429 * w470 - w438 * w471 - w443 * w473 + w482) - w330 * w467,
+            w468 * w688 - (rod_K_ff_0_0 + w700) + w467 * w692 - w152 * w580,
+            w468 * w827 - w835 + w467 * w831 - w152 * w738, w468 * w896 - w901 + w467 * w898 - w152 * w852,
+            w468 * w958 - w963 + w467 * w960 - w152 * w913, w468 * w1019 - w1024 + w467 * w1021 - w152 * w975,
+            w468 * w1107 - w1113 + w467 * w1110 - w152 * w1044,
         ),
         ca.horzcat(  # rod.q2
-            w474 * w492 - (w438 * w493 - w429 * w495 - w443 * w496 + w506) - w330 * w491,
-            w492 * w695 - w715 + w491 * w698 - w155 * w588,
-            w492 * w833 - (rod_K_ff_1_1 + w846) + w491 * w836 - w155 * w745,
-            w492 * w901 - w909 + w491 * w902 - w155 * w858, w492 * w962 - w970 + w491 * w963 - w155 * w918,
-            w492 * w1022 - w1030 + w491 * w1023 - w155 * w979, w492 * w1109 - w1118 + w491 * w1111 - w155 * w1047,
+            w466 * w484 - (w438 * w485 - w429 * w487 - w443 * w488 + w498) - w330 * w483,
+            w484 * w688 - w708 + w483 * w692 - w155 * w580,
+            w484 * w827 - (rod_K_ff_1_1 + w840) + w483 * w831 - w155 * w738,
+            w484 * w896 - w904 + w483 * w898 - w155 * w852, w484 * w958 - w966 + w483 * w960 - w155 * w913,
+            w484 * w1019 - w1027 + w483 * w1021 - w155 * w975, w484 * w1107 - w1116 + w483 * w1110 - w155 * w1044,
         ),
         ca.horzcat(  # rod.q3
-            w474 * w508 - (w429 * w509 - w438 * w510 - w443 * w511 + w520) - w330 * w507,
-            w508 * w695 - w717 + w507 * w698 - w156 * w588, w508 * w833 - w848 + w507 * w836 - w156 * w745,
-            w508 * w901 - (rod_K_ff_2_2 + w911) + w507 * w902 - w156 * w858,
-            w508 * w962 - w972 + w507 * w963 - w156 * w918, w508 * w1022 - w1032 + w507 * w1023 - w156 * w979,
-            w508 * w1109 - w1120 + w507 * w1111 - w156 * w1047,
+            w466 * w500 - (w429 * w501 - w438 * w502 - w443 * w503 + w512) - w330 * w499,
+            w500 * w688 - w710 + w499 * w692 - w156 * w580, w500 * w827 - w842 + w499 * w831 - w156 * w738,
+            w500 * w896 - (rod_K_ff_2_2 + w906) + w499 * w898 - w156 * w852,
+            w500 * w958 - w968 + w499 * w960 - w156 * w913, w500 * w1019 - w1029 + w499 * w1021 - w156 * w975,
+            w500 * w1107 - w1118 + w499 * w1110 - w156 * w1044,
         ),
         ca.horzcat(  # rod.q4
-            w474 * w522 - (w438 * w523 - w429 * w524 - w443 * w525 + w535) - w330 * w521,
-            w522 * w695 - w719 + w521 * w698 - w157 * w588, w522 * w833 - w850 + w521 * w836 - w157 * w745,
-            w522 * w901 - w913 + w521 * w902 - w157 * w858,
-            w522 * w962 - (rod_K_ff_3_3 + w974) + w521 * w963 - w157 * w918,
-            w522 * w1022 - w1034 + w521 * w1023 - w157 * w979, w522 * w1109 - w1122 + w521 * w1111 - w157 * w1047,
+            w466 * w514 - (w438 * w515 - w429 * w516 - w443 * w517 + w527) - w330 * w513,
+            w514 * w688 - w712 + w513 * w692 - w157 * w580, w514 * w827 - w844 + w513 * w831 - w157 * w738,
+            w514 * w896 - w908 + w513 * w898 - w157 * w852,
+            w514 * w958 - (rod_K_ff_3_3 + w970) + w513 * w960 - w157 * w913,
+            w514 * w1019 - w1031 + w513 * w1021 - w157 * w975, w514 * w1107 - w1120 + w513 * w1110 - w157 * w1044,
         ),
         ca.horzcat(  # rod.q5
-            w474 * w537 - (w429 * w538 - w438 * w539 - w443 * w540 + w549) - w330 * w536,
-            w537 * w695 - w721 + w536 * w698 - w158 * w588, w537 * w833 - w852 + w536 * w836 - w158 * w745,
-            w537 * w901 - w915 + w536 * w902 - w158 * w858, w537 * w962 - w976 + w536 * w963 - w158 * w918,
-            w537 * w1022 - (rod_K_ff_4_4 + w1036) + w536 * w1023 - w158 * w979,
-            w537 * w1109 - w1124 + w536 * w1111 - w158 * w1047,
+            w466 * w529 - (w429 * w530 - w438 * w531 - w443 * w532 + w541) - w330 * w528,
+            w529 * w688 - w714 + w528 * w692 - w158 * w580, w529 * w827 - w846 + w528 * w831 - w158 * w738,
+            w529 * w896 - w910 + w528 * w898 - w158 * w852, w529 * w958 - w972 + w528 * w960 - w158 * w913,
+            w529 * w1019 - (rod_K_ff_4_4 + w1033) + w528 * w1021 - w158 * w975,
+            w529 * w1107 - w1122 + w528 * w1110 - w158 * w1044,
         ),
         ca.horzcat(  # rod.q6
-            w474 * w551 - w564 - w330 * w550, w551 * w695 - w729 + w550 * w698 - w161 * w588,
-            w551 * w833 - w857 + w550 * w836 - w161 * w745, w551 * w901 - w917 + w550 * w902 - w161 * w858,
-            w551 * w962 - w978 + w550 * w963 - w161 * w918, w551 * w1022 - w1038 + w550 * w1023 - w161 * w979,
-            w551 * w1109 - (rod_K_ff_5_5 + w1126) + w550 * w1111 - w161 * w1047,
+            w466 * w543 - w556 - w330 * w542, w543 * w688 - w722 + w542 * w692 - w161 * w580,
+            w543 * w827 - w851 + w542 * w831 - w161 * w738, w543 * w896 - w912 + w542 * w898 - w161 * w852,
+            w543 * w958 - w974 + w542 * w960 - w161 * w913, w543 * w1019 - w1035 + w542 * w1021 - w161 * w975,
+            w543 * w1107 - (rod_K_ff_5_5 + w1124) + w542 * w1110 - w161 * w1044,
         ),
     )
     J_v = ca.vertcat(
         ca.horzcat(  # axle.angle
-            w1214 - (w331 * w1132 + w347 * w1134 + w344 * w1135) - w459 * w1136,
-            w459 * w1143 - (w331 * w1148 + w347 * w1153 + w344 * w1155 + w1156),
-            w459 * w1159 - (w331 * w1167 + w347 * w1170 + w344 * w1171 + w1172),
-            w459 * w1176 - (w331 * w1181 + w347 * w1183 + w344 * w1184 + w1185),
-            w459 * w1186 - (w331 * w1191 + w347 * w1193 + w344 * w1194 + w1195),
-            w459 * w1196 - (w331 * w1201 + w347 * w1203 + w344 * w1204 + w1205), w459 * w1206 - w1213,
+            w1220 - (w331 * w1130 + w347 * w1132 + w344 * w1133) - w451 * w1136, w451 * w1143 - w1157,
+            w451 * w1160 - (w331 * w1168 + w347 * w1171 + w344 * w1172 + w1174), w451 * w1178 - w1188,
+            w451 * w1189 - (w331 * w1194 + w347 * w1196 + w344 * w1197 + w1199), w451 * w1200 - w1210,
+            w451 * w1211 - w1219,
         ),
         ca.horzcat(  # rod.q1
-            w476 * w1136 - (w478 * w1132 - w479 * w1134 - w481 * w1135 + w1137),
-            w1215 - rod_D_ff_0_0 - w476 * w1143, w1221 - (w247 * c325 - w1173 * c2 - w1166 * c10) - w476 * w1159,
-            w1227 - w476 * w1176, w1233 - (w247 * c334 - w1173 * c3 - w1190 * c10) - w476 * w1186,
-            w1239 - w476 * w1196, w1245 - w245 * c149 - w476 * w1206,
+            w468 * w1136 - (w470 * w1130 - w471 * w1132 - w473 * w1133 + w1137),
+            w1221 - rod_D_ff_0_0 - w468 * w1143, w1227 - (w247 * c319 - w1175 * c2 - w1167 * c10) - w468 * w1160,
+            w1233 - w468 * w1178, w1239 - (w247 * c328 - w1175 * c3 - w1193 * c10) - w468 * w1189,
+            w1245 - w468 * w1200, w1251 - w245 * c149 - w468 * w1211,
         ),
         ca.horzcat(  # rod.q2
-            w492 * w1136 - (w493 * w1134 - w495 * w1132 - w496 * w1135 + w1138),
-            w1216 - (w247 * c321 - w1157 * c10 - w1147 * c2) - w492 * w1143, w1222 - rod_D_ff_1_1 - w492 * w1159,
-            w1228 - (w247 * c330 - w1157 * c11 - w1180 * c2) - w492 * w1176, w1234 - w492 * w1186,
-            w1240 - (w247 * c339 - w1157 * c12 - w1200 * c2) - w492 * w1196, w1246 - w243 * c152 - w492 * w1206,
+            w484 * w1136 - (w485 * w1132 - w487 * w1130 - w488 * w1133 + w1138),
+            w1222 - (w247 * c315 - w1158 * c10 - w1147 * c2) - w484 * w1143, w1228 - rod_D_ff_1_1 - w484 * w1160,
+            w1234 - (w247 * c324 - w1158 * c11 - w1182 * c2) - w484 * w1178, w1240 - w484 * w1189,
+            w1246 - (w247 * c333 - w1158 * c12 - w1204 * c2) - w484 * w1200, w1252 - w243 * c152 - w484 * w1211,
         ),
         ca.horzcat(  # rod.q3
-            w508 * w1136 - (w509 * w1132 - w510 * w1134 - w511 * w1135 + w1139), w1217 - w508 * w1143,
-            w1223 - (w247 * c326 - w1174 * c2 - w1166 * c11) - w508 * w1159, w1229 - rod_D_ff_2_2 - w508 * w1176,
-            w1235 - (w247 * c335 - w1174 * c3 - w1190 * c11) - w508 * w1186, w1241 - w508 * w1196,
-            w1247 - w245 * c155 - w508 * w1206,
+            w500 * w1136 - (w501 * w1130 - w502 * w1132 - w503 * w1133 + w1139), w1223 - w500 * w1143,
+            w1229 - (w247 * c320 - w1176 * c2 - w1167 * c11) - w500 * w1160, w1235 - rod_D_ff_2_2 - w500 * w1178,
+            w1241 - (w247 * c329 - w1176 * c3 - w1193 * c11) - w500 * w1189, w1247 - w500 * w1200,
+            w1253 - w245 * c155 - w500 * w1211,
         ),
         ca.horzcat(  # rod.q4
-            w522 * w1136 - (w523 * w1134 - w524 * w1132 - w525 * w1135 + w1140),
-            w1218 - (w247 * c322 - w1158 * c10 - w1147 * c3) - w522 * w1143, w1224 - w522 * w1159,
-            w1230 - (w247 * c331 - w1158 * c11 - w1180 * c3) - w522 * w1176, w1236 - rod_D_ff_3_3 - w522 * w1186,
-            w1242 - (w247 * c340 - w1158 * c12 - w1200 * c3) - w522 * w1196, w1248 - w243 * c158 - w522 * w1206,
+            w514 * w1136 - (w515 * w1132 - w516 * w1130 - w517 * w1133 + w1140),
+            w1224 - (w247 * c316 - w1159 * c10 - w1147 * c3) - w514 * w1143, w1230 - w514 * w1160,
+            w1236 - (w247 * c325 - w1159 * c11 - w1182 * c3) - w514 * w1178, w1242 - rod_D_ff_3_3 - w514 * w1189,
+            w1248 - (w247 * c334 - w1159 * c12 - w1204 * c3) - w514 * w1200, w1254 - w243 * c158 - w514 * w1211,
         ),
         ca.horzcat(  # rod.q5
-            w537 * w1136 - (w538 * w1132 - w539 * w1134 - w540 * w1135 + w1141), w1219 - w537 * w1143,
-            w1225 - (w247 * c327 - w1175 * c2 - w1166 * c12) - w537 * w1159, w1231 - w537 * w1176,
-            w1237 - (w247 * c336 - w1175 * c3 - w1190 * c12) - w537 * w1186, w1243 - rod_D_ff_4_4 - w537 * w1196,
-            w1249 - w245 * c161 - w537 * w1206,
+            w529 * w1136 - (w530 * w1130 - w531 * w1132 - w532 * w1133 + w1141), w1225 - w529 * w1143,
+            w1231 - (w247 * c321 - w1177 * c2 - w1167 * c12) - w529 * w1160, w1237 - w529 * w1178,
+            w1243 - (w247 * c330 - w1177 * c3 - w1193 * c12) - w529 * w1189, w1249 - rod_D_ff_4_4 - w529 * w1200,
+            w1255 - w245 * c161 - w529 * w1211,
         ),
         ca.horzcat(  # rod.q6
-            w551 * w1136 - w1142, w1220 - w245 * c323 - w551 * w1143, w1226 - w243 * c328 - w551 * w1159,
-            w1232 - w245 * c332 - w551 * w1176, w1238 - w243 * c337 - w551 * w1186,
-            w1244 - w245 * c341 - w551 * w1196, w1250 - rod_D_ff_5_5 - w551 * w1206,
+            w543 * w1136 - w1142, w1226 - w245 * c317 - w543 * w1143, w1232 - w243 * c322 - w543 * w1160,
+            w1238 - w245 * c326 - w543 * w1178, w1244 - w243 * c331 - w543 * w1189,
+            w1250 - w245 * c335 - w543 * w1200, w1256 - rod_D_ff_5_5 - w543 * w1211,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
@@ -9582,13 +9576,13 @@ def residual_jacobian() -> ca.Function:
 def deflections() -> ca.Function:
     """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
 
-    takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives B (n_i x n_s = 7 x 6) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 6 x 6) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 6 x 6) [SI]: damping of the stiff deflections
     0 operations.
     """
-    c = ca.SX.sym("c", 344)
+    c = ca.SX.sym("c", 339)
     rod_D_ff_0_0 = c[147]
     rod_K_ff_0_0 = c[148]
     rod_D_ff_1_1 = c[150]
@@ -9640,7 +9634,7 @@ def blocks() -> ca.Function:
     takes q_d (n_d = 24) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_LL (n_L x n_L = 1) [SI]: block of M_hat, rows of L, columns of L
     gives M_hat_LS (n_L x n_S = 1 x 6) [SI]: block of M_hat, rows of L, columns of S
     gives M_hat_SL (n_S x n_L = 6) [SI]: block of M_hat, rows of S, columns of L
@@ -9653,7 +9647,7 @@ def blocks() -> ca.Function:
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
-    c = ca.SX.sym("c", 344)
+    c = ca.SX.sym("c", 339)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -10347,7 +10341,7 @@ def substep_2() -> ca.Function:
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
     takes q_L_ddot (n_L = 1) [mixed]: accelerations of the slower groups, frozen over their step
-    takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 6 x 6) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 6) [N, N m]: right-hand side of a sub-step, slow q'' given
     2202 operations.
@@ -10357,7 +10351,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 344)
+    c = ca.SX.sym("c", 339)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]

@@ -16,15 +16,15 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 6) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
-    35 operations.
+    gives c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    25 operations.
     """
     p = ca.SX.sym("p", 6)
     body_mass = p[0]
     body_inertia_xx = p[1]
     body_inertia_yy = p[2]
     body_inertia_zz = p[3]
-    # intermediate terms (12)
+    # intermediate terms (13)
     w0 = (body_inertia_xx + body_inertia_yy + body_inertia_zz) / 2.0
     w1 = w0 - body_inertia_yy
     w2 = w0 - body_inertia_zz
@@ -35,8 +35,9 @@ def constants() -> ca.Function:
     w7 = w1 - w2
     w8 = w2 - w4
     w9 = w4 - w1
-    w10 = -4.0 * w6
-    w11 = -4.0 * w5
+    w10 = 4.0 * w5
+    w11 = 4.0 * w6
+    w12 = 4.0 * w3
     # outputs
     c = ca.vertcat(
         body_mass,  # body_mass
@@ -49,18 +50,15 @@ def constants() -> ca.Function:
         w1,  # c7
         w2,  # c8
         w4,  # c9
-        4.0 * w5 + w10,  # c10
-        4.0 * w6 + -4.0 * w3,  # c11
-        4.0 * w3 + w11,  # c12
-        w11 + 4.0 * w3,  # c13
-        4.0 * w6 + -4.0 * w3,  # c14
-        w10 + 4.0 * w5,  # c15
-        body_inertia_yy - body_inertia_zz,  # c16
-        -(body_inertia_xx - body_inertia_zz),  # c17
-        body_inertia_xx - body_inertia_yy,  # c18
-        w7,  # c19
-        w8,  # c20
-        w9,  # c21
+        w10 - w11,  # c10
+        w11 - w12,  # c11
+        w12 - w10,  # c12
+        body_inertia_yy - body_inertia_zz,  # c13
+        -(body_inertia_xx - body_inertia_zz),  # c14
+        body_inertia_xx - body_inertia_yy,  # c15
+        w7,  # c16
+        w8,  # c17
+        w9,  # c18
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -70,13 +68,13 @@ def condensed() -> ca.Function:
     """Condensed mass matrix and force (Eq. 38).
 
     takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 6 x 6) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 6) [N, N m]: condensed force S^T (Q* - M s)
     6 operations.
     """
     q_i_dot = ca.SX.sym("q_i_dot", 6)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 19)
     body_omega_x = q_i_dot[3]
     body_omega_y = q_i_dot[4]
     body_omega_z = q_i_dot[5]
@@ -258,7 +256,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 7 x 7) [SI]: mass matrix in all coordinates
     gives K (n x n = 7 x 7) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 7) [N, N m]: quadratic velocity force in all coordinates
@@ -266,11 +264,11 @@ def augmented() -> ca.Function:
     gives Q_star (n = 7) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 1 x 7) [SI]: constraint Jacobian
     gives gamma (n_c = 1) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    124 operations.
+    127 operations.
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 19)
     body_e0 = q[3]
     body_e1 = q[4]
     body_e2 = q[5]
@@ -289,13 +287,10 @@ def augmented() -> ca.Function:
     c10 = c[10]
     c11 = c[11]
     c12 = c[12]
-    c13 = c[13]
-    c14 = c[14]
-    c15 = c[15]
     # intermediate terms (32)
-    w0 = body_e1 * -2.0
-    w1 = body_e2 * -2.0
-    w2 = body_e3 * -2.0
+    w0 = 2 * -body_e1
+    w1 = 2 * -body_e2
+    w2 = 2 * -body_e3
     w3 = 2 * body_e0
     w4 = w3 * c1
     w5 = 2 * body_e2
@@ -309,18 +304,18 @@ def augmented() -> ca.Function:
     w13 = w12 * c2
     w14 = w3 * c3
     w15 = body_e1 * body_e2 * c12 + w2 * w14
-    w16 = body_e3 * body_e0 * c13 + w5 * w9
-    w17 = w2 * w13 + body_e2 * body_e0 * c14
-    w18 = w7 * w11 + body_e1 * body_e0 * c15
-    w19 = w2 * body_e0_dot + w5 * body_e1_dot + w0 * body_e2_dot + w3 * body_e3_dot
-    w20 = w19 * c8
-    w21 = w1 * body_e0_dot + w2 * body_e1_dot + w3 * body_e2_dot + w12 * body_e3_dot
-    w22 = w21 * c7
-    w23 = w20 * w21 - w19 * w22
+    w16 = body_e3 * body_e0 * c12 + w5 * w9
+    w17 = w2 * w13 + body_e2 * body_e0 * c11
+    w18 = w7 * w11 + body_e1 * body_e0 * c10
+    w19 = w1 * body_e0_dot + w2 * body_e1_dot + w3 * body_e2_dot + w12 * body_e3_dot
+    w20 = w2 * body_e0_dot + w5 * body_e1_dot + w0 * body_e2_dot + w3 * body_e3_dot
+    w21 = w20 * c8
+    w22 = w19 * c7
+    w23 = w19 * w21 - w20 * w22
     w24 = w0 * body_e0_dot + w3 * body_e1_dot + w7 * body_e2_dot + w1 * body_e3_dot
     w25 = w24 * c9
-    w26 = w19 * w25 - w20 * w24
-    w27 = w22 * w24 - w21 * w25
+    w26 = w20 * w25 - w21 * w24
+    w27 = w22 * w24 - w19 * w25
     w28 = w0 * w23 + w1 * w26 + w2 * w27
     w29 = w3 * w23 + w2 * w26 + w5 * w27
     w30 = w7 * w23 + w3 * w26 + w0 * w27
@@ -382,15 +377,15 @@ def reactions() -> ca.Function:
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
     takes q_ddot (n = 7) [mixed]: accelerations of all coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 1) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 0) [N, N m]: world force and moment of a joint on its body b, at b
-    155 operations.
+    158 operations.
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
     q_ddot = ca.SX.sym("q_ddot", 7)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 19)
     body_e0 = q[3]
     body_e1 = q[4]
     body_e2 = q[5]
@@ -412,44 +407,41 @@ def reactions() -> ca.Function:
     c10 = c[10]
     c11 = c[11]
     c12 = c[12]
-    c13 = c[13]
-    c14 = c[14]
-    c15 = c[15]
     # intermediate terms (34)
-    w0 = body_e1 * -2.0
-    w1 = body_e3 * -2.0
-    w2 = 2 * body_e2
+    w0 = 2 * -body_e1
+    w1 = 2 * -body_e2
+    w2 = 2 * -body_e3
     w3 = 2 * body_e0
-    w4 = body_e0_dot * w1 + body_e1_dot * w2 + w0 * body_e2_dot + body_e3_dot * w3
-    w5 = w4 * c8
-    w6 = body_e2 * -2.0
-    w7 = 2 * body_e1
-    w8 = body_e0_dot * w6 + w1 * body_e1_dot + body_e2_dot * w3 + body_e3_dot * w7
-    w9 = w8 * c7
-    w10 = w5 * w8 - w4 * w9
+    w4 = 2 * body_e1
+    w5 = body_e0_dot * w1 + body_e1_dot * w2 + body_e2_dot * w3 + body_e3_dot * w4
+    w6 = 2 * body_e2
+    w7 = body_e0_dot * w2 + body_e1_dot * w6 + w0 * body_e2_dot + w3 * body_e3_dot
+    w8 = w7 * c8
+    w9 = w5 * c7
+    w10 = w5 * w8 - w7 * w9
     w11 = 2 * body_e3
-    w12 = w0 * body_e0_dot + body_e1_dot * w3 + body_e2_dot * w11 + body_e3_dot * w6
+    w12 = w0 * body_e0_dot + body_e1_dot * w3 + body_e2_dot * w11 + w1 * body_e3_dot
     w13 = w12 * c9
-    w14 = w4 * w13 - w5 * w12
-    w15 = w9 * w12 - w8 * w13
+    w14 = w7 * w13 - w8 * w12
+    w15 = w9 * w12 - w5 * w13
     w16 = w3 * c1
-    w17 = w0 * w16 + body_e3 * body_e2 * c10
+    w17 = w0 * w16 + body_e2 * body_e3 * c10
     w18 = w3 * c2
     w19 = w0 * c3
-    w20 = w6 * w18 + body_e1 * body_e3 * c11
-    w21 = (w0 * (w0 * c1) + w6 * (w6 * c2) + w1 * (w1 * c3)) * body_e0_ddot + w17 * body_e1_ddot + w20 * body_e2_ddot
-    w22 = w6 * c1
-    w23 = w7 * c2
+    w20 = w1 * w18 + body_e1 * body_e3 * c11
+    w21 = (w0 * (w0 * c1) + w1 * (w1 * c2) + w2 * (w2 * c3)) * body_e0_ddot + w17 * body_e1_ddot + w20 * body_e2_ddot
+    w22 = w1 * c1
+    w23 = w4 * c2
     w24 = w3 * c3
-    w25 = body_e1 * body_e2 * c12 + w1 * w24
-    w26 = body_e3 * body_e0 * c13 + w2 * w19
-    w27 = body_e0_ddot * w17 + body_e1_ddot * (w3 * w16 + w1 * (w1 * c2) + w2 * (w2 * c3)) + body_e2_ddot * w26
-    w28 = w1 * w23 + body_e2 * body_e0 * c14
-    w29 = body_e0 * (w0 * w10 + w6 * w14 + w1 * w15 - (w21 + w25 * body_e3_ddot)) + body_e1 * (w3 * w10 + w1 * w14 + w2 * w15 - (w27 + body_e3_ddot * w28))
+    w25 = body_e1 * body_e2 * c12 + w2 * w24
+    w26 = body_e3 * body_e0 * c12 + w6 * w19
+    w27 = body_e0_ddot * w17 + body_e1_ddot * (w3 * w16 + w2 * (w2 * c2) + w6 * (w6 * c3)) + body_e2_ddot * w26
+    w28 = w2 * w23 + body_e2 * body_e0 * c11
+    w29 = body_e0 * (w0 * w10 + w1 * w14 + w2 * w15 - (w21 + w25 * body_e3_ddot)) + body_e1 * (w3 * w10 + w2 * w14 + w6 * w15 - (w27 + body_e3_ddot * w28))
     w30 = body_e0_ddot * w20 + body_e1_ddot * w26 + body_e2_ddot * (w11 * (w11 * c1) + w3 * w18 + w0 * w19)
-    w31 = w11 * w22 + body_e1 * body_e0 * c15
-    w32 = body_e0_ddot * w25 + body_e1_ddot * w28 + body_e2_ddot * w31 + body_e3_ddot * (w6 * w22 + w7 * w23 + w3 * w24)
-    w33 = w29 + body_e2 * (w10 * w11 + w3 * w14 + w0 * w15 - (w30 + body_e3_ddot * w31)) + body_e3 * (w6 * w10 + w7 * w14 + w3 * w15 - w32)
+    w31 = w11 * w22 + body_e1 * body_e0 * c10
+    w32 = body_e0_ddot * w25 + body_e1_ddot * w28 + body_e2_ddot * w31 + body_e3_ddot * (w1 * w22 + w4 * w23 + w3 * w24)
+    w33 = w29 + body_e2 * (w10 * w11 + w3 * w14 + w0 * w15 - (w30 + body_e3_ddot * w31)) + body_e3 * (w1 * w10 + w4 * w14 + w3 * w15 - w32)
     # outputs
     lam = ca.vertcat(w33)
     joint_forces = ca.SX(6, 0)
@@ -462,17 +454,17 @@ def energy() -> ca.Function:
 
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    108 operations.
+    111 operations.
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 19)
     body_e0 = q[3]
     body_e1 = q[4]
     body_e2 = q[5]
@@ -491,14 +483,11 @@ def energy() -> ca.Function:
     c10 = c[10]
     c11 = c[11]
     c12 = c[12]
-    c13 = c[13]
-    c14 = c[14]
-    c15 = c[15]
     # intermediate terms (25)
     w0 = body_x_dot * (body_x_dot * body_mass) + body_y_dot * (body_y_dot * body_mass) + body_z_dot * (body_z_dot * body_mass)
-    w1 = body_e1 * -2.0
-    w2 = body_e2 * -2.0
-    w3 = body_e3 * -2.0
+    w1 = 2 * -body_e1
+    w2 = 2 * -body_e2
+    w3 = 2 * -body_e3
     w4 = 2 * body_e0
     w5 = w4 * c1
     w6 = 2 * body_e2
@@ -513,10 +502,10 @@ def energy() -> ca.Function:
     w15 = w14 * c2
     w16 = w4 * c3
     w17 = body_e1 * body_e2 * c12 + w3 * w16
-    w18 = body_e3 * body_e0 * c13 + w6 * w10
-    w19 = w3 * w15 + body_e2 * body_e0 * c14
+    w18 = body_e3 * body_e0 * c12 + w6 * w10
+    w19 = w3 * w15 + body_e2 * body_e0 * c11
     w20 = body_e0_dot * w7 + body_e1_dot * (w4 * w5 + w3 * (w3 * c2) + w6 * (w6 * c3)) + body_e2_dot * w18 + body_e3_dot * w19
-    w21 = w8 * w13 + body_e1 * body_e0 * c15
+    w21 = w8 * w13 + body_e1 * body_e0 * c10
     w22 = body_e0_dot * w11 + body_e1_dot * w18 + body_e2_dot * (w8 * (w8 * c1) + w4 * w9 + w1 * w10) + body_e3_dot * w21
     w23 = body_e0_dot * w17 + body_e1_dot * w19 + body_e2_dot * w21 + body_e3_dot * (w2 * w13 + w14 * w15 + w4 * w16)
     w24 = w0 + body_e0_dot * (w12 + w17 * body_e3_dot) + body_e1_dot * w20 + body_e2_dot * w22 + body_e3_dot * w23
@@ -535,7 +524,7 @@ def poses() -> ca.Function:
 
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    26 operations.
+    24 operations.
     """
     q = ca.SX.sym("q", 7)
     body_x = q[0]
@@ -545,22 +534,23 @@ def poses() -> ca.Function:
     body_e1 = q[4]
     body_e2 = q[5]
     body_e3 = q[6]
-    # intermediate terms (11)
-    w0 = 2 * body_e2**2
-    w1 = 2 * body_e3**2
-    w2 = 2 * body_e0
+    # intermediate terms (12)
+    w0 = 2 * body_e2
+    w1 = body_e2 * w0
+    w2 = 2 * body_e3
     w3 = body_e3 * w2
     w4 = 2 * body_e1
     w5 = body_e2 * w4
-    w6 = body_e3 * w4
-    w7 = body_e2 * w2
-    w8 = 1.0 - 2 * body_e1**2
-    w9 = w2 * body_e1
-    w10 = body_e3 * (2 * body_e2)
+    w6 = w2 * body_e0
+    w7 = body_e3 * w4
+    w8 = w0 * body_e0
+    w9 = body_e1 * w4
+    w10 = w0 * body_e3
+    w11 = w4 * body_e0
     # outputs
     poses = ca.vertcat(
-        body_x, body_y, body_z, 1.0 - w0 - w1, w3 + w5, w6 - w7, w5 - w3, w8 - w1, w9 + w10, w6 + w7, w10 - w9,
-        w8 - w0,
+        body_x, body_y, body_z, 1.0 - (w1 + w3), w5 + w6, w7 - w8, w5 - w6, 1.0 - (w3 + w9), w10 + w11, w7 + w8,
+        w10 - w11, 1.0 - (w1 + w9),
     )
     inputs, outputs = [q], [ca.densify(poses)]
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
@@ -582,29 +572,29 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     """Total derivative of Q_hat by q_i_dot, through q_d_dot.
 
     takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 6 x 6) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     6 operations.
     """
     q_i_dot = ca.SX.sym("q_i_dot", 6)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 19)
     body_omega_x = q_i_dot[3]
     body_omega_y = q_i_dot[4]
     body_omega_z = q_i_dot[5]
-    c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
     # outputs
     dQ_hat_dq_i_dot = ca.SX(6, 6)
     # body.turn_x
-    dQ_hat_dq_i_dot[3, 4] = body_omega_z * c16
-    dQ_hat_dq_i_dot[3, 5] = body_omega_y * c16
+    dQ_hat_dq_i_dot[3, 4] = body_omega_z * c13
+    dQ_hat_dq_i_dot[3, 5] = body_omega_y * c13
     # body.turn_y
-    dQ_hat_dq_i_dot[4, 3] = body_omega_z * c17
-    dQ_hat_dq_i_dot[4, 5] = body_omega_x * c17
+    dQ_hat_dq_i_dot[4, 3] = body_omega_z * c14
+    dQ_hat_dq_i_dot[4, 5] = body_omega_x * c14
     # body.turn_z
-    dQ_hat_dq_i_dot[5, 3] = body_omega_y * c18
-    dQ_hat_dq_i_dot[5, 4] = body_omega_x * c18
+    dQ_hat_dq_i_dot[5, 3] = body_omega_y * c15
+    dQ_hat_dq_i_dot[5, 4] = body_omega_x * c15
     inputs, outputs = [q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
@@ -613,31 +603,31 @@ def residual_jacobian() -> ca.Function:
     """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 6 x 6) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 6 x 6) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     6 operations.
     """
     q_i_dot = ca.SX.sym("q_i_dot", 6)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 19)
     body_omega_x = q_i_dot[3]
     body_omega_y = q_i_dot[4]
     body_omega_z = q_i_dot[5]
-    c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
     # outputs
     J_q = ca.SX(6, 6)
     J_v = ca.SX(6, 6)
     # body.turn_x
-    J_v[3, 4] = body_omega_z * c16
-    J_v[3, 5] = body_omega_y * c16
+    J_v[3, 4] = body_omega_z * c13
+    J_v[3, 5] = body_omega_y * c13
     # body.turn_y
-    J_v[4, 3] = body_omega_z * c17
-    J_v[4, 5] = body_omega_x * c17
+    J_v[4, 3] = body_omega_z * c14
+    J_v[4, 5] = body_omega_x * c14
     # body.turn_z
-    J_v[5, 3] = body_omega_y * c18
-    J_v[5, 4] = body_omega_x * c18
+    J_v[5, 3] = body_omega_y * c15
+    J_v[5, 4] = body_omega_x * c15
     inputs, outputs = [q_i_dot, c], [ca.densify(J_q), ca.densify(J_v)]
     return ca.Function("residual_jacobian", inputs, outputs, ["q_i_dot", "c"], ["J_q", "J_v"])
 
@@ -646,26 +636,26 @@ def forward_dynamics() -> ca.Function:
     """Accelerations of a tree by topology-ordered elimination, without M_hat (Eq. 38).
 
     takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 6) [mixed]: accelerations of the independent coordinates
     12 operations.
     """
     q_i_dot = ca.SX.sym("q_i_dot", 6)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 19)
     body_omega_x = q_i_dot[3]
     body_omega_y = q_i_dot[4]
     body_omega_z = q_i_dot[5]
     c1 = c[1]
     c2 = c[2]
     c3 = c[3]
-    c19 = c[19]
-    c20 = c[20]
-    c21 = c[21]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
     # outputs
     q_i_ddot = ca.SX(6, 1)
-    q_i_ddot[3] = -(body_omega_y * body_omega_z * c19 / c1)  # body.turn_x
-    q_i_ddot[4] = -(body_omega_z * body_omega_x * c20 / c2)  # body.turn_y
-    q_i_ddot[5] = -(body_omega_y * body_omega_x * c21 / c3)  # body.turn_z
+    q_i_ddot[3] = -(body_omega_y * body_omega_z * c16 / c1)  # body.turn_x
+    q_i_ddot[4] = -(body_omega_z * body_omega_x * c17 / c2)  # body.turn_y
+    q_i_ddot[5] = -(body_omega_y * body_omega_x * c18 / c3)  # body.turn_z
     inputs, outputs = [q_i_dot, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i_dot", "c"], ["q_i_ddot"])
 

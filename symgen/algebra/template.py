@@ -51,8 +51,6 @@ def to_casadi(expression: sp.Expr, values: Mapping[sp.Symbol, ca.SX], memo: dict
 def _convert(expression: sp.Expr, values: Mapping[sp.Symbol, ca.SX], memo: dict[sp.Expr, ca.SX]) -> ca.SX:
     if isinstance(expression, sp.Symbol):
         return values[expression]
-    if isinstance(expression, sp.Integer):
-        return ca.SX(int(expression))
     if isinstance(expression, sp.Rational):
         return ca.SX(int(expression.p)) / int(expression.q)
     if isinstance(expression, sp.Add):

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import casadi as ca
 
-from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg, sub
+from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg, sub, total
 
 Vector = list[ca.SX]
 Matrix = list[Vector]  # rows, or columns
@@ -84,6 +84,35 @@ def axial(matrix: Columns) -> Vector:
     return [sub(matrix[1][2], matrix[2][1]), sub(matrix[2][0], matrix[0][2]), sub(matrix[0][1], matrix[1][0])]
 
 
+def weighted(blocks: Sequence[Columns], factors: Sequence[ca.SX]) -> Matrix:
+    """Sum of factors[k] blocks[k]."""
+    return [
+        [total(mul(factor, block[i][j]) for block, factor in zip(blocks, factors, strict=True)) for j in range(3)]
+        for i in range(3)
+    ]
+
+
+def inertia_times(Sigma: Columns, omega: Sequence[ca.SX]) -> Vector:
+    """(tr(Sigma) - Sigma) omega, with each diagonal entry of the inertia tensor the sum of two of Sigma."""
+    result = []
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        own = mul(add(Sigma[j][j], Sigma[k][k]), omega[i])
+        result.append(sub(sub(own, mul(Sigma[i][j], omega[j])), mul(Sigma[i][k], omega[k])))
+    return result
+
+
+def traced(block: Columns, vector: Sequence[ca.SX], transposed: bool) -> Vector:
+    """(tr B - B^T) vector, or (tr B - B) vector."""
+    result = []
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        own = mul(add(block[j][j], block[k][k]), vector[i])
+        first, second = (block[i][j], block[i][k]) if transposed else (block[j][i], block[k][i])
+        result.append(sub(sub(own, mul(first, vector[j])), mul(second, vector[k])))
+    return result
+
+
 def quaternion_product(a: Sequence[ca.SX], b: Sequence[ca.SX]) -> Vector:
     """Product of two quaternions: first the rotation b, seen in the frame that a turns."""
     scalar = sub(mul(a[0], b[0]), dot(a[1:], b[1:]))
@@ -93,3 +122,17 @@ def quaternion_product(a: Sequence[ca.SX], b: Sequence[ca.SX]) -> Vector:
 def conjugate(a: Sequence[ca.SX]) -> Vector:
     """The opposite rotation."""
     return [a[0], *negative(a[1:])]
+
+
+def rotation_of(e: Vector) -> Matrix:
+    """The rotation matrix by rows of a quaternion of unit length."""
+    e0, e1, e2, e3 = e
+    twice = scaled(ca.SX(2), e[1:])
+    x, y, z = (mul(entry, e0) for entry in twice)
+    xx, yy, zz = (mul(entry, own) for entry, own in zip(twice, (e1, e2, e3), strict=True))
+    xy, xz, yz = mul(twice[0], e2), mul(twice[0], e3), mul(twice[1], e3)
+    return [
+        [1 - (yy + zz), xy - z, xz + y],
+        [xy + z, 1 - (xx + zz), yz - x],
+        [xz - y, yz + x, 1 - (xx + yy)],
+    ]

@@ -16,7 +16,7 @@ from symgen.bodies.beam_sets import mesh_name, mode_sets, set_choices
 from symgen.bodies.shape_integrals import PointShape
 from symgen.bodies.spatial_moments import SpatialPoint
 from symgen.modes import ExactBarModes, ExactBeamModes
-from symgen.modes.spatial_beam import TORSION, TURN
+from symgen.modes.integrals import TORSION, TURN
 from symgen.scene import BeamBody
 
 Point = TypeVar("Point", covariant=True)

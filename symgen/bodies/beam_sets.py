@@ -23,7 +23,6 @@ from runtime.contract.records import ModeSetRecord
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import add, mul
 from symgen.modes import (
-    BarModes,
     BeamModes,
     ExactBarModes,
     ExactBeamModes,
@@ -33,6 +32,7 @@ from symgen.modes import (
     lateral_modes,
     panels_for,
 )
+from symgen.modes.integrals import BeamIntegrals, ModeSets, beam_integrals
 from symgen.scene import BeamBody, SceneRecord, lateral_ends
 from symgen.scene.attachments import StaticResidual
 
@@ -45,9 +45,6 @@ class SetChoice(NamedTuple):
     axis: int
     ends: str
     modes: int
-
-
-ModeSets = tuple[tuple[int, BeamModes | BarModes], ...]
 
 
 def set_choices(body: BeamBody) -> tuple[SetChoice, ...]:
@@ -77,6 +74,16 @@ def _sets(elements: int | None, choices: tuple[SetChoice, ...]) -> ModeSets:
         (one.axis, (exact_bending if one.axis in BENDING_AXES else exact_stretching)(one.ends, one.modes, panels))
         for one in choices
     )
+
+
+def beam_integrals_of(body: BeamBody) -> BeamIntegrals:
+    """Dimensionless integrals of a beam's mode sets (numbers); equal sets are computed once."""
+    return _integrals(mode_sets(body))
+
+
+@lru_cache(maxsize=64)
+def _integrals(sets: ModeSets) -> BeamIntegrals:
+    return beam_integrals(sets)
 
 
 def set_records(body: BeamBody) -> list[ModeSetRecord]:

@@ -1,8 +1,18 @@
-"""One planar body of a scene: the SymPy template of its type evaluated with its SX values (Eqs. 15-20).
+"""One planar body of a scene: its points, and its share of M and Q_v (Eqs. 15-20).
 
-The coordinates of one planar body.
+A point is at r = R_o + A(theta) rho(q_f). In world components, with a = A rho, b = A rho' by q_f', the shape f of a
+mode there, n = A rho'' without second derivatives, and J, which turns by 90 degrees, for d/dtheta,
 
-Shape integrals and points of a planar body at its current q_f: the values of the templates' symbols (Eq. 20).
+    r' = R_o' + J a theta' + b,    r'' = R_o'' + J a theta'' + sum f q_a'' - a theta'^2 + 2 J b theta' + n.
+
+The virtual work of the inertia forces of all mass points has products of at most two of these vectors. A rotation keeps
+dot and cross products, so that integrals of pairs are those of the body-fixed vectors and hold no angle:
+
+    first moments   h = int a dm,  s_a = int f dm,  hd = int b dm,  hn = int n dm          (world components)
+    pairs           I = int rho.rho,  k_a = int rho.Phi_a,  g_a = int rho x Phi_a,  M_ff = int Phi_a.Phi_b,
+                    kd = int rho.rho_dot,  Gd_a = int Phi_a x rho_dot
+
+The kinetic energy is kept to second order in (q_f, q_f_dot), so pairs with the second-order vector n drop out.
 """
 
 from __future__ import annotations
@@ -12,12 +22,10 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import casadi as ca
-import sympy as sp
 
 from symgen.algebra.rows import Row, nonzero
 from symgen.algebra.scalar import ONE, ZERO, add, dot, entries, mul, neg, sub, total, vector
 from symgen.algebra.vectors import Matrix
-from symgen.bodies import planar_template as template
 from symgen.bodies.shape_integrals import PointShape, ShapeIntegrals
 
 
@@ -69,7 +77,7 @@ class LocalPoint:
 
 
 class Moments:
-    """First moments (world) and pair integrals (body frame) of a body, in the symbols of the body template."""
+    """First moments (world components) and integrals of pairs of a body at its q_f and q_f'."""
 
     def __init__(self, coordinates: BodyCoordinates, rotate: Rotation, data: ShapeIntegrals) -> None:
         q_f, q_f_dot = coordinates.q_f, coordinates.q_f_dot
@@ -90,32 +98,6 @@ class Moments:
         self.kd = dot(self.k, q_f_dot)
         self.g = [sub(B, turn) for B, turn in zip(vector(data.B), times(data.G, q_f), strict=True)]
         self.Gd = times(data.G, q_f_dot)
-        self.theta_dot = coordinates.theta_dot
-
-    def values(self, mode: int | None) -> dict[sp.Symbol, ca.SX]:
-        """Values of the template's symbols; `mode` selects the representative mode a."""
-        t = template
-        values = {
-            t.m: self.mass,
-            t.h_x: self.h[0],
-            t.h_y: self.h[1],
-            t.hd_x: self.hd[0],
-            t.hd_y: self.hd[1],
-            t.hn_x: self.hn[0],
-            t.hn_y: self.hn[1],
-            t.I_theta: self.inertia,
-            t.kd: self.kd,
-            t.theta_dot: self.theta_dot,
-        }
-        if mode is not None:
-            values |= {
-                t.k_a: self.k[mode],
-                t.g_a: self.g[mode],
-                t.Gd_a: self.Gd[mode],
-                t.s_x: self.s[mode][0],
-                t.s_y: self.s[mode][1],
-            }
-        return values
 
 
 @dataclass(frozen=True)
@@ -158,34 +140,36 @@ class PlanarBody:
 
     def mass_entries(self) -> list[tuple[int, int, ca.SX]]:
         """Upper triangle of the body's mass matrix (Eq. 20) as (row, column, value) in system columns."""
-        integrals, columns, moments = self._require_mass(), self.coordinates.columns, self._moments
-        x, y, angle, modes = columns[0], columns[1], columns[2], columns[3:]
-        block = template.body_template().evaluate(
-            moments.values(None), ["M_RR", "M_Rtheta_x", "M_Rtheta_y", "M_thetatheta"]
-        )
-        M_ff = entries(integrals.M_ff)
+        moments, M_ff = self._moments, entries(self._require_mass().M_ff)
+        x, y, angle, *modes = self.coordinates.columns
+        M_RR, M_Rtheta, M_thetatheta = moments.mass, (neg(moments.h[1]), moments.h[0]), moments.inertia
+        M_Rf, M_thetaf = moments.s, moments.g
         found = [
-            (x, x, block["M_RR"]),
-            (y, y, block["M_RR"]),
-            (x, angle, block["M_Rtheta_x"]),
-            (y, angle, block["M_Rtheta_y"]),
-            (angle, angle, block["M_thetatheta"]),
+            (x, x, M_RR),
+            (y, y, M_RR),
+            (x, angle, M_Rtheta[0]),
+            (y, angle, M_Rtheta[1]),
+            (angle, angle, M_thetatheta),
         ]
         for a, column in enumerate(modes):
-            row = template.body_template().evaluate(moments.values(a), ["M_Rf_x", "M_Rf_y", "M_thetaf"])
-            found += [(x, column, row["M_Rf_x"]), (y, column, row["M_Rf_y"]), (angle, column, row["M_thetaf"])]
+            found += [(x, column, M_Rf[a][0]), (y, column, M_Rf[a][1]), (angle, column, M_thetaf[a])]
             found += [(column, modes[b], M_ff[a][b]) for b in range(a, len(modes))]
         return [(row, column, value) for row, column, value in found if not value.is_zero()]
 
     def quadratic_velocity_force(self) -> Row:
         """Q_v of Eq. (20) by system column."""
-        columns, moments = self.coordinates.columns, self._moments
         self._require_mass()
-        names = ["Q_v_x", "Q_v_y", "Q_v_theta"]
-        values = template.body_template().evaluate(moments.values(None), names)
-        force = {column: values[name] for column, name in zip(columns, names, strict=False)}
-        for a, column in enumerate(columns[3:]):
-            force[column] = template.body_template().evaluate(moments.values(a), ["Q_v_f"])["Q_v_f"]
+        moments, omega = self._moments, self.coordinates.theta_dot
+        square, twice = mul(omega, omega), mul(ca.SX(2), omega)
+        (h_x, h_y), (hd_x, hd_y), (hn_x, hn_y) = moments.h, moments.hd, moments.hn
+        x, y, angle, *modes = self.coordinates.columns
+        force = {
+            x: sub(add(mul(square, h_x), mul(twice, hd_y)), hn_x),
+            y: sub(sub(mul(square, h_y), hn_y), mul(twice, hd_x)),
+            angle: mul(mul(ca.SX(-2), omega), moments.kd),
+        }
+        for column, k_a, Gd_a in zip(modes, moments.k, moments.Gd, strict=True):
+            force[column] = add(mul(square, k_a), mul(twice, Gd_a))
         return force
 
     def modal_matrices(self) -> tuple[Matrix, Matrix]:
@@ -217,33 +201,22 @@ class PlanarBody:
         a_x, a_y = self.rotate(*local.rho)
         b_x, b_y = self.rotate(*local.rho_dot)
         n_x, n_y = self.rotate(local.nu, ZERO)
-        values = {
-            template.a_x: a_x,
-            template.a_y: a_y,
-            template.b_x: b_x,
-            template.b_y: b_y,
-            template.n_x: n_x,
-            template.n_y: n_y,
-            template.R_x: q.R_o[0],
-            template.R_y: q.R_o[1],
-            template.R_dot_x: q.R_o_dot[0],
-            template.R_dot_y: q.R_o_dot[1],
-            template.theta_dot: q.theta_dot,
-        }
-        motion = template.kinematics_template().evaluate(values)
+        square, twice = mul(q.theta_dot, q.theta_dot), mul(ca.SX(2), q.theta_dot)
+        moved = sub(add(q.R_o_dot[0], b_x), mul(q.theta_dot, a_y)), add(add(q.R_o_dot[1], b_y), mul(q.theta_dot, a_x))
+        turning = sub(sub(n_x, mul(square, a_x)), mul(twice, b_y)), sub(add(n_y, mul(twice, b_x)), mul(square, a_y))
         rows: list[Row] = [{}, {}]
         phi_row: Row = {}
         if columns:
-            rows = [{columns[0]: ONE, columns[2]: motion["theta_x"]}, {columns[1]: ONE, columns[2]: motion["theta_y"]}]
+            rows = [{columns[0]: ONE, columns[2]: neg(a_y)}, {columns[1]: ONE, columns[2]: a_x}]
             phi_row = {columns[2]: ONE}
         for a, column in enumerate(columns[3:]):
             rows[0][column], rows[1][column] = self.rotate(*local.shapes[a])
             phi_row[column] = local.slope[a]
         turn, turn_rate = dot(local.slope, q.q_f), dot(local.slope, q.q_f_dot)
         return MarkerMotion(
-            r=[motion["r_x"], motion["r_y"]],
-            r_dot=[motion["r_dot_x"], motion["r_dot_y"]],
-            bias=[motion["bias_x"], motion["bias_y"]],
+            r=[add(q.R_o[0], a_x), add(q.R_o[1], a_y)],
+            r_dot=[*moved],
+            bias=[*turning],
             r_columns=[nonzero(row) for row in rows],
             phi=add(add(q.theta, shape.angle), turn),
             phi_dot=add(q.theta_dot, turn_rate),

@@ -13,8 +13,7 @@ import casadi as ca
 import numpy as np
 
 from symgen.algebra.parameters import ParameterTable
-from symgen.bodies.beam_sets import ModeSets, mesh_name, mode_sets, set_choices
-from symgen.modes import BarModes, BeamModes, beam_integrals
+from symgen.bodies.beam_sets import beam_integrals_of, mesh_name, set_choices
 from symgen.modes.integrals import BeamIntegrals, BeamPoint
 from symgen.scene import BeamBody, BeamMarker, ModalBody, ModalMarker, RigidBody, SceneRecord
 
@@ -120,18 +119,6 @@ def modal_integrals(body: ModalBody, table: ParameterTable) -> ShapeIntegrals:
     )
 
 
-def beam_integrals_of(body: BeamBody) -> BeamIntegrals:
-    """Dimensionless integrals of a beam's mode sets (numbers); equal sets are computed once."""
-    return _integrals(mode_sets(body))
-
-
-@lru_cache(maxsize=64)
-def _integrals(sets: ModeSets) -> BeamIntegrals:
-    lateral = next((modes for _, modes in sets if isinstance(modes, BeamModes)), None)
-    axial = next((modes for _, modes in sets if isinstance(modes, BarModes)), None)
-    return beam_integrals(lateral, axial)
-
-
 @lru_cache(maxsize=4096)
 def _mesh_point(data: BeamIntegrals, at: float) -> BeamPoint:
     return data.point(at)
@@ -155,12 +142,13 @@ def beam_shape_integrals(body: BeamBody, data: BeamIntegrals, table: ParameterTa
     def matrix(values: np.ndarray, label: str) -> ca.SX:
         return table.data(values, f"{key}.{label}", "1", "shape integral of the mesh")
 
-    nf = len(data.phi_x)
+    nf, split = len(data.axes), data.axes.count(1)
     K_ff = ca.diagcat(
-        modulus * second / length**3 * matrix(data.kappa_lateral, "kappa_lateral"),
-        modulus * area / length * matrix(data.kappa_axial, "kappa_axial"),
+        modulus * second / length**3 * matrix(np.diag(data.kappa[:split]), "kappa_lateral"),
+        modulus * area / length * matrix(np.diag(data.kappa[split:]), "kappa_axial"),
     )
-    M_ff = mass * matrix(data.mass, "mass")
+    M_ff = mass * matrix(np.diag(data.mass), "mass")
+    across = data.pairs[:, :, 0, 1]
     zeta = table.of(body, "damping_ratio")
     D_ff = ca.SX(nf, nf)
     if not zeta.is_zero():
@@ -169,13 +157,13 @@ def beam_shape_integrals(body: BeamBody, data: BeamIntegrals, table: ParameterTa
     on = 1.0 if body.stiffening else 0.0
     return ShapeIntegrals(
         mass=mass,
-        S1=ca.vertcat(mass * length * matrix(np.array([[data.s1]]), "s1"), 0),
+        S1=ca.vertcat(mass * length * matrix(np.array([[0.5]]), "s1"), 0),
         I0=mass * length**2 * matrix(np.array([[data.i0]]), "i0"),
-        Sb=mass * ca.horzcat(column(data.phi_x, "phi_x"), column(data.phi_y, "phi_y")).T,
-        i1=mass * length * column(data.xi_phi_x, "xi_phi_x"),
-        B=mass * length * column(data.xi_phi_y, "xi_phi_y"),
+        Sb=mass * ca.horzcat(column(data.phi[0], "phi_x"), column(data.phi[1], "phi_y")).T,
+        i1=mass * length * column(data.x_phi[:, 0], "xi_phi_x"),
+        B=mass * length * column(data.x_phi[:, 1], "xi_phi_y"),
         M_ff=M_ff,
-        G=mass * matrix(data.phi_cross_phi, "phi_cross_phi"),
+        G=mass * matrix(across - across.T, "phi_cross_phi"),
         K_ff=K_ff,
         D_ff=D_ff,
         S_H=mass / length * matrix(on * data.H, "H"),
@@ -199,13 +187,13 @@ def shape_of(body: BeamBody, point: BeamPoint, at: float, key: str, table: Param
     """Of a point with these shapes at the fraction `at`, or of a mean of points; key: of its numbers in p."""
     length = table.of(body, "length")
     on = 1.0 if body.stiffening else 0.0
-    rows = np.vstack([point.shape_x, point.shape_y])
+    rows = point.shape[:2]
     fraction = table.data(np.array([[at if at != 1.0 else 0.0]]), f"{key}.at", "1", "marker position")
     return PointShape(
         position=ca.vertcat(length if at == 1.0 else length * fraction, 0),
         angle=ca.SX(0),
         Phi=table.data(rows, f"{key}.shape", "1", "mode shapes at a marker"),
-        slope=table.data(np.reshape(point.slope, (-1, 1)), f"{key}.slope", "1", "mode slopes at a marker") / length,
+        slope=table.data(np.reshape(point.turn[2], (-1, 1)), f"{key}.slope", "1", "mode slopes at a marker") / length,
         H=table.data(on * point.H, f"{key}.H", "1", "foreshortening at a marker") / length,
     )
 

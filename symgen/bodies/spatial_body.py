@@ -1,4 +1,4 @@
-"""One spatial body of a scene: templates of its inertia and orientation evaluated with its SX values (Eqs. 15-20).
+"""One spatial body of a scene: its points and axes, and its share of M and Q_v (Eqs. 15-20).
 
 Quaternions that move with coordinates: value, rows over q, rate, and acceleration without second derivatives.
 
@@ -14,20 +14,22 @@ from functools import cached_property
 import casadi as ca
 
 from symgen.algebra.rows import Row, add_scaled, add_to, nonzero
-from symgen.algebra.scalar import ONE, ZERO, div, dot, mul, neg, sub
+from symgen.algebra.scalar import ONE, ZERO, div, dot, mul, neg, sub, total
 from symgen.algebra.vectors import (
     Matrix,
     Vector,
     conjugate,
     cross,
+    inertia_times,
     minus,
     plus,
     quaternion_product,
     scaled,
     times,
+    traced,
+    weighted,
     zeros,
 )
-from symgen.bodies import spatial_template as template
 from symgen.bodies.spatial_moments import Bent, Deformation, LocalMotion, SpatialIntegrals, SpatialMoments, SpatialPoint
 from symgen.bodies.spatial_orientation import Orientation, fixed_orientation
 
@@ -182,14 +184,7 @@ class SpatialBody:
     @cached_property
     def _moments(self) -> SpatialMoments:
         q = self.coordinates
-        return SpatialMoments(self._require_mass(), q.q_f, q.q_f_dot, self.orientation.omega_body)
-
-    @cached_property
-    def _whole(self) -> dict[str, ca.SX]:
-        """Outputs of the body template that belong to no mode."""
-        per_mode = (*template.PER_MODE, template.FORCE_ON_MODE)
-        names = [name for name in template.body_template().outputs if name not in per_mode]
-        return template.body_template().evaluate(self._moments.values(), names)
+        return SpatialMoments(self._require_mass(), q.q_f, q.q_f_dot)
 
     @cached_property
     def _arms(self) -> list[Vector]:
@@ -197,48 +192,50 @@ class SpatialBody:
         world = self.orientation.rotate(self._moments.h)
         return [self.orientation.turned(k, world) for k in range(len(self.coordinates.theta))]
 
-    def _mode(self, a: int) -> dict[str, ca.SX]:
-        names = [*template.PER_MODE, template.FORCE_ON_MODE]
-        return template.body_template().evaluate(self._moments.mode_values(a), names)
-
-    @cached_property
-    def _modes(self) -> list[dict[str, ca.SX]]:
-        return [self._mode(a) for a in range(len(self.coordinates.q_f))]
-
-    def _inertia(self) -> list[Vector]:
-        return [[self._whole[f"M_turnturn_{i}{j}"] for j in range(3)] for i in range(3)]
-
     def mass_entries(self) -> list[tuple[int, int, ca.SX]]:
-        """Upper triangle of the body's mass matrix (Eq. 20) as (row, column, value) in system columns."""
-        columns, data, axes = self.coordinates.columns, self._require_mass(), self.orientation.body_axes
-        turning, elastic = self.coordinates.turning, self.coordinates.elastic
-        found = [(columns[i], columns[i], self._whole["M_RR"]) for i in range(3)]
-        inertia = self._inertia()
+        """Upper triangle of the body's mass matrix (Eq. 20) as (row, column, value) in system columns.
+
+        In body axes a unit rate of a turn moves the masses with axis x rho and one of a mode with phi_a: what both have
+        in common are the moments of the body.
+        """
+        moments, data, axes = self._moments, self._require_mass(), self.orientation.body_axes
+        columns, turning, elastic = self.coordinates.columns, self.coordinates.turning, self.coordinates.elastic
+        M_RR = data.mass
+        found = [(columns[i], columns[i], M_RR) for i in range(3)]
         for k, column in enumerate(turning):
-            found += [(columns[i], column, self._arms[k][i]) for i in range(3)]
-            turned = times(inertia, axes[k])
-            found += [(turning[other], column, dot(axes[other], turned)) for other in range(k + 1)]
+            M_Rtheta, turned = self._arms[k], inertia_times(moments.J, axes[k])
+            found += [(columns[i], column, M_Rtheta[i]) for i in range(3)]
+            M_thetatheta = [dot(axes[other], turned) for other in range(k + 1)]
+            found += [(turning[other], column, value) for other, value in enumerate(M_thetatheta)]
         for a, column in enumerate(elastic):
-            mode = self._modes[a]
-            world = self.orientation.rotate([mode[f"M_Rf_{i}"] for i in range(3)])
-            found += [(columns[i], column, world[i]) for i in range(3)]
-            B = [mode[f"M_turnf_{i}"] for i in range(3)]
-            found += [(turning[k], column, dot(axes[k], B)) for k in range(len(turning))]
+            M_Rf, M_thetaf = self._pulls[a], [dot(axis, moments.B[a]) for axis in axes]
+            found += [(columns[i], column, M_Rf[i]) for i in range(3)]
+            found += [(turning[k], column, value) for k, value in enumerate(M_thetaf)]
             found += [(column, elastic[b], data.M_ff[a][b]) for b in range(a, len(elastic))]
         return [(row, column, value) for row, column, value in found if not value.is_zero()]
 
+    @cached_property
+    def _pulls(self) -> list[Vector]:
+        """A s_a of each mode."""
+        return [self.orientation.rotate(s) for s in self._moments.s]
+
     def quadratic_velocity_force(self) -> Row:
-        """Q_v of Eq. (20) by system column."""
-        columns, axes, drift = self.coordinates.columns, self.orientation.body_axes, self.orientation.bias_body
-        whole = self._whole
-        linear = minus([whole[f"Q_R_{i}"] for i in range(3)], cross(drift, self._moments.h))
-        moment = minus([whole[f"Q_turn_{i}"] for i in range(3)], times(self._inertia(), drift))
-        force = dict(zip(columns, self.orientation.rotate(linear), strict=False))
-        for k, column in enumerate(self.coordinates.turning):
-            force[column] = dot(axes[k], moment)
-        for a, column in enumerate(self.coordinates.elastic):
-            mode = self._modes[a]
-            force[column] = sub(mode[template.FORCE_ON_MODE], dot([mode[f"M_turnf_{i}"] for i in range(3)], drift))
+        """Q_v of Eq. (20) by system column.
+
+        In body axes a mass point accelerates by w x (w x rho) + 2 w x rho' + nu, where shapes of second order leave
+        nu = -q_f'^T H q_f'; its pairs with others are beyond the second order that the energy keeps.
+        """
+        moments, coordinates, w = self._moments, self.coordinates, self.orientation.omega_body
+        twice = scaled(ca.SX(2), w)
+        linear = minus(cross(plus(cross(w, moments.h), scaled(ca.SX(2), moments.hd)), w), moments.hn)
+        moment = minus(cross(w, times(moments.J, w)), traced(weighted(moments.L, coordinates.q_f_dot), twice, False))
+        force = dict(zip(coordinates.columns, self.orientation.rotate(linear), strict=False))
+        for column, axis in zip(coordinates.turning, self.orientation.body_axes, strict=True):
+            force[column] = dot(axis, moment)
+        square = dot(w, w)
+        for L, Gd, column in zip(moments.L, moments.Gd, coordinates.elastic, strict=True):
+            outward = sub(mul(square, total(L[i][i] for i in range(3))), dot(w, times(L, w)))
+            force[column] = sub(outward, dot(twice, Gd))
         return nonzero(force)
 
     def modal_matrices(self) -> tuple[Matrix, Matrix]:
@@ -251,8 +248,8 @@ class SpatialBody:
         force = {columns[i]: mul(mass, gravity[i]) for i in range(3)}
         for k, column in enumerate(self.coordinates.turning):
             force[column] = dot(self._arms[k], gravity)
-        for a, column in enumerate(self.coordinates.elastic):
-            force[column] = dot(self.orientation.rotate([self._modes[a][f"M_Rf_{i}"] for i in range(3)]), gravity)
+        for column, pull in zip(self.coordinates.elastic, self._pulls, strict=True):
+            force[column] = dot(pull, gravity)
         return force
 
     def gravity_potential(self, gravity: Vector) -> ca.SX:
@@ -273,7 +270,7 @@ class SpatialBody:
             for i, entry in enumerate(turning.rotate(local.shapes[a])):
                 add_to(rows[i], column, entry)
         inner = plus(cross(turning.omega, arm), b)
-        bias = plus(cross(turning.omega, plus(inner, b)), cross(turning.bias, arm), nu)
+        bias = plus(cross(turning.omega, plus(inner, b)), nu)
         spin = _MarkerSpin(self, point, local)
         return SpatialMarker(
             plus(q.R_o, arm),
@@ -308,7 +305,7 @@ class _MarkerSpin:
             for i, entry in enumerate(turning.world_axes[k]):
                 add_to(self.rows[i], column, entry)
         columns = LocalMotion.turn_rows(point, q.elastic)
-        self.omega, self.bias, axes = turning.omega, turning.bias, point.axes
+        self.omega, self.bias, axes = turning.omega, zeros(), point.axes
         if any(columns):
             axes = self._deformed(turning, Deformation(point, q.q_f, q.q_f_dot, q.elastic).now, q.elastic)
         self.axes = [turning.rotate([axes[i][j] for i in range(3)]) for j in range(3)]

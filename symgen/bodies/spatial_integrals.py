@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 import casadi as ca
 import numpy as np
@@ -22,10 +21,10 @@ from runtime.contract.records import Bound
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import ZERO, add, entries, mul, neg
 from symgen.algebra.vectors import Matrix, Vector, plus, scaled, zeros
-from symgen.bodies.beam_sets import ModeSets, mesh_name, mode_sets, set_choices
+from symgen.bodies.beam_sets import beam_integrals_of, mesh_name, set_choices
 from symgen.bodies.shape_integrals import modal_impedance
 from symgen.bodies.spatial_moments import SpatialIntegrals, SpatialPoint
-from symgen.modes.spatial_beam import TORSION, SpatialBeam, SpatialBeamPoint, spatial_beam
+from symgen.modes.integrals import TORSION, BeamIntegrals, BeamPoint
 from symgen.scene import (
     BeamBody,
     BeamMarker,
@@ -41,7 +40,7 @@ from symgen.scene import (
 class _Beam:
     """Numbers of the mode sets, and a beam's length [m], mass [kg], int y^2 dm and int z^2 dm [kg m^2] as SX."""
 
-    data: SpatialBeam
+    data: BeamIntegrals
     key: str
     table: ParameterTable
     length: ca.SX
@@ -60,7 +59,7 @@ def spatial_beam_integrals(body: BeamBody, table: ParameterTable) -> SpatialInte
 
     The cross-section's rotary inertia counts in J0, so that the beam has one about its own axis.
     """
-    data, nf = spatial_beam_of(body), body.nf
+    data, nf = beam_integrals_of(body), body.nf
     length, density, area = (table.of(body, field) for field in ("length", "density", "area"))
     modulus, section = (
         table.of(body, "youngs_modulus"),
@@ -137,16 +136,6 @@ def square(n: int) -> Matrix:
     return [zeros(n) for _ in range(n)]
 
 
-def spatial_beam_of(body: BeamBody) -> SpatialBeam:
-    """Dimensionless integrals of a beam's mode sets (numbers); equal sets are computed once."""
-    return _integrals(mode_sets(body))
-
-
-@lru_cache(maxsize=64)
-def _integrals(sets: ModeSets) -> SpatialBeam:
-    return spatial_beam(sets)
-
-
 def spatial_mesh_key(body: BeamBody) -> str:
     """Name of a beam's mesh and mode sets: beams that share it share their data in p."""
     names = ("axial", "y", "z", "torsion")
@@ -155,12 +144,10 @@ def spatial_mesh_key(body: BeamBody) -> str:
 
 def beam_spatial_point(body: BeamBody, at: float, table: ParameterTable) -> SpatialPoint:
     """A point of a beam at the fraction `at` of its length, with the frame's axes."""
-    return spatial_point_of(body, spatial_beam_of(body).point(at), at, f"{spatial_mesh_key(body)}@{at!r}", table)
+    return spatial_point_of(body, beam_integrals_of(body).point(at), at, f"{spatial_mesh_key(body)}@{at!r}", table)
 
 
-def spatial_point_of(
-    body: BeamBody, data: SpatialBeamPoint, at: float, key: str, table: ParameterTable
-) -> SpatialPoint:
+def spatial_point_of(body: BeamBody, data: BeamPoint, at: float, key: str, table: ParameterTable) -> SpatialPoint:
     """A point with these shapes, or a mean of points; key: of its numbers in p."""
     nf, length = body.nf, table.of(body, "length")
 

@@ -13,7 +13,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import casadi as ca
-import sympy as sp
 
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub, total
@@ -29,10 +28,8 @@ from symgen.algebra.vectors import (
     product,
     scaled,
     times,
-    transposed_times,
     zeros,
 )
-from symgen.bodies import spatial_template as t
 
 
 @dataclass(frozen=True)
@@ -134,11 +131,12 @@ class LocalMotion:
 
 
 class SpatialMoments:
-    """Values of the body template's symbols for one body."""
+    """Of one body as it is bent: h = int rho dm, J = int rho rho^T dm, s_a = int phi_a dm, L_a = int rho phi_a^T dm and
+    B_a = int rho x phi_a dm; hd = int rho' dm, hn what is left of int rho'' dm, Gd_a = int rho' x phi_a dm.
+    """
 
-    def __init__(self, data: SpatialIntegrals, q_f: Vector, q_f_dot: Vector, omega: Vector) -> None:
-        self.data, self.omega = data, omega
-        nf = len(q_f)
+    def __init__(self, data: SpatialIntegrals, q_f: Vector, q_f_dot: Vector) -> None:
+        self.data, nf = data, len(q_f)
         self.s = [list(data.Sb[a]) for a in range(nf)]
         self.h, self.hn = plus(data.S1, combination(data.Sb, q_f)), zeros()
         for i, S_H in enumerate(data.S_H):
@@ -158,12 +156,6 @@ class SpatialMoments:
                     self.J[i][j] = self.J[j][i] = add(self.J[i][j], mul(mul(ca.SX(0.5), change), q))
         self.B = [axial(L) for L in self.L]
         self.Gd = [axial(self._rates(a, q_f_dot)) for a in range(nf)]
-        W = [
-            [total(mul(L[i][j], rate) for L, rate in zip(self.L, q_f_dot, strict=True)) for j in range(3)]
-            for i in range(3)
-        ]
-        self.tW, self.y = add(add(W[0][0], W[1][1]), W[2][2]), transposed_times(W, omega)
-        self.u, self.ww = times(self.J, omega), dot(omega, omega)
 
     def _pairs(self, a: int, q_f: Vector) -> Matrix:
         """L_a = N_a + sum_b q_b (P_ba - G_H_ab)."""
@@ -185,32 +177,6 @@ class SpatialMoments:
             [total(mul(rate, P[b][a][i][j]) for b, rate in enumerate(q_f_dot)) if P else ZERO for j in range(3)]
             for i in range(3)
         ]
-
-    def values(self) -> dict[sp.Symbol, ca.SX]:
-        """Symbols that belong to the body as a whole."""
-        found = {t.m: self.data.mass, t.tW: self.tW, t.ww: self.ww}
-        for symbols, vector in (
-            (t.w, self.omega),
-            (t.h, self.h),
-            (t.u, self.u),
-            (t.y, self.y),
-            (t.hd, self.hd),
-            (t.hn, self.hn),
-        ):
-            found |= dict(zip(symbols, vector, strict=True))
-        return found | {t.J[i][j]: self.J[i][j] for i in range(3) for j in range(i, 3)}
-
-    def mode_values(self, a: int) -> dict[sp.Symbol, ca.SX]:
-        """And those of mode a."""
-        L = self.L[a]
-        found = {
-            **self.values(),
-            t.tL: add(add(L[0][0], L[1][1]), L[2][2]),
-            t.x_a: dot(self.omega, times(L, self.omega)),
-        }
-        for symbols, vector in ((t.s, self.s[a]), (t.B, self.B[a]), (t.Gd, self.Gd[a])):
-            found |= dict(zip(symbols, vector, strict=True))
-        return found
 
 
 def _less(block: Matrix, left: Vector, right: Vector) -> Matrix:

@@ -62,10 +62,6 @@ class Condensed:
         """q_ddot of every coordinate from q_i_ddot (Eq. 35)."""
         return _sweep(independent, self.substitutions, [s.c_acceleration for s in self.substitutions])
 
-    def tangent(self, independent: Mapping[int, ca.SX]) -> dict[int, ca.SX]:
-        """S v: the virtual displacement of every coordinate that goes with v of q_i (Eqs. 29-30)."""
-        return _sweep(independent, self.inner, [ZERO] * len(self.inner))
-
     def M_hat(self) -> ca.SX:
         """M_hat = S^T M S of Eq. (38), dense n_i x n_i."""
         M = [dict(row) for row in self.reduced.M]
@@ -85,7 +81,7 @@ class Condensed:
         return self.project(dict(enumerate(self.reduced.force(_sweep(accelerations, self.inner, constants)))))
 
     def projected(self, force: Row) -> Row:
-        """S^T force by column."""
+        """S^T force by column, S of (29)-(30)."""
         work = dict(force)
         for substitution in reversed(self.inner):
             value = work.pop(substitution.column, ZERO)

@@ -22,7 +22,7 @@ from symgen.algebra.rows import Row, add_scaled, add_to
 from symgen.algebra.scalar import ZERO, add, div, mul, neg, sub, vector
 from symgen.algebra.small_systems import solve_small
 from symgen.condensed.condensation import Condensed, Substitution, congruence
-from symgen.condensed.loops import LoopBlock, solve_forward
+from symgen.condensed.loops import LoopBlock
 from symgen.system.equations import Equations
 
 
@@ -78,13 +78,6 @@ def derivative_rows(values: Sequence[ca.SX], columns: Sequence[int], symbols: Se
     return found
 
 
-def rates_of(eq: Equations, rows: Sequence[int], accelerations: Row) -> tuple[list[ca.SX], list[ca.SX]]:
-    """C_q x' - nu and C_q x'' - gamma of some constraint rows."""
-    constraints, rates = [eq.constraints[row] for row in rows], dict(enumerate(eq.q_dot))
-    first = [add(along(row.C_q, rates), row.C_t) for row in constraints]
-    return first, [sub(along(row.C_q, accelerations), row.gamma) for row in constraints]
-
-
 def row_changes(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[int, ConstraintChange]:
     """Rates and derivatives commute: d(C')/dq_j = (C_qj)', d(C'')/dq_j = (C_qj)'' and d(C'')/dq_j' = 2 (C_qj)'.
 
@@ -131,7 +124,9 @@ def _by_rates(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[in
 def _by_differentiation(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[int, ConstraintChange]:
     columns = sorted(accelerations)
     entries = [eq.constraints[row].C_q for row in rows]
-    first, second = rates_of(eq, rows, accelerations)
+    constraints, rates = [eq.constraints[row] for row in rows], dict(enumerate(eq.q_dot))
+    first = [add(along(row.C_q, rates), row.C_t) for row in constraints]
+    second = [sub(along(row.C_q, accelerations), row.gamma) for row in constraints]
     by_q = derivative_rows([*first, *second], columns, eq.q)
     by_rate = derivative_rows(second, columns, eq.q_dot)
     n = len(rows)
@@ -197,40 +192,6 @@ def _of_rates(one: Variation) -> Variation:
 def _structural(system: Condensed) -> list[Substitution]:
     count = len(system.choice.structural)
     return system.substitutions[len(system.substitutions) - count :]
-
-
-def constraint_rates(system: Condensed, accelerations: Row) -> tuple[list[int], ca.SX, ca.SX]:
-    """(rows that count, C_q x' - nu, C_q x'' - gamma of those rows)."""
-    eq, kept = system.reduced, {one.column for one in system.inner}
-    rows = [*system.choice.loop_rows, *(row for row, column in system.choice.structural if column in kept)]
-    first, second = rates_of(eq, rows, accelerations)
-    return rows, ca.vertcat(*first), ca.vertcat(*second)
-
-
-def particular(system: Condensed, changes: Row) -> Row:
-    """x of C_q x = -changes with x_i = 0, changes by constraint row."""
-    eq, found = system.reduced, dict[int, ca.SX]()
-    one_by_column = {one.column: one for one in system.inner}
-    constants = {
-        column: div(neg(changes[row]), eq.constraints[row].C_q[column])
-        for row, column in system.choice.structural
-        if column in one_by_column
-    }
-    sides: Row = {}
-    for row in system.choice.loop_rows:
-        entries, side = dict(eq.constraints[row].C_q), neg(changes[row])
-        for _, column in reversed(system.choice.structural):
-            factor = entries.pop(column, None) if column in one_by_column else None
-            if factor is not None:
-                add_scaled(entries, factor, one_by_column[column].e)
-                side = sub(side, mul(factor, constants[column]))
-        sides[row] = side
-    if sides:
-        (found,), _ = solve_forward(system.loops.blocks, system.loops.entries(), [sides])
-    for _, column in system.choice.structural:
-        if column in one_by_column:
-            found[column] = add(constants[column], along(one_by_column[column].e, found))
-    return found
 
 
 def _solved_row(one: Substitution, change: ConstraintChange, pivot: ca.SX) -> Variation:

@@ -35,9 +35,7 @@ from symgen.condensed.variations import (
     TakenOut,
     Variation,
     along,
-    constraint_rates,
     derivative_rows,
-    particular,
     variations,
 )
 from symgen.kernels.kernel import Arguments, Kernel, shortest
@@ -51,8 +49,8 @@ def held_jacobians(system: Condensed, q_i_ddot: Sequence[ca.SX]) -> list[tuple[c
     given = dict(zip(system.choice.independent, q_i_ddot, strict=True))
     held = _held(system, given)
     found = [ca.substitute(_eliminated(held), *held.values)]
-    if system.choice.loop_columns and len(system.choice.independent) <= FEW_DIRECTIONS:
-        found.append(ca.substitute(_along_loops(held) or _directed(held), *held.values))
+    if along_loops := _along_loops(held):
+        found.append(ca.substitute(along_loops, *held.values))
     inertia = paired_changes(system, given)
     if inertia is not None:
         found.append(_with(system, given, inertia))
@@ -115,12 +113,6 @@ def _eliminated(held: _Held) -> list[ca.SX]:
     return [left.matrix(matrix, system.choice.independent) for matrix in (left.K, left.D)]
 
 
-def _tangents(system: Condensed, columns: list[int]) -> ca.SX:
-    """S in the rows of some columns of q."""
-    moved = [system.tangent({column: ONE}) for column in system.choice.independent]
-    return ca.horzcat(*(ca.vertcat(*(one.get(c, ZERO) for c in columns)) for one in moved))
-
-
 def _derivatives(held: _Held, columns: list[int]) -> list[list[Row]]:
     """Rows of K and D: of inertia forces by composites and of loops by curvatures, where known."""
     eq = held.system.reduced
@@ -161,6 +153,8 @@ def _along_loops(held: _Held) -> list[ca.SX] | None:
     modes = eq.elastic_columns & held.rho.keys()
     if eq.loop_changes is None or not eq.loop_rates or eq.turnings or not modes <= set(independent):
         return None
+    if len(independent) > FEW_DIRECTIONS:
+        return None
     ways = directions(variations(system, held.accelerations), independent)
     known = {joint: _multipliers_of(held, joint) for joint in eq.loop_rates}
     inertia = eq.loop_changes(held.accelerations, known, ways)
@@ -199,36 +193,6 @@ def _matrix(rows: list[Row], columns: list[int]) -> ca.SX:
         for column, value in row.items():
             found[k, place[column]] = value
     return found
-
-
-def _directed(held: _Held) -> list[ca.SX]:
-    """d(rho) along each independent coordinate, which the dependent ones follow: for loops with few of those."""
-    system, eq = held.system, held.system.reduced
-    columns = sorted(held.rho)
-    q, rates = (ca.vertcat(*(source[c] for c in columns)) for source in (eq.q, eq.q_dot))
-    dependent = [place for place, c in enumerate(columns) if c not in system.choice.independent]
-    a = ca.vertcat(*(held.accelerations[columns[place]] for place in dependent))
-    S = _tangents(system, columns)
-
-    def moved(values: ca.SX, seeds: Sequence[tuple[ca.SX, ca.SX]]) -> ca.SX:
-        symbols, directions = zip(*seeds, strict=True)
-        return ca.jtimes(values, ca.vertcat(*symbols), ca.vertcat(*directions))
-
-    rows, first, second = constraint_rates(system, held.accelerations)
-    rho = ca.vertcat(*(held.rho[c] for c in columns))
-
-    def following(changes: ca.SX) -> ca.SX:
-        found = [particular(system, dict(zip(rows, ca.vertsplit(one), strict=True))) for one in ca.horzsplit(changes)]
-        return ca.horzcat(*(ca.vertcat(*(one.get(c, ZERO) for c in columns)) for one in found))
-
-    W_q = following(moved(first, [(q, S)]))
-    A_q = following(moved(second, [(q, S), (rates, W_q)]))
-    A_v = following(moved(second, [(rates, S)]))
-    by_q, by_v = (
-        moved(rho, [(q, S), (rates, W_q), (a, A_q[dependent, :])]),
-        moved(rho, [(rates, S), (a, A_v[dependent, :])]),
-    )
-    return [_product(S.T, by_q), _product(S.T, by_v)]
 
 
 def _product(left: ca.SX, right: ca.SX) -> ca.SX:

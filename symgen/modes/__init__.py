@@ -23,7 +23,7 @@ from symgen.modes.exact import (
     exact_stretching,
     lateral_modes,
 )
-from symgen.modes.integrals import BeamIntegrals, BeamPoint, beam_integrals
+from symgen.modes.integrals import BeamIntegrals, BeamPoint, ModeSets, beam_integrals
 
 __all__ = [
     "AXIAL_ENDS",
@@ -37,6 +37,7 @@ __all__ = [
     "ExactBarModes",
     "ExactBeamModes",
     "LateralPoint",
+    "ModeSets",
     "axial_modes",
     "beam_integrals",
     "clean",

@@ -1,135 +1,128 @@
-"""Planar inertia shape integrals of a beam in its own frame, ready to be scaled to a real beam."""
+"""Shape integrals of a straight beam: bending in one plane or two, stretching and torsion, as numbers (Eqs. 15-20).
+
+Torsion turns a section about the beam's line by the angle u q and leaves it plane: no warping.
+"""
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 
 from symgen.modes.cleaning import Array, clean, fixed
 from symgen.modes.exact import BarModes, BeamModes
-from symgen.modes.mesh import check_fraction
+
+TORSION = 3
+ModeSets = tuple[tuple[int, BeamModes | BarModes], ...]  # (axis, shapes)
+TURN = {1: (2, 1.0), 2: (1, -1.0)}  # deflection along y turns about z, along z about -y
 
 
 @dataclass(frozen=True, eq=False)
 class BeamPoint:
-    """Shapes at a point, q_f = (lateral, axial): its displacement is (shape_x . q_f, shape_y . q_f).
+    """Shapes at a point: shape and turn (3, nf), rotation vector turn / L . q_f; twist (nf,): twist . q_f about x.
 
-    shape_x (nf,), shape_y (nf,): dimensionless.  slope (nf,): d shape_y / d xi; rotation (slope / L) . q_f.
-    H (nf, nf): foreshortening; the point moves back by 1/2 q_f^T (H / L) q_f along x if the body stiffens.
+    H, H_twist (nf, nf): foreshortening along x by bending, over L, and by torsion, times I_p / (A L).
     """
 
-    shape_x: Array
-    shape_y: Array
-    slope: Array
+    shape: Array
+    turn: Array
+    twist: Array
     H: Array
+    H_twist: Array
+
+
+@dataclass(frozen=True, eq=False)
+class TwistIntegrals:
+    """Of the angle u: first (nf,) = int u_a dm, pairs (nf, nf) = int u_a u_b dm, H and xH (nf, nf) as of bending."""
+
+    first: Array
+    pairs: Array
+    H: Array
+    xH: Array
 
 
 @dataclass(frozen=True, eq=False)
 class BeamIntegrals:
-    """Shape integrals for L = rho A = 1; origin at the start, x along the beam, q_f = (lateral, axial modes).
+    """Shape integrals for L = m = 1, origin at the start, x along the beam; modes in the order they are given.
 
-    With m = rho A L, the integrals of Eq. 20 are (rho0 = (x, 0), Phi = rows Phi_x and Phi_y, nf columns):
-      s1                      int x dm = m L s1                           [kg m]
-      i0                      int x^2 dm = m L^2 i0                       [kg m^2]
-      phi_x, phi_y (nf,)      int Phi dm = m (phi_x; phi_y)               [kg]
-      xi_phi_x (nf,)          int rho0 . Phi dm = m L xi_phi_x            [kg m]
-      xi_phi_y (nf,)          int rho0 x Phi dm = m L xi_phi_y            [kg m]
-      mass (nf, nf)           M_ff = int Phi^T Phi dm = m mass            [kg]
-      phi_cross_phi (nf, nf)  int (Phi_x,a Phi_y,b - Phi_y,a Phi_x,b) dm = m phi_cross_phi, skew   [kg]
-      kappa_lateral, kappa_axial   K_ff = blockdiag(EI / L^3 kappa_lateral, EA / L kappa_axial)   [N/m]
-      H (nf, nf)              int H(x) dm = (m / L) H                     [kg/m]
-      xH (nf, nf)             int x H(x) dm = m xH                        [kg]
-    H and xH are zero outside the lateral block. Structural zeros are exact zeros.
+    axes (nf,): direction of each mode, 0 = x, 1 = y, 2 = z, 3 = torsion. i0 = int x^2 dm, s1 = int x dm = 1/2.
+    phi (3, nf) = int Phi dm; x_phi (nf, 3) = int x phi_a dm; pairs (nf, nf, 3, 3) = int phi_a phi_b^T dm; mass (nf,),
+    of torsion over rho I_p L; kappa (nf,): stiffness over E A / L, E I / L^3 or G J / L; H, xH (nf, nf) = int H dm,
+    int x H dm; twist: None without torsion. Exact zeros where zero.
     """
 
-    s1: float
+    axes: tuple[int, ...]
     i0: float
-    phi_x: Array
-    phi_y: Array
-    xi_phi_x: Array
-    xi_phi_y: Array
+    phi: Array
+    x_phi: Array
+    pairs: Array
     mass: Array
-    phi_cross_phi: Array
-    kappa_lateral: Array
-    kappa_axial: Array
+    kappa: Array
     H: Array
     xH: Array
-    lateral: BeamModes | None
-    axial: BarModes | None
-
-    @property
-    def nf(self) -> int:
-        """Number of modal coordinates, lateral then axial."""
-        return len(self.phi_x)
+    twist: TwistIntegrals | None
+    sets: ModeSets
 
     def point(self, at: float) -> BeamPoint:
-        """Shapes at the fraction `at` of the length. Raises ValueError if `at` is outside [0, 1]."""
-        check_fraction(at)
-        shape_x, shape_y, slope = np.zeros(self.nf), np.zeros(self.nf), np.zeros(self.nf)
-        foreshortening = np.zeros((self.nf, self.nf))
-        split = self.lateral.modes if self.lateral else 0
-        if self.lateral:
-            shape_y[:split], slope[:split], foreshortening[:split, :split] = self.lateral.interpolate(at)
-        if self.axial:
-            shape_x[split:] = self.axial.interpolate(at)
-        return BeamPoint(fixed(shape_x), fixed(shape_y), fixed(slope), fixed(foreshortening))
+        """Shapes at the fraction `at` of the length. Raises ValueError outside [0, 1]."""
+        nf = len(self.axes)
+        shape, turn, twist = np.zeros((3, nf)), np.zeros((3, nf)), np.zeros(nf)
+        H, H_twist = np.zeros((2, nf, nf))
+        first = 0
+        for axis, modes in self.sets:
+            own = slice(first, first + modes.modes)
+            if isinstance(modes, BeamModes):
+                about, sign = TURN[axis]
+                shape[axis, own], slope, H[own, own] = modes.interpolate(at)
+                turn[about, own] = sign * slope
+            elif axis == TORSION:
+                twist[own], H_twist[own, own] = modes.interpolate(at), modes.shortening(at)
+            else:
+                shape[axis, own] = modes.interpolate(at)
+            first += modes.modes
+        return BeamPoint(fixed(shape), fixed(turn), fixed(twist), fixed(H), fixed(H_twist))
 
 
-def beam_integrals(lateral: BeamModes | None, axial: BarModes | None) -> BeamIntegrals:
-    """Shape integrals of a beam with these modes: sums over the points of the mass (Eqs. 15-20).
-
-    Without any modes the beam is a rigid uniform rod (nf = 0, i0 = 1/3).
-    Raises ValueError if the two mode sets have different meshes.
-    """
-    if lateral and axial and not np.array_equal(lateral.xi, axial.xi):
-        raise ValueError(
-            f"lateral modes have {len(lateral.xi)} points and axial modes {len(axial.xi)}; use the same mesh for both"
-        )
-    meshed = lateral or axial
-    xi, mu = (meshed.xi, meshed.mu) if meshed else (np.zeros(0), np.zeros(0))
-    x, y = _values(lateral, axial)
-    cross = np.einsum("k,ka,kb->ab", mu, x, y)
-    none = np.zeros((axial.modes, axial.modes)) if axial else None
+def beam_integrals(sets: ModeSets) -> BeamIntegrals:
+    """Sums over the points of the mass (20). sets: (axis, modes on the same mesh), at least one."""
+    xi, mu = sets[0][1].xi, sets[0][1].mu
+    axes = tuple(axis for axis, modes in sets for _ in range(modes.modes))
+    nf = len(axes)
+    nodal = np.zeros((len(xi), 3, nf))
+    H, xH = np.zeros((nf, nf)), np.zeros((nf, nf))
+    first = 0
+    for axis, modes in sets:
+        own = slice(first, first + modes.modes)
+        if isinstance(modes, BeamModes):
+            nodal[:, axis, own], H[own, own], xH[own, own] = modes.phi, modes.H, modes.xH
+        elif axis != TORSION:
+            nodal[:, axis, own] = modes.u
+        first += modes.modes
     return BeamIntegrals(
-        s1=0.5,  # mirrored points have equal masses, so the centre of mass is the middle exactly
-        i0=math.fsum(mu * xi * xi) if meshed else 1.0 / 3.0,
-        # Shapes are at most 1 and the masses add up to 1: the size of every sum of them is 1.
-        phi_x=fixed(clean(mu @ x, 1.0)),
-        phi_y=fixed(clean(mu @ y, 1.0)),
-        xi_phi_x=fixed(clean((mu * xi) @ x, 1.0)),
-        xi_phi_y=fixed(clean((mu * xi) @ y, 1.0)),
-        mass=fixed(_block_diagonal(lateral.mass if lateral else None, axial.mass if axial else None)),
-        phi_cross_phi=fixed(clean(cross - cross.T, 1.0)),
-        kappa_lateral=lateral.kappa if lateral else fixed(np.zeros((0, 0))),
-        kappa_axial=axial.kappa if axial else fixed(np.zeros((0, 0))),
-        H=fixed(_block_diagonal(lateral.H if lateral else None, none)),
-        xH=fixed(_block_diagonal(lateral.xH if lateral else None, none)),
-        lateral=lateral,
-        axial=axial,
+        axes,
+        float(mu @ xi**2),
+        fixed(clean(np.einsum("k,kia->ia", mu, nodal), 1.0)),
+        fixed(clean(np.einsum("k,kia->ai", mu * xi, nodal), 1.0)),
+        fixed(clean(np.einsum("k,kia,kjb->abij", mu, nodal, nodal), 1.0)),
+        fixed(np.concatenate([np.diag(modes.mass) for _, modes in sets])),
+        fixed(np.concatenate([np.diag(modes.kappa) for _, modes in sets])),
+        fixed(H),
+        fixed(xH),
+        _twist(sets, nf),
+        sets,
     )
 
 
-def _values(lateral: BeamModes | None, axial: BarModes | None) -> tuple[Array, Array]:
-    """Phi_x and Phi_y (points, nf) over all modal coordinates, lateral first."""
-    meshed = lateral or axial
-    split = lateral.modes if lateral else 0
-    nf = split + (axial.modes if axial else 0)
-    x, y = (np.zeros((len(meshed.xi) if meshed else 0, nf)) for _ in range(2))
-    if lateral:
-        y[:, :split] = lateral.phi
-    if axial:
-        x[:, split:] = axial.u
-    return x, y
-
-
-def _block_diagonal(first: Array | None, second: Array | None) -> Array:
-    blocks = [block for block in (first, second) if block is not None]
-    size = sum(len(block) for block in blocks)
-    whole = np.zeros((size, size))
-    start = 0
-    for block in blocks:
-        whole[start : start + len(block), start : start + len(block)] = block
-        start += len(block)
-    return whole
+def _twist(sets: ModeSets, nf: int) -> TwistIntegrals | None:
+    """Integrals of the last set, where it is torsion."""
+    axis, modes = sets[-1]
+    if axis != TORSION or not isinstance(modes, BarModes):
+        return None
+    own = slice(nf - modes.modes, nf)
+    first, (pairs, H, xH) = np.zeros(nf), np.zeros((3, nf, nf))
+    first[own], pairs[own, own] = modes.mu @ modes.u, modes.mass
+    eta = np.stack([modes.shortening(float(at)) for at in modes.xi])
+    H[own, own] = np.einsum("k,kab->ab", modes.mu, eta)
+    xH[own, own] = np.einsum("k,kab->ab", modes.mu * modes.xi, eta)
+    size = float(np.abs(eta).max())
+    return TwistIntegrals(fixed(clean(first, 1.0)), fixed(pairs), fixed(clean(H, size)), fixed(clean(xH, size)))

@@ -47,15 +47,6 @@ def beam_stiffness(elements: int) -> Array:
     return stiffness
 
 
-def bar_stiffness(elements: int) -> Array:
-    """Assembled stiffness of the linear bar elements, shape (n + 1, n + 1)."""
-    stiffness = np.diag(np.full(elements + 1, 2.0 * elements))
-    stiffness[0, 0] = stiffness[-1, -1] = elements
-    off = np.arange(elements)
-    stiffness[off, off + 1] = stiffness[off + 1, off] = -elements
-    return stiffness
-
-
 def condensed_slopes(elements: int, clamped: tuple[bool, bool]) -> Array:
     """Nodal slopes per unit nodal deflection, shape (n + 1, n + 1): slope = matrix @ deflection.
 
@@ -69,13 +60,6 @@ def condensed_slopes(elements: int, clamped: tuple[bool, bool]) -> Array:
         rotations = stiffness[np.ix_(2 * free + 1, 2 * free + 1)]
         recovery[free] = np.linalg.solve(rotations, -stiffness[2 * free + 1, 0::2])
     return recovery
-
-
-def condensed_beam_stiffness(elements: int) -> Array:
-    """Stiffness of the unsupported beam on the nodal deflections alone, shape (n + 1, n + 1)."""
-    stiffness = beam_stiffness(elements)
-    condensed = stiffness[0::2, 0::2] + stiffness[0::2, 1::2] @ condensed_slopes(elements, (False, False))
-    return symmetric(condensed)
 
 
 def hermite(phi: Array, slope: Array, element: int, local: float, elements: int) -> tuple[Array, Array]:
@@ -136,7 +120,6 @@ def axial_flexibility(xi: Array, ends: str) -> Array:
 
 
 SIGN_THRESHOLD = 1e-6
-RIGID_RATIO = 1e-2
 
 
 def free_vibration(
@@ -189,19 +172,6 @@ def normalised(shapes: Array) -> Array:
     scaled = shapes / np.max(np.abs(shapes), axis=0)
     first = np.argmax(np.abs(scaled) > SIGN_THRESHOLD, axis=0)
     return np.asarray(scaled * np.sign(scaled[first, np.arange(scaled.shape[1])]))
-
-
-def check_rigid_modes(stiffness: Array, masses: Array, count: int) -> None:
-    """Check that an unsupported mesh has exactly `count` rigid modes: stiffness (k, k), lumped masses (k,).
-
-    Raises RuntimeError otherwise: the projection would then remove elastic motion or keep rigid motion.
-    """
-    root = np.sqrt(masses)
-    values = np.linalg.eigvalsh(stiffness / np.outer(root, root))
-    limit = RIGID_RATIO * values[count]
-    if not (values[count] > 0.0 and np.all(np.abs(values[:count]) < limit)):
-        found = values[: count + 1]
-        raise RuntimeError(f"expected {count} rigid modes, found eigenvalues {found}; check the stiffness")
 
 
 NODE_TOLERANCE = 1e-9

@@ -287,7 +287,7 @@ class _QuantityCheck:
     def __init__(self, scene: SceneParts) -> None:
         self.switched = scene.switched_parameters()
         self.defaults, inputs = scene.parameter_defaults(), scene.input_defaults()
-        tables = {name: table.value for name, table in scene.table_names().items()}
+        tables = {name: table.symbol for name, table in scene.table_names().items()}
         self.known: dict[str, Any] = {**self.defaults, **inputs, **tables, "t": 0.0}
         states = [name for state in scene.states for name in (state, f"{state}_dot")]
         self.states = frozenset(states)

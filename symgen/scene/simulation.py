@@ -52,8 +52,9 @@ class Partition(StrictModel):
     def faults(self, scene: Any) -> Iterator[Fault]:
         """Coordinates that are unknown, there twice or not independent, and lists without any."""
         turning = [body.name for body in scene.moving_bodies] if scene.space == "spatial" else []
+        angles = [*scene.angles(), *(f"{body}.e{k}" for body in turning for k in range(4))]
         names = [*scene.coordinates(), *(f"{body}.turn_{axis}" for body in turning for axis in "xyz")]
-        angles = scene.angles()
+        names = [name for name in names if name not in angles]
         for index, name in enumerate(self.independent or ()):
             key = f"independent[{index}]"
             if name in angles:
@@ -96,7 +97,7 @@ def matching(pattern: str, names: Sequence[str]) -> list[str]:
 
 def _angle_fault(key: str, name: str) -> Fault:
     body = name.partition(".")[0]
-    problem = f"'{name}' is an Euler angle, which is input and output only"
+    problem = f"'{name}' tells an orientation at the start and in results only"
     remedy = f"the coordinates are {body}.turn_x, _y, _z, or those of the joint that places the body"
     return Fault(key, problem, remedy)
 

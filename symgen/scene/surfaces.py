@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import cached_property
 from itertools import pairwise
-from typing import Any, Literal
+from typing import Literal
 
 import casadi as ca
 import numpy as np
@@ -76,30 +75,22 @@ class SurfaceTable(StrictModel):
         return {f"{name}.{part}": table for part, table in zip(what, self._parts, strict=True)}
 
     def symbol(self, x: ca.SX, y: ca.SX) -> ca.SX:
-        """z as an expression of x and y."""
-        return ca.SX(self._at(lambda table, at: table.function()(at), x, y))
-
-    def value(self, x: float, y: float) -> float:
-        """z at (x, y) as a number."""
-        return float(self._at(lambda table, at: float(table(np.float64(at))), x, y))
+        """z at (x, y): the polynomial of the cell, by Horner's rule; its coefficients are looked up by their number."""
+        cell_x, place_x, cell_y, place_y, cells = (table.function() for table in self._parts)
+        size = 2 if self.interpolation == "linear" else 4
+        first = (cell_x(x) * (len(self.y) - 1) + cell_y(y)) * size**2
+        u, v = place_x(x), place_y(y)
+        z = ca.SX(0)
+        for a in reversed(range(size)):
+            row = ca.SX(0)
+            for b in reversed(range(size)):
+                row = row * v + cells(first + (size * a + b))
+            z = z * u + row
+        return z
 
     def kinks(self) -> tuple[tuple[float, ...], ...]:
         """Places along x and along y where its slope jumps."""
         return tuple(kinks_of(points, self.interpolation, "hold") for points in (self.x, self.y))
-
-    def _at(self, look_up: Callable[[Table, Any], Any], x: Any, y: Any) -> Any:
-        """The polynomial of the cell, by Horner's rule; its coefficients are looked up by their number."""
-        cell_x, place_x, cell_y, place_y, cells = self._parts
-        size = 2 if self.interpolation == "linear" else 4
-        first = (look_up(cell_x, x) * (len(self.y) - 1) + look_up(cell_y, y)) * size**2
-        u, v = look_up(place_x, x), look_up(place_y, y)
-        z: Any = 0.0
-        for a in reversed(range(size)):
-            row: Any = 0.0
-            for b in reversed(range(size)):
-                row = row * v + look_up(cells, first + (size * a + b))
-            z = z * u + row
-        return z
 
 
 def _cells(points: np.ndarray) -> tuple[Table, Table]:

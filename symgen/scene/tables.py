@@ -88,10 +88,6 @@ class CurveTable(StrictModel):
         """y as an expression of x."""
         return self.curve.function()(x)
 
-    def value(self, x: float) -> float:
-        """y at x as a number."""
-        return float(self.curve(np.float64(x)))
-
     def kinks(self) -> tuple[tuple[float, ...], ...]:
         """Places along x where its slope jumps."""
         return (kinks_of(self.x, self.interpolation, self.outside),)

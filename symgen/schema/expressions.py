@@ -7,10 +7,7 @@ declared table, ``table("name", x)`` or ``table("name", x, y)``.
 
 The immutable tree an expression is parsed into.
 
-What an expression's operators and functions mean, in floats and in CasADi symbols.
-
-Each function name appears once in `ARITY`; both tables below must hold all of them (a test compares
-the two by value).
+What an expression's operators and functions mean, in CasADi: numbers are constants there.
 """
 
 from __future__ import annotations
@@ -55,19 +52,6 @@ ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
     "**": operator.pow,
 }
 
-# math.pow and not **: a negative base with a broken exponent is an error there, not a complex number.
-FLOAT_ARITHMETIC: dict[str, Callable[[float, float], float]] = {**ARITHMETIC, "**": math.pow}
-
-FLOAT_FUNCTIONS: dict[str, Callable[..., float]] = {
-    **{name: getattr(math, name) for name in ("sin", "cos", "tan", "asin", "acos", "atan", "atan2")},
-    **{name: getattr(math, name) for name in ("sinh", "cosh", "tanh", "exp", "log", "sqrt")},
-    "abs": abs,
-    "sign": lambda x: float((x > 0) - (x < 0)),
-    "step": lambda x: float(x >= 0),
-    "min": min,
-    "max": max,
-}
-
 CASADI_FUNCTIONS: dict[str, Callable[..., ca.SX]] = {
     **{name: getattr(ca, name) for name in ("sin", "cos", "tan", "asin", "acos", "atan", "atan2")},
     **{name: getattr(ca, name) for name in ("sinh", "cosh", "tanh", "exp", "log", "sqrt", "sign")},
@@ -81,35 +65,6 @@ CASADI_FUNCTIONS: dict[str, Callable[..., ca.SX]] = {
 def table_name(table: str, takes: int = 1) -> str:
     """The entry of an environment that is a table: a function of so many numbers."""
     return f"table {table}" if takes == 1 else f"table {table} of {takes}"
-
-
-def float_value(node: Node, env: Mapping[str, Any]) -> float:
-    """The number ``node`` stands for; only the chosen branch of a ``where`` is evaluated.
-
-    Raises ArithmeticError, ValueError (outside a function's domain) or KeyError (a name without a value).
-    """
-    match node:
-        case Constant(value):
-            return value
-        case NamedValue(name):
-            return float(env[name])
-        case Negative(operand):
-            return -float_value(operand, env)
-        case Binary(sign, left, right):
-            return FLOAT_ARITHMETIC[sign](float_value(left, env), float_value(right, env))
-        case FunctionCall(function, arguments):
-            return FLOAT_FUNCTIONS[function](*(float_value(part, env) for part in arguments))
-        case TableValue(table, arguments):
-            values = [float_value(part, env) for part in arguments]
-            return float(env[table_name(table, len(values))](*values))
-        case Where(condition, chosen, otherwise):
-            return float_value(chosen if _float_condition(condition, env) else otherwise, env)
-
-
-def _float_condition(condition: Condition, env: Mapping[str, Any]) -> bool:
-    values = [float_value(part, env) for part in condition.operands]
-    pairs = zip(condition.operators, values[:-1], values[1:], strict=True)
-    return all(COMPARISONS[sign](left, right) for sign, left, right in pairs)
 
 
 def casadi_value(node: Node, env: Mapping[str, Any]) -> ca.SX:
@@ -236,29 +191,20 @@ class Expression:
     names: frozenset[str]
 
     def to_casadi(self, env: Mapping[str, Any]) -> ca.SX:
-        """The expression in CasADi symbols; raises SceneError when ``env`` lacks a name it uses."""
+        """The expression by what ``env`` has for names; raises SceneError when it lacks one that is used."""
         missing = sorted(self.names - env.keys())
         if missing:
-            raise SceneError(self.item, f"no symbol was given for '{missing[0]}'", "declare it as a parameter")
+            raise SceneError(self.item, f"nothing was given for '{missing[0]}'", "declare it as a parameter")
         return ca.SX(casadi_value(self.node, env))
 
     def evaluate(self, env: Mapping[str, Any]) -> float:
         """The expression as a number; raises SceneError when it is not finite or ``env`` lacks a name."""
-        missing = sorted(self.names - env.keys())
-        if missing:
-            raise SceneError(self.item, f"no value was given for '{missing[0]}'", "declare it as a parameter")
-        try:
-            value = float_value(self.node, env)
-        except (ArithmeticError, ValueError) as error:
-            reason = "division by zero" if isinstance(error, ZeroDivisionError) else str(error) or "overflow"
-            raise self._not_finite(reason) from None
+        value = float(ca.evalf(self.to_casadi(env)))
         if not math.isfinite(value):
-            raise self._not_finite(f"the value is {value}")
+            problem = f"'{_short(self.text)}' has no finite value ({value})"
+            remedy = "look for a division by zero or what has no root or logarithm, at t = 0 and default parameters"
+            raise SceneError(self.item, problem, remedy)
         return value
-
-    def _not_finite(self, reason: str) -> SceneError:
-        problem = f"'{_short(self.text)}' has no finite value ({reason})"
-        return SceneError(self.item, problem, "check the expression and the defaults of its parameters (t = 0)")
 
 
 def parse_expression(text: str | float, names: frozenset[str], item: str) -> Expression:

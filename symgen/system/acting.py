@@ -5,10 +5,10 @@ Translational spring-damper between two points: length, force and potential deri
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, Protocol
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -19,7 +19,7 @@ from symgen.algebra.rows import Row, add_scaled, nonzero
 from symgen.algebra.scalar import ONE, ZERO, dot, neg
 from symgen.algebra.template import Template, derivative
 from symgen.algebra.vectors import Vector, combination, minus, zeros
-from symgen.bodies.beam_places import MovingPlace, moving_place, stations
+from symgen.bodies.beam_places import moving_place, stations
 from symgen.bodies.planar_body import MarkerMotion
 from symgen.bodies.spatial_body import SpatialMarker
 from symgen.bodies.spatial_integrals import three
@@ -27,7 +27,6 @@ from symgen.joints.joint import Joint, Slide, Turn
 from symgen.loads import Load
 from symgen.loads.load import Scalar
 from symgen.scene import BeamBody, SceneRecord
-from symgen.system.joint_templates import JointCoordinate
 from symgen.system.one_sided import Push, hunt_crossley
 from symgen.system.structure import ExpressionReader, Read
 
@@ -105,27 +104,14 @@ def _through_zero(d: ca.SX, d_dot: ca.SX, stiffness: ca.SX, damping: ca.SX) -> S
 HIGHEST = 6  # power of a polynomial along a beam
 
 
-class BeamPoints(Protocol):
-    """Markers at points of beams that the scene does not name."""
-
-    def mean(self, body: BeamBody, xi: np.ndarray, weights: np.ndarray) -> Any:
-        """A mean of points of a beam by weights."""
-
-    def frame(self, body: BeamBody) -> Any:
-        """The frame of a beam."""
-
-    def place(self, body: BeamBody, place: MovingPlace) -> Any:
-        """A place that moves."""
-
-
 class _Acting:
-    """Of one load; points: of beams, read: its expressions; q, q_dot: what potentials are differentiated by."""
+    """Of one load; space: of all markers, read: its expressions; q, q_dot: what potentials are differentiated by."""
 
     axes: str
 
     def __init__(
         self,
-        points: BeamPoints,
+        space: Any,
         load: Load,
         scene: SceneRecord,
         table: ParameterTable,
@@ -135,7 +121,7 @@ class _Acting:
         q_dot: ca.SX,
     ) -> None:
         self.load, self.scene, self.table, self._read, self._reader = load, scene, table, read, reader
-        self._points, self.q, self.q_dot = points, q, q_dot
+        self._space, self.q, self.q_dot = space, q, q_dot
 
     def value(self, key: str, **local: ca.SX) -> Any:
         """An expression, or the components of a vector; a z left out is zero."""
@@ -162,20 +148,20 @@ class _Acting:
         body = self._beam(beam)
         xi, weights = stations(body, start, end)
         weights = weights * xi**power
-        return self.table.of(body, "length") ** (power + 1) * float(weights.sum()), self._points.mean(body, xi, weights)
+        return self.table.of(body, "length") ** (power + 1) * float(weights.sum()), self._space.mean(body, xi, weights)
 
     def stations(self, beam: str, start: float, end: float) -> list[tuple[ca.SX, ca.SX, Any]]:
         """Gauss points of a part of a beam."""
         body = self._beam(beam)
         length = self.table.of(body, "length")
         return [
-            (length * float(at), length * float(weight), self._points.mean(body, np.array([at]), np.ones(1)))
+            (length * float(at), length * float(weight), self._space.mean(body, np.array([at]), np.ones(1)))
             for at, weight in zip(*stations(body, start, end), strict=True)
         ]
 
     def frame_of(self, beam: str) -> Any:
         """The frame at the start, which does not bend."""
-        return self._points.frame(self._beam(beam))
+        return self._space.frame(self._beam(beam))
 
     def place_on(self, beam: str, place: ca.SX) -> tuple[ca.SX, Any]:
         """The point there, or at the nearer end with a zero."""
@@ -184,7 +170,7 @@ class _Acting:
         for end in (place, place - length):
             self._reader.switch(self.load.name, end)
         on = ca.if_else(place < 0, 0, ca.if_else(place > length, 0, 1))
-        return on, self._points.place(body, moving_place(body, ca.fmin(ca.fmax(place, 0), length), self.table))
+        return on, self._space.place(body, moving_place(body, ca.fmin(ca.fmax(place, 0), length), self.table))
 
     def _beam(self, name: str) -> BeamBody:
         body = self.scene.body(name)
@@ -224,6 +210,11 @@ class _Acting:
     def spring(self, a: Any, b: Any, stiffness: ca.SX, damping: ca.SX, free_length: ca.SX) -> SpringForce:
         """Along the line from a to b."""
         return evaluate(minus(b.r, a.r), minus(b.r_dot, a.r_dot), stiffness, damping, free_length)
+
+    def coordinate(self, name: str) -> Scalar:
+        """Of a joint."""
+        found: Scalar = self._space.coordinate(name)
+        return found
 
     def rate(self, value: ca.SX) -> ca.SX:
         """Along the motion."""
@@ -278,19 +269,6 @@ class PlanarActing(_Acting):
         """x, y and about z."""
         return [*(force or zeros(2)), *(moment or zeros(1))]
 
-    def coordinate(self, name: str) -> Scalar:
-        """The angle between a joint's markers, or the travel along the x-axis of marker a."""
-        joint, motion = self.scene.joint_of(name)
-        if isinstance(motion, Turn):
-            return self.angle(joint.marker_a, joint.marker_b)
-        a, b = self.pair(joint.marker_a, joint.marker_b)
-        row: Row = {}
-        for axis, component in enumerate(a.direction):
-            add_scaled(row, component, b.r_columns[axis])
-            add_scaled(row, neg(component), a.r_columns[axis])
-        value, rate = dot(a.direction, minus(b.r, a.r)), dot(a.direction, minus(b.r_dot, a.r_dot))
-        return Scalar(value, rate, row, a.direction, turning=False)
-
     def angle(self, a: str, b: str) -> Scalar:
         """phi_b - phi_a."""
         return turn_between(self.marker(a), self.marker(b))
@@ -305,7 +283,7 @@ def turn_between(a: MarkerMotion, b: MarkerMotion) -> Scalar:
 
 
 class SpatialActing(_Acting):
-    """In space; own: coordinates of joints in q by name, joint_angle: of a joint between two markers that has one."""
+    """In space; joint_angle: of a joint between two markers that has one."""
 
     axes = "xyz"
 
@@ -313,12 +291,11 @@ class SpatialActing(_Acting):
         self,
         marker: Callable[[str], SpatialMarker],
         pair: Callable[[str, str], tuple[SpatialMarker, SpatialMarker]],
-        own: Mapping[str, JointCoordinate],
         joint_angle: Callable[[str, str], Scalar | None],
         *given: Any,
     ) -> None:
         super().__init__(*given)
-        self.marker, self.pair, self._own, self._joint_angle = marker, pair, own, joint_angle
+        self.marker, self.pair, self._joint_angle = marker, pair, joint_angle
 
     def along(self, marker: SpatialMarker, components: Sequence[ca.SX]) -> Vector:
         """Sum of components times axes."""
@@ -344,22 +321,6 @@ class SpatialActing(_Acting):
     def action(self, force: Sequence[ca.SX] = (), moment: Sequence[ca.SX] = ()) -> list[ca.SX]:
         """Three and three."""
         return [*(force or zeros()), *(moment or zeros())]
-
-    def coordinate(self, name: str) -> Scalar:
-        """A coordinate of q, or the turn or travel between the markers of a joint that closes a loop."""
-        joint, motion = self.scene.joint_of(name)
-        a, b = self.pair(joint.marker_a, joint.marker_b)
-        own, turning, axis = self._own.get(name), isinstance(motion, Turn), axis_of(joint, motion, a, b)
-        if own is not None:
-            return Scalar(own.value, own.rate, {own.column: ONE}, axis, turning)
-        rows = (a.turn_rows, b.turn_rows) if turning else (a.r_columns, b.r_columns)
-        rate = minus(b.omega, a.omega) if turning else minus(b.r_dot, a.r_dot)
-        row: Row = {}
-        for i in range(3):
-            add_scaled(row, axis[i], rows[1][i])
-            add_scaled(row, neg(axis[i]), rows[0][i])
-        value = angle_about_z(a, b) if turning else dot(axis, minus(b.r, a.r))
-        return Scalar(value, dot(axis, rate), row, axis, turning)
 
     def angle(self, a: str, b: str) -> Scalar:
         """Of the joint between the markers, or of b's x-axis in the xy-plane of marker a, between -pi and pi."""

@@ -5,6 +5,7 @@ What a body, a joint or a load *is* depends on the dimensions of the scene and s
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -24,10 +25,10 @@ from symgen.couplings import Coupling
 from symgen.joints import Joint
 from symgen.joints.backlash import Backlash
 from symgen.joints.friction import Friction
-from symgen.joints.joint import Motor, Slide, Turn
+from symgen.joints.joint import Motor
 from symgen.joints.limits import Limits
 from symgen.loads import Load
-from symgen.loads.load import LoadEffect
+from symgen.loads.load import LoadEffect, Scalar
 from symgen.scene import BeamBody, BeamMarker, SceneRecord, SpatialModalBody
 from symgen.scene.flexible import ALL_GAUGES
 from symgen.scene.measures import Measure, SectionForceMeasure, StressMeasure
@@ -95,45 +96,66 @@ class Spin:
     gyroscopic: Row
 
 
-Marker = TypeVar("Marker", covariant=True)
+Marker = TypeVar("Marker")
 
 
-class Space(Protocol[Marker]):
+class Space(ABC, Generic[Marker]):
     """Kinematics of a planar or a spatial scene."""
 
     axes: str
-    inertia_of_bodies: bool  # do the bodies state their inertia and weight?
+    inertia_of_bodies = True  # do the bodies state their inertia and weight?
+    table: ParameterTable
 
+    @abstractmethod
     def add_body(self, name: str, columns: list[int], q: list[ca.SX], q_dot: list[ca.SX]) -> tuple[MovingBody, int]:
         """Build a body from the columns that begin with its own; (body, how many are its own)."""
 
+    @abstractmethod
     def marker(self, reference: str) -> Marker:
         """Motion of "body.marker"."""
 
+    @abstractmethod
     def joint_rows(self, joint: Joint, motions: Mapping[str, Motion]) -> list[ConstraintRow]:
         """Constraint rows of a joint."""
 
+    @abstractmethod
     def coordinate_row(self, name: str) -> ConstraintRow:
         """The coordinate "joint.angle" of a joint as a row that would hold it at zero."""
 
+    @abstractmethod
     def carrier_spin(self, joint: Joint) -> Spin:
         """How the body of marker a turns about the joint's axis."""
 
     def body_rows(self) -> list[ConstraintRow]:
-        """Constraint rows of the bodies' own coordinates."""
+        """Constraint rows of the bodies' own coordinates: none of angles."""
+        return []
 
-    def joint_friction(self, joint: Joint) -> list[LoadEffect]:
-        """Viscous friction in a joint."""
+    @abstractmethod
+    def coordinate(self, name: str) -> Scalar:
+        """The coordinate "joint.angle" of a joint: its value, its rate, and the row of a force on it."""
 
+    def joint_friction(self, joint: Joint) -> Iterator[LoadEffect]:
+        """Viscous friction of what a joint leaves free."""
+        for motion in joint.motions or ():
+            if motion.damping and getattr(joint, motion.damping) != 0:
+                own, damping = self.coordinate(f"{joint.name}.{motion.name}"), self.table.of(joint, motion.damping)
+                force: Row = {}
+                add_scaled(force, mul(neg(damping), own.rate), own.row)
+                yield LoadEffect(force, dissipated=damping * own.rate**2)
+
+    @abstractmethod
     def measure(self, kind: str, a: str, b: str) -> ca.SX:
         """A scalar of the motion between two markers."""
 
+    @abstractmethod
     def section_force(self, body: BeamBody, kind: str, at: float) -> ca.SX:
         """Normal force, shear force or bending moment of a beam at a fraction of its length."""
 
+    @abstractmethod
     def load(self, load: Load, read: Read, reader: ExpressionReader, q: ca.SX, q_dot: ca.SX) -> LoadEffect:
         """Effect of a load; read: its expressions."""
 
+    @abstractmethod
     def picture(self) -> Picture:
         """What shows the bodies."""
 
@@ -516,10 +538,3 @@ def _velocity_forces(eq: Equations, bodies: Sequence[MovingBody]) -> list[ca.SX]
         for column, value in rotor.force({}).items():
             Q_v[column] = sub(Q_v[column], value)
     return Q_v
-
-
-def frictions(joint: Joint, table: ParameterTable) -> Iterator[tuple[Turn | Slide, ca.SX]]:
-    """The motions that a joint leaves free with their viscous damping, where they have any."""
-    for motion in joint.motions or ():
-        if motion.damping and getattr(joint, motion.damping) != 0:
-            yield motion, table.of(joint, motion.damping)

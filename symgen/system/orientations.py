@@ -6,22 +6,20 @@ quaternion that is data of a run, with omega for theta' at theta = 0,
 
     e = chart o exp(theta),    e' = e o (0, omega) / 2,    e'' = e o (0, omega') / 2 - (omega.omega / 4) e,
 
-so that its Euler parameters e depend on them. A body whose Euler parameters the scene names in its partition keeps
-them as coordinates like others.
+so that its Euler parameters e depend on them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from fnmatch import fnmatchcase
 
 import casadi as ca
 
 from runtime.contract.records import Coordinate
 from symgen.algebra.rows import nonzero
 from symgen.algebra.scalar import ONE, ZERO, div, dot, mul, neg
-from symgen.algebra.vectors import Vector, identity, quaternion_product, scaled, zeros
+from symgen.algebra.vectors import Vector, identity, quaternion_product, rotation_of, scaled, zeros
 from symgen.scene import SceneRecord
 from symgen.system.constraint import ConstraintRow
 from symgen.system.topology import Topology
@@ -66,16 +64,7 @@ class Turning:
     @property
     def A(self) -> list[Vector]:
         """Rotation matrix of the body by rows, from e of unit length."""
-        e0, e1, e2, e3 = self.e
-        twice = [mul(ca.SX(2), entry) for entry in (e1, e2, e3)]
-        x, y, z = (mul(entry, e0) for entry in twice)
-        xx, yy, zz = (mul(entry, own) for entry, own in zip(twice, (e1, e2, e3), strict=True))
-        xy, xz, yz = mul(twice[0], e2), mul(twice[0], e3), mul(twice[1], e3)
-        return [
-            [1 - (yy + zz), xy - z, xz + y],
-            [xy + z, 1 - (xx + zz), yz - x],
-            [xz - y, yz + x, 1 - (xx + yy)],
-        ]
+        return rotation_of(self.e)
 
     def rows(self, theta: Vector) -> list[ConstraintRow]:
         """e - chart o exp(theta) = 0, with C_q along the angular velocity."""
@@ -129,8 +118,7 @@ def orientations_of(scene: SceneRecord, topology: Topology) -> Orientations:
     described = {body.name: body for body in scene.moving_bodies}
     spherical = {joint.name for joint in scene.joints if joint.is_ball()}
     balls, _ = _tree(topology, list(described), spherical)
-    held = set(_chosen(scene))
-    free = [name for name in described if name not in topology.placed and name not in held]
+    free = [name for name in described if name not in topology.placed]
     return Orientations(tuple(free), {joint: ball for joint, ball in balls.items() if ball.child in free})
 
 
@@ -159,15 +147,3 @@ def _tree(
                         reached.add(far)
             growing = len(reached) > before
     return balls, parents
-
-
-def _chosen(scene: SceneRecord) -> Iterator[str]:
-    """Bodies whose Euler parameters the scene names in its partition."""
-    named: Sequence[str] = scene.partition.independent or ()
-    patterns = [pattern for group in scene.partition.groups or () for pattern in group.coordinates]
-    for body in scene.moving_bodies:
-        own = [f"{body.name}.e{k}" for k in range(4)]
-        wanted = any(fnmatchcase(name, pattern) for pattern in patterns for name in own)
-        turned = any(fnmatchcase(f"{body.name}.turn_x", pattern) for pattern in patterns)
-        if any(name in own for name in named) or (wanted and not turned):
-            yield body.name

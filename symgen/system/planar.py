@@ -12,12 +12,11 @@ from symgen.algebra.rows import Row, add_scaled
 from symgen.algebra.scalar import ONE, ZERO, dot, entries, neg
 from symgen.algebra.vectors import minus
 from symgen.bodies.beam_places import MovingPlace, frame_shape, mean_point, moving_place, place_shape
-from symgen.bodies.beam_sets import section_force
+from symgen.bodies.beam_sets import beam_integrals_of, section_force
 from symgen.bodies.outlines import BEAM_FRACTIONS, DrawnPoint, Picture, drawn_references, rectangle
 from symgen.bodies.planar_body import BodyCoordinates, MarkerMotion, PlanarBody
 from symgen.bodies.shape_integrals import (
     PointShape,
-    beam_integrals_of,
     beam_point,
     beam_section,
     body_integrals,
@@ -26,24 +25,23 @@ from symgen.bodies.shape_integrals import (
     shape_of,
 )
 from symgen.joints import Joint
-from symgen.joints.joint import Slide
+from symgen.joints.joint import Turn
 from symgen.loads import Load
-from symgen.loads.load import LinearSpring, LoadEffect
+from symgen.loads.load import LoadEffect, Scalar
 from symgen.scene import BeamBody, SceneRecord
 from symgen.system.acting import PlanarActing, turn_between
 from symgen.system.constraint import STILL, ConstraintRow, Motion
 from symgen.system.constraint_rows import LocalPlace, holding, planar_rows, sliding_rows
 from symgen.system.equations import Equations
-from symgen.system.mechanism import Spin, frictions
+from symgen.system.mechanism import Space, Spin
 from symgen.system.structure import ExpressionReader, Read
 from symgen.system.topology import Topology
 
 
-class PlanarSpace:
+class PlanarSpace(Space[MarkerMotion]):
     """Three rigid coordinates a body; a marker is a point and an angle."""
 
     axes = "xy"
-    inertia_of_bodies = True
 
     def __init__(self, scene: SceneRecord, table: ParameterTable, equations: Equations, topology: Topology) -> None:
         self.scene, self.table = scene, table
@@ -84,17 +82,18 @@ class PlanarSpace:
         a = self.marker(joint.marker_a)
         return Spin(a.phi_row, a.phi_dot, ZERO, {})
 
-    def body_rows(self) -> list[ConstraintRow]:
-        """None: an angle needs no constraint."""
-        return []
-
-    def joint_friction(self, joint: Joint) -> list[LoadEffect]:
-        """Of a slide along it, of a hinge about it."""
+    def coordinate(self, name: str) -> Scalar:
+        """The angle between a joint's markers, or the travel along the x-axis of marker a."""
+        joint, motion = self.scene.joint_of(name)
         a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
-        return [
-            slide_friction(a, b, damping) if isinstance(motion, Slide) else hinge_friction(a, b, damping)
-            for motion, damping in frictions(joint, self.table)
-        ]
+        if isinstance(motion, Turn):
+            return turn_between(a, b)
+        row: Row = {}
+        for axis, component in enumerate(a.direction):
+            add_scaled(row, component, b.r_columns[axis])
+            add_scaled(row, neg(component), a.r_columns[axis])
+        value, rate = dot(a.direction, minus(b.r, a.r)), dot(a.direction, minus(b.r_dot, a.r_dot))
+        return Scalar(value, rate, row, a.direction, turning=False)
 
     def measure(self, kind: str, a: str, b: str) -> ca.SX:
         """Angle, x, y or distance."""
@@ -184,22 +183,3 @@ def _drawn(body: str, name: str, shape: PointShape) -> DrawnPoint:
         [[ZERO, ZERO, shape.slope[a]] for a in modes],
         [] if shape.H.nnz() == 0 else entries(shape.H),
     )
-
-
-def slide_friction(a: MarkerMotion, b: MarkerMotion, damping: ca.SX) -> LoadEffect:
-    """Viscous friction along the line of marker a (prismatic joint)."""
-    t_x, t_y = a.direction
-    rate = t_x * (b.r_dot[0] - a.r_dot[0]) + t_y * (b.r_dot[1] - a.r_dot[1])
-    row: Row = {}
-    for axis, component in enumerate((t_x, t_y)):
-        add_scaled(row, -damping * rate * component, b.r_columns[axis])
-        add_scaled(row, damping * rate * component, a.r_columns[axis])
-    return LoadEffect(row, dissipated=damping * rate**2)
-
-
-def hinge_friction(a: MarkerMotion, b: MarkerMotion, damping: ca.SX) -> LoadEffect:
-    """Viscous friction of the relative rotation."""
-    turn = turn_between(a, b)
-    row: Row = {}
-    add_scaled(row, -damping * turn.rate, turn.row)
-    return LoadEffect(row, dissipated=damping * turn.rate**2, spring=LinearSpring(turn.row, ca.SX(0), damping))

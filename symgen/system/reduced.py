@@ -84,7 +84,7 @@ class TreeSpace(SpatialSpace):
                 skeleton.hold(body, *self._hold(balls[name]))
                 continue
             if name not in by_child:
-                skeleton.float(body, self._turnings.get(name))
+                skeleton.float(body, self._turnings[name])
                 continue
             placement = by_child[name]
             joint = joints[placement.joint]

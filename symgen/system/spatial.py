@@ -4,22 +4,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 
 import casadi as ca
 import numpy as np
 
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_scaled
-from symgen.algebra.scalar import ONE, ZERO, dot, mul, neg
-from symgen.algebra.vectors import Vector, cross, minus, plus, zeros
+from symgen.algebra.scalar import ONE, ZERO, dot, neg
+from symgen.algebra.vectors import cross, minus, plus, zeros
 from symgen.bodies.beam_places import MovingPlace, frame_point, mean_point, moving_place, place_point
-from symgen.bodies.beam_sets import section_force
+from symgen.bodies.beam_sets import beam_integrals_of, section_force
 from symgen.bodies.outlines import BEAM_FRACTIONS, DrawnPoint, Picture, drawn_references, rectangle
 from symgen.bodies.shape_integrals import beam_section
 from symgen.bodies.spatial_body import SpatialBody, SpatialCoordinates, SpatialMarker
 from symgen.bodies.spatial_integrals import (
     beam_spatial_point,
-    spatial_beam_of,
     spatial_integrals,
     spatial_mesh_key,
     spatial_point,
@@ -30,7 +30,7 @@ from symgen.bodies.spatial_orientation import orientation
 from symgen.joints import Joint
 from symgen.joints.joint import Turn
 from symgen.loads import Load
-from symgen.loads.load import LinearSpring, LoadEffect, Scalar
+from symgen.loads.load import LoadEffect, Scalar
 from symgen.scene import BeamBody, SceneRecord
 from symgen.system.acting import SpatialActing, angle_about_z, axis_of, gradient
 from symgen.system.constraint import STILL, ConstraintRow, Motion
@@ -45,16 +45,15 @@ from symgen.system.constraint_rows import (
 )
 from symgen.system.equations import Equations
 from symgen.system.joint_templates import JointCoordinate, JointCoordinates
-from symgen.system.mechanism import Spin, frictions
+from symgen.system.mechanism import Space, Spin
 from symgen.system.structure import ExpressionReader, Read
 from symgen.system.topology import Topology
 
 
-class SpatialSpace:
+class SpatialSpace(Space[SpatialMarker]):
     """Six or seven rigid coordinates a body; a marker is a point and three axes. Some joints have coordinates too."""
 
     axes = "xyz"
-    inertia_of_bodies = True
 
     def __init__(self, scene: SceneRecord, table: ParameterTable, equations: Equations, topology: Topology) -> None:
         self.scene, self.table, self.topology = scene, table, topology
@@ -160,24 +159,21 @@ class SpatialSpace:
             if name not in self.topology.placed and body.coordinates.theta
         ]
 
-    def joint_friction(self, joint: Joint) -> list[LoadEffect]:
-        """Of turning and of sliding."""
-        found = []
-        for motion, damping in frictions(joint, self.table):
-            own = self._coordinates.get(f"{joint.name}.{motion.name}")
-            if own is not None:
-                found.append(coordinate_friction(_scalar(own), damping))
-                continue
-            a, b = self.pair(joint.marker_a, joint.marker_b)
-            axis = axis_of(joint, motion, a, b)
-            if isinstance(motion, Turn):
-                found.append(hinge_friction(a, b, damping, axis))
-                continue
-            travel = dot(axis, minus(b.r, a.r))
-            rate = ca.jtimes(travel, *self.motion)
-            along = Scalar(travel, rate, gradient(travel, self.motion[0]), axis, turning=False)
-            found.append(coordinate_friction(along, damping))
-        return found
+    def coordinate(self, name: str) -> Scalar:
+        """A coordinate of q, or the turn or travel between the markers of a joint that closes a loop."""
+        joint, motion = self.scene.joint_of(name)
+        a, b = self.pair(joint.marker_a, joint.marker_b)
+        own, axis = self._coordinates.get(name), axis_of(joint, motion, a, b)
+        if own is not None:
+            return replace(_scalar(own), axis=axis, turning=isinstance(motion, Turn))
+        if isinstance(motion, Turn):
+            row: Row = {}
+            for component, ahead, behind in zip(axis, b.turn_rows, a.turn_rows, strict=True):
+                add_scaled(row, component, ahead)
+                add_scaled(row, neg(component), behind)
+            return Scalar(angle_about_z(a, b), dot(axis, minus(b.omega, a.omega)), row, axis, turning=True)
+        travel = dot(axis, minus(b.r, a.r))
+        return Scalar(travel, ca.jtimes(travel, *self.motion), gradient(travel, self.motion[0]), axis, turning=False)
 
     def section_force(self, body: BeamBody, kind: str, at: float) -> ca.SX:
         """Of a beam at a fraction of its length, by its shapes."""
@@ -194,7 +190,7 @@ class SpatialSpace:
 
     def load(self, load: Load, read: Read, reader: ExpressionReader, q: ca.SX, q_dot: ca.SX) -> LoadEffect:
         """As its record says."""
-        markers = self.marker, self.pair, self._coordinates, self._joint_angle
+        markers = self.marker, self.pair, self._joint_angle
         return load.effect(SpatialActing(*markers, self, load, self.scene, self.table, read, reader, q, q_dot))
 
     def body_marker(self, body: str, point: SpatialPoint) -> SpatialMarker:
@@ -203,7 +199,7 @@ class SpatialSpace:
 
     def mean(self, body: BeamBody, xi: np.ndarray, weights: np.ndarray) -> SpatialMarker:
         """A mean of points of a beam by weights."""
-        point = mean_point(spatial_beam_of(body), xi, weights)
+        point = mean_point(beam_integrals_of(body), xi, weights)
         at = float(weights @ xi / weights.sum())
         key = f"{spatial_mesh_key(body)}@mean of {len(xi)} from {xi[0]!r} to {xi[-1]!r} about {at!r}"
         return self.body_marker(body.name, spatial_point_of(body, point, at, key, self.table))
@@ -262,22 +258,3 @@ def _drawn(body: str, name: str, point: SpatialPoint) -> DrawnPoint:
 
 def _scalar(own: JointCoordinate) -> Scalar:
     return Scalar(own.value, own.rate, {own.column: ONE}, (), turning=True)
-
-
-def hinge_friction(a: SpatialMarker, b: SpatialMarker, damping: ca.SX, axis: Vector) -> LoadEffect:
-    """Viscous friction of the relative rotation about an axis."""
-    rate = dot(axis, minus(b.omega, a.omega))
-    row: Row = {}
-    for i in range(3):
-        moment = neg(mul(mul(damping, rate), axis[i]))
-        add_scaled(row, moment, b.turn_rows[i])
-        add_scaled(row, neg(moment), a.turn_rows[i])
-    return LoadEffect(row, dissipated=damping * rate**2)
-
-
-def coordinate_friction(scalar: Scalar, damping: ca.SX) -> LoadEffect:
-    """Viscous friction on a coordinate, or on the travel of b along an axis."""
-    row: Row = {}
-    add_scaled(row, -damping * scalar.rate, scalar.row)
-    spring = LinearSpring(scalar.row, ZERO, damping) if scalar.turning else None
-    return LoadEffect(row, dissipated=damping * scalar.rate**2, spring=spring)

@@ -12,9 +12,10 @@ from scipy.linalg import block_diag, eigh, null_space
 from scipy.optimize import brentq
 
 from runtime.contract.flexible import gauss_points, panels_for
-from symgen.modes import BENDING, STRETCHING, beam_integrals, exact_bending, exact_stretching, lateral_modes
+from symgen.modes import BENDING, STRETCHING, exact_bending, exact_stretching, lateral_modes
 from symgen.modes.cleaning import Array
 from tests.derivation.test_modes import WAVE_NUMBERS
+from tests.support.planar_beams import planar_beam
 
 HELD = {"welded": (0, 1), "clamped": (0, 1), "pinned": (0,), "free": ()}
 HELD_STATIC = {"welded-welded": ((0, 1), ()), "welded-pinned": ((0, 1), ()), "pinned-welded": ((0,), (0,))}
@@ -54,7 +55,7 @@ def test_shapes_meet_their_ends_and_are_orthogonal(ends: str) -> None:
 @pytest.mark.parametrize(("ends", "axial"), [("welded-welded", "fixed-loaded"), ("pinned-free", "free-fixed")])
 def test_integrals_are_those_of_the_shapes(ends: str, axial: str) -> None:
     """Each integral of Eq. 20 by adaptive quadrature of the values at points, which `point` gives."""
-    integrals = beam_integrals(exact_bending(ends, 4, 12), exact_stretching(axial, 3, 12))
+    integrals = planar_beam(exact_bending(ends, 4, 12), exact_stretching(axial, 3, 12))
 
     def over_mass(value: Callable[[float], Array]) -> Array:
         return np.asarray(quad_vec(value, 0.0, 1.0, epsabs=1e-11)[0])
@@ -79,10 +80,10 @@ def test_integrals_are_those_of_the_shapes(ends: str, axial: str) -> None:
 
 def test_a_lumped_mesh_converges_to_them() -> None:
     """With the square of the element: the largest error of all integrals of three clamped-free modes."""
-    exact = beam_integrals(exact_bending("clamped-free", 3), None)
+    exact = planar_beam(exact_bending("clamped-free", 3), None)
     errors = []
     for elements in (40, 80):
-        lumped = beam_integrals(lateral_modes(elements, "clamped-free", 3), None)
+        lumped = planar_beam(lateral_modes(elements, "clamped-free", 3), None)
         errors.append(max(np.abs(getattr(lumped, key) - getattr(exact, key)).max() for key in ("mass", "phi_y", "xH")))
     assert errors[1] < 1e-2 and math.log2(errors[0] / errors[1]) == pytest.approx(2.0, abs=0.02)
 

@@ -158,13 +158,9 @@ def test_nastran_files_that_cannot_be_read(tmp_path: Path) -> None:
 
 
 def test_missing_packages_are_named(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    from symgen.fe.connecting_rod import connecting_rod_mesh
-
     monkeypatch.setitem(sys.modules, "pyyeti", None)
     with pytest.raises(FiniteElementError, match=r"symgen\[nastran\]"):
         FlexibleBody.from_nastran(tmp_path / "a.op4", [(0, 0, 0)], interface={}, modes=1)
     monkeypatch.setitem(sys.modules, "skfem", None)
-    with pytest.raises(FiniteElementError, match=r"symgen\[fe\]"):
-        connecting_rod_mesh()
     with pytest.raises(FiniteElementError, match=r"symgen\[fe\]"):
         FlexibleBody.from_mesh(object(), STEEL, interface={}, modes=1)

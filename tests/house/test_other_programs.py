@@ -11,8 +11,8 @@ import pytest
 from benchmarks.contenders.exudyn_arm import MODULUS
 from benchmarks.contenders.exudyn_floating_arm import Mesh
 from benchmarks.harness.matched import Attempt, match
+from benchmarks.scenes.arm import arm
 from runtime.contract.model import Model
-from symgen.scenes.arm import arm
 
 pytestmark = pytest.mark.long
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from benchmarks.scenes.arm import arm
 from runtime import resume, simulate
 from runtime.contract.model import Model
 from runtime.contract.tape import arithmetic
@@ -16,7 +17,6 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
 from symgen.scene import Scene, SceneRecord
 from symgen.scenes import SCENES
-from symgen.scenes.arm import arm
 from symgen.scenes.chain import chain
 from symgen.scenes.spatial_chain import spatial_chain
 from tests.hand_derived.twin_oscillators import Params

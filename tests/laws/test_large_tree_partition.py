@@ -7,12 +7,12 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from benchmarks.scenes.arm import arm
 from runtime.contract.model import Model
 from runtime.contract.tape import arithmetic
 from runtime.engine.prepare import prepare
 from runtime.schemes.catalogue import scheme_kind
 from symgen.scene import SceneRecord
-from symgen.scenes.arm import arm
 from tests.support.prepared_runs import PreparedRuns
 
 pytestmark = pytest.mark.long

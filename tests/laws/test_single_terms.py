@@ -19,7 +19,7 @@ from runtime.running.singular.exchange import best_exchange
 from runtime.schemes.catalogue import scheme_kind
 from symgen.joints import JOINTS
 from symgen.modes import axial_modes, lateral_modes
-from symgen.modes.spatial_beam import spatial_beam
+from symgen.modes.integrals import beam_integrals
 from symgen.scene import Scene, SceneError, SceneRecord
 from symgen.schema.expressions import parse_expression
 from symgen.system.joint_templates import PlanarMarkers, r_a, r_b, t_a
@@ -249,7 +249,7 @@ def test_a_slide_measures_across_and_along() -> None:
 
 def test_sections_of_a_beam_in_space_stay_across_it() -> None:
     """d(shape)/dx = turn x e_x: a deflection along y turns about z by its slope, one along z about -y."""
-    beam = spatial_beam(
+    beam = beam_integrals(
         (
             (0, axial_modes(20, "fixed-free", 1)),
             (1, lateral_modes(20, "clamped-free", 2)),

@@ -9,6 +9,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
+from benchmarks.scenes.arm import arm
 from runtime.contract.model import Model
 from runtime.contract.tape import arithmetic
 from runtime.engine.prepare import prepare
@@ -22,7 +23,6 @@ from symgen.kernels import deflection_kernels
 from symgen.pipeline import derive
 from symgen.scene import SceneError, SceneRecord
 from symgen.scenes import SCENES
-from symgen.scenes.arm import arm
 from symgen.scenes.chain import chain
 from symgen.scenes.spatial_chain import spatial_chain
 from tests.hand_derived.twin_oscillators import Params

@@ -18,9 +18,7 @@ from runtime.running.singular.crossing import BranchLost
 from runtime.running.singular.exchange import use_generator
 from symgen.generate import model_of as model_of_scene
 from symgen.scene import Scene, SceneRecord
-from symgen.scenes.tumbling_body import tumbling_body
 from symgen.variants import generate_variant
-from tests.support.own_parameters import with_parameters
 from tests.support.slider_cranks import driven_slider_crank, equal_slider_crank, loop
 
 pytestmark = pytest.mark.long
@@ -206,26 +204,6 @@ def test_resuming_after_an_exchange_of_coordinates(model_of: Build, tmp_path: Pa
 
     simulate(model, **settings, checkpoint=tmp_path / "run.npz", checkpoint_every=9, progress=stop)
     assert_same(resume(model, tmp_path / "run.npz"), whole)
-
-
-def test_tumbling_body_changes_its_euler_parameters_and_resumes(model_of: Build, tmp_path: Path) -> None:
-    """There and back many times; samples of the same q_i lie apart, in memory and in a stream."""
-    model = model_of(with_parameters(tumbling_body(), "body"))
-    settings: dict[str, Any] = {"scheme": "rk4", "dt": 0.01, "t_end": 16.0, "seen_every": 0.1}
-    whole = simulate(model, **settings)
-    assert whole.status.ok and len(whole.events) >= 4
-    assert len({event.text.split(" took")[0] for event in whole.events}) < len(whole.events)
-    assert energy_error(whole) < 1e-6 and whole.constraint_error.max() < 1e-10
-    assert np.array_equal(whole.q_i, whole.q[:, model.independent_columns])
-
-    def stop(t: float, t_end: float) -> None:
-        if t >= 13.0:
-            raise KeyboardInterrupt
-
-    for more in ({}, {"stream": tmp_path / "rows"}):
-        simulate(model, **settings, **more, checkpoint=tmp_path / "run.npz", checkpoint_every=9, progress=stop)
-        again = resume(model, tmp_path / "run.npz")
-        assert_same(Solution.load(tmp_path / "rows", model) if more else again, whole)
 
 
 # ---- random mechanisms ----------------------------------------------------------------------------------------

@@ -37,7 +37,7 @@ def reference(interpolation: str, x: float, y: float) -> float:
 
 @pytest.mark.parametrize("interpolation", ["linear", "cubic"])
 def test_values_and_slopes(interpolation: Any) -> None:
-    """As a number and in code against SciPy, on the grid, between and outside; slopes against differences."""
+    """Against SciPy, on the grid, between and outside; slopes against differences."""
     one = surface(interpolation)
     s = ca.SX.sym("s", 2)
     z = one.symbol(s[0], s[1])
@@ -46,13 +46,12 @@ def test_values_and_slopes(interpolation: Any) -> None:
     for x, y in [*grid, *RANDOM.uniform((-2, -1), (3, 4), (60, 2))]:
         inside = np.clip(x, X[0], X[-1]), np.clip(y, Y[0], Y[-1])
         expected = reference(interpolation, *inside)
-        assert abs(one.value(x, y) - expected) < 1e-14 * 10
         value, slope = (np.asarray(part).ravel() for part in function([x, y]))
         assert abs(value[0] - expected) < 1e-13
         if min(np.abs(x - X).min(), np.abs(y - Y).min()) > 1e-4:
             h = 1e-6
-            by_x = (one.value(x + h, y) - one.value(x - h, y)) / (2 * h)
-            by_y = (one.value(x, y + h) - one.value(x, y - h)) / (2 * h)
+            by_x = float((function([x + h, y])[0] - function([x - h, y])[0]) / (2 * h))
+            by_y = float((function([x, y + h])[0] - function([x, y - h])[0]) / (2 * h))
             np.testing.assert_allclose(slope, [by_x, by_y], atol=1e-8)
 
 

@@ -8,13 +8,13 @@ from math import ceil
 import numpy as np
 import pytest
 
+from benchmarks.scenes.hard_suite import HARD_SUITE, HardCase
 from runtime import simulate
 from runtime.contract.coordinates import followed
 from runtime.contract.model import Model
 from runtime.results.solution import Solution
 from symgen.generate import model_of as on_demand
 from symgen.scene import SceneRecord
-from symgen.scenes.hard_suite import HARD_SUITE, HardCase
 from tests.support.modes import Modes, modes_at
 from tests.support.prepared_runs import PreparedRuns
 

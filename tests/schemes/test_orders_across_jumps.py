@@ -7,10 +7,10 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from benchmarks.scenes.hard_suite import HARD_SUITE
 from runtime import Model, simulate
 from runtime.schemes.switching.times import switching_times
 from symgen.scene import Scene, SceneRecord
-from symgen.scenes.hard_suite import HARD_SUITE
 
 pytestmark = pytest.mark.long
 

@@ -14,6 +14,7 @@ import pytest
 from benchmarks.harness import trial
 from benchmarks.harness.reference import NoReference, Reference, independent_reference
 from benchmarks.harness.trial import seconds_of, trial_of
+from benchmarks.scenes.arm import arm
 from runtime import Model, SchemeError, simulate
 from runtime.contract.errors import ModelError
 from runtime.results.motion_error import amplitudes
@@ -24,7 +25,6 @@ from runtime.studies.advice.advise import Advice, NoAdvice, advice_data, advice_
 from runtime.studies.advice.methods import candidates, left_out
 from symgen.generate import model_of as derived
 from symgen.scene import SceneRecord
-from symgen.scenes.arm import arm
 
 pytestmark = pytest.mark.long
 

@@ -36,7 +36,8 @@ def values_of_forms(
     eq, start = derived.system.reduced, derived.initial
     for symbols_of, values in ((eq.q, start.q), (eq.q_dot, start.q_dot)) if at_start else ():
         given |= {str(own): value for own, value in zip(symbols_of, values, strict=False)}
-    found = [np.asarray(value) for value in function([given.get(str(one), 0.4 * rng.normal()) for one in symbols])]
+    drawn = {name: 0.4 * rng.normal() for name in sorted(map(str, symbols))}
+    found = [np.asarray(value) for value in function([given.get(str(one), drawn[str(one)]) for one in symbols])]
     return [found[k : k + 2] for k in range(0, len(found), 2)]
 
 

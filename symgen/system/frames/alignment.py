@@ -28,7 +28,7 @@ from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
 from symgen.algebra.vectors import Matrix, Vector, cross, plus, scaled, zeros
 from symgen.joints.joint import Slide as SlideOf
 from symgen.joints.joint import Turn as TurnOf
-from symgen.system.frames.moves import Ball, JointNode, Move, Orient
+from symgen.system.frames.moves import Ball, JointNode, Move
 from symgen.system.frames.spatial_algebra import SE3, Inertia
 from symgen.system.frames.tree import GROUND, BodyFrame, FlexibleNode, Frame, FrameTree, RigidNode
 from symgen.system.joint_templates import JointCoordinate, JointCoordinates
@@ -362,9 +362,9 @@ def give_to_parent(frame: Frame, frames: list[Frame]) -> None:
 def _split(inertia: Inertia, moves: list[Move]) -> Parts | None:
     """By what the moves leave free; None where nothing can be given."""
     free = [move for move in moves if move.twists]
-    if not all(isinstance(move, JointNode | Orient | Ball) for move in free):
+    if not all(isinstance(move, JointNode | Ball) for move in free):
         return None
-    if any(isinstance(move, Orient | Ball) for move in free):  # a mass at the origin does not care how the frame turns
+    if any(isinstance(move, Ball) for move in free):  # a mass at the origin does not care how the frame turns
         return Parts(Inertia(inertia.m, zeros(), [zeros() for _ in range(3)]), Inertia(ZERO, inertia.h, inertia.Sigma))
     turns = any(isinstance(move, JointNode) and move.turns for move in free)
     slides = any(isinstance(move, JointNode) and not move.turns for move in free)

@@ -54,8 +54,7 @@ class _Composites:
                 h = h | own
                 if (k, place) in meetings:
                     I_C, h = self._meet(meetings[k, place], I_C, h), {}
-                only = own.keys() - momenta[k].keys()
-                h = {c: move.momentum(c, one, I_C) if c in only else move.wrench(one) for c, one in h.items()}
+                h = {column: move.wrench(one) for column, one in h.items()}
                 I_C = move.composite(I_C)
             if frame.parent != GROUND:
                 inertias[frame.parent] = inertias[frame.parent].plus(I_C)

@@ -73,11 +73,10 @@ class Change:
 
 @dataclass(frozen=True)
 class Field:
-    """tau and v of a frame with their rates; doubled: 2 D tau and 2 D v where they come for less."""
+    """tau and v of a frame with their rates."""
 
     turning: Rates
     moving: Rates
-    doubled: tuple[Vector, Vector] | None = None
 
     @property
     def twist(self) -> Motion:
@@ -91,8 +90,7 @@ class Field:
     @property
     def by_rate(self) -> Change:
         """Change by the rate of the coordinate."""
-        beta, d = self.doubled or (scaled(TWO, self.turning[1]), scaled(TWO, self.moving[1]))
-        return Change(self.turning[0], beta, d)
+        return Change(self.turning[0], scaled(TWO, self.turning[1]), scaled(TWO, self.moving[1]))
 
     def after(self, move: Node, moved: MoveState) -> Field:
         """Of the frame after a move."""
@@ -146,9 +144,8 @@ def joint_parts(move: JointNode, moved: MoveState) -> list[FieldPart]:
     if move.column is not None:
         axis = unit(move.axis, move.sign)
         rates = axis, cross(moved.after.omega, axis), times(moved.after.G, axis)
-        twice, still = cross(scaled(TWO, moved.after.omega), axis), (zeros(), zeros(), zeros())
-        turns, slides = Field(rates, still, (twice, zeros())), Field(still, rates, (zeros(), twice))
-        return [FieldPart({move.column: ONE}, turns if move.turns else slides)]
+        still = zeros(), zeros(), zeros()
+        return [FieldPart({move.column: ONE}, Field(rates, still) if move.turns else Field(still, rates))]
     return []
 
 

@@ -22,9 +22,9 @@ moment there, and the joint's other body gives v where fewer coordinates move it
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from functools import cached_property
 
 import casadi as ca
 
@@ -196,9 +196,6 @@ class FramePlace:
         return found
 
 
-_Power = tuple[Row, Callable[[Change, Force, Force], ca.SX]]  # shares by column; (change, further w, w) -> power
-
-
 @dataclass(frozen=True)
 class LoopForce:
     """A spherical joint between the ends of two ways from the ground; force: lambda in world axes."""
@@ -308,7 +305,7 @@ class _Sums:
             found.append(Field(known.turning, (v, v1, v2)))
         return found
 
-    def _contract(self, place: FramePlace, fields: list[Field], powers: list[_Power]) -> None:
+    def _contract(self, place: FramePlace, fields: list[Field], powers: list[tuple[Row, Motion]]) -> None:
         geometric, state = place.carried(self._directions), place.state
         for j, (one, direction) in enumerate(zip(fields, self._directions, strict=True)):
             by_position, by_rate = one.by_position(place.motion.a), one.by_rate
@@ -318,8 +315,8 @@ class _Sums:
                 more_v = more_v.plus(state.by_rate[direction.column])
             for F, change, more in ((self.F_q, by_position, more_q), (self.F_v, by_rate, more_v)):
                 w = place.changed(change, more)
-                for shares, power in powers:
-                    _share(F, j, shares, power(change, more, w))
+                for shares, twist in powers:
+                    _share(F, j, shares, w.along(twist))
                 for column, row in state.rows.items() if state is not None else ():
                     F[column][j] = add(F[column][j], row.of(change))
             for part, values in zip(place.parts, geometric, strict=True):
@@ -328,28 +325,12 @@ class _Sums:
                 for F, known in ((self.F_q, self._sweep.K), (self.F_v, self._sweep.D)):
                     F[column][j] = add(F[column][j], known[column].get(direction.column, ZERO))
 
-    def _powers(self, place: FramePlace, fields: list[Field], closed: bool) -> list[_Power]:
-        """On what the coordinates on the way do; where the way is closed by fields, on those of the directions."""
+    def _powers(self, place: FramePlace, fields: list[Field], closed: bool) -> list[tuple[Row, Motion]]:
+        """Shares and twists of coordinates on the way; where the way is closed by fields, of the directions."""
         if not closed:
-            return [(part.shares, partial(_power, part.field.twist)) for part in place.parts]
-        moved = [i for i, one in enumerate(fields) if not all(value.is_zero() for value in one.moving[0])]
-        alone = moved if len(moved) == 1 < len(fields) and place.state is not None else []
-        found: list[_Power] = []
-        for i, (one, direction) in enumerate(zip(fields, self._directions, strict=True)):
-            power = partial(_power_of_row, place, one.twist) if i in alone else partial(_power, one.twist)
-            found.append(({direction.column: ONE}, power))
-        return found
-
-
-def _power(twist: Motion, change: Change, more: Force, w: Force) -> ca.SX:
-    return w.along(twist)
-
-
-def _power_of_row(place: FramePlace, twist: Motion, change: Change, more: Force, w: Force) -> ca.SX:
-    """Without the force of w, where that does work on one twist alone."""
-    assert place.state is not None
-    row = place.state.tangent.row(Motion(zeros(), twist.v))
-    return add(dot(twist.omega, w.n), add(row.of(change), dot(twist.v, more.f)))
+            return [(part.shares, part.field.twist) for part in place.parts]
+        found = zip(self._directions, fields, strict=True)
+        return [({direction.column: ONE}, one.twist) for direction, one in found]
 
 
 def _share(F: list[Vector], j: int, shares: Row, value: ca.SX) -> None:

@@ -37,12 +37,10 @@ from symgen.algebra.vectors import (
     zeros,
 )
 from symgen.bodies.spatial_moments import Deformation
-from symgen.bodies.spatial_orientation import Orientation, orientation
 from symgen.system.frames.paths import Path
 from symgen.system.frames.spatial_algebra import (
     Force,
     FrameMotion,
-    Inertia,
     LeverArm,
     Mass,
     Motion,
@@ -90,10 +88,6 @@ class Move(ABC):
             for column, share in part.shares.items():
                 found[column] = add(found[column], mul(share, value)) if column in found else mul(share, value)
         return found
-
-    def momentum(self, column: int, after: Force, composite: Inertia) -> Force:
-        """`wrench` of the momentum that a unit rate of one of the move's columns gives to all beyond (composite)."""
-        return self.wrench(after)
 
     @abstractmethod
     def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
@@ -260,48 +254,6 @@ class Float(Move):
         path.shift(self.R_o)
         for i, column in enumerate(self.columns):
             path.slide(column, unit(i), self.R_o_dot[i])
-
-
-@dataclass(frozen=True)
-class Orient(Move):
-    """The orientation of such a body by Euler parameters theta that are coordinates like others."""
-
-    columns: list[int]
-    theta: Vector
-    theta_dot: Vector
-
-    def at(self, rates: Vector) -> Orientation:
-        """The orientation with these rates of theta."""
-        return orientation(self.theta, rates)
-
-    @property
-    def parts(self) -> list[Part]:
-        """Angular velocities by rates of theta."""
-        return single(self.columns, [Motion(axis, zeros()) for axis in self.at(self.theta_dot).body_axes])
-
-    def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
-        """From the frame at the origin, which neither turns nor, for `Float`, accelerates."""
-        turning = self.at([rates.get(column, ZERO) for column in self.columns])
-        own = combination(turning.body_axes, [accelerations.get(column, ZERO) for column in self.columns])
-        return FrameMotion(turning.omega_body, plus(turning.bias_body, own), before.a)
-
-    def wrench(self, after: Force) -> Force:
-        """Nothing before this move turns, so that no moment does work there."""
-        return Force(self.at(self.theta_dot).rotate(after.f), zeros())
-
-    def momentum(self, column: int, after: Force, composite: Inertia) -> Force:
-        """d(A h)/dtheta."""
-        turning = self.at(self.theta_dot)
-        return Force(turning.turned(self.columns.index(column), turning.rotate(composite.h)), zeros())
-
-    def composite(self, after: Mass) -> Mass:
-        """Nothing before this move turns: the mass alone counts."""
-        return after.turned_mass(lambda: self.at(self.theta_dot).A)
-
-    def lead(self, path: Path) -> None:
-        """Continue a path through the move."""
-        turning = self.at(self.theta_dot)
-        path.orient(self.columns, turning)
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,6 @@ from symgen.algebra.scalar import ONE, ZERO, neg
 from symgen.algebra.vectors import Matrix, Vector, combination, cross, plus, scaled, zeros
 from symgen.bodies.spatial_body import SpatialMarker, fixed_quaternion
 from symgen.bodies.spatial_moments import Bent
-from symgen.bodies.spatial_orientation import Orientation
 
 
 @dataclass(frozen=True)
@@ -130,14 +129,6 @@ class Path:
         self.entries.append(PathColumn(column, None, axis, len(self._segments)))
         self.r_dot = plus(self.r_dot, speed)
         self.a = plus(self.a, scaled(ca.SX(2), cross(self.omega, speed)))
-
-    def orient(self, columns: list[int], turning: Orientation) -> None:
-        """Euler parameters of a body that are coordinates; the path has not turned before."""
-        self._reach()
-        self.turn_by(turning.A)
-        for column, turns in zip(columns, turning.world_axes, strict=True):
-            self.entries.append(PathColumn(column, turns, None, len(self._segments)))
-        self.omega, self.alpha = turning.omega, turning.bias
 
     def ball(self, columns: list[int], A: Matrix, omega: Vector) -> None:
         """What follows has the absolute orientation A (rows) and the angular velocity omega in body axes."""

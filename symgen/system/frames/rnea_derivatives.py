@@ -42,12 +42,15 @@ from symgen.algebra.vectors import (
     axial,
     combination,
     cross,
+    inertia_times,
     minus,
     negative,
     plus,
     product,
     scaled,
     times,
+    traced,
+    weighted,
     zeros,
 )
 from symgen.bodies.spatial_moments import Bent, Deformation, SharedMotion
@@ -73,12 +76,10 @@ from symgen.system.frames.spatial_algebra import (
     Motion,
     both_turned_back,
     gather,
-    inertia_times,
     no_masses,
-    traced,
     transposed,
 )
-from symgen.system.frames.tree import GROUND, FlexibleNode, FrameTree, RigidNode, weighted
+from symgen.system.frames.tree import GROUND, FlexibleNode, FrameTree, RigidNode
 
 
 @dataclass(frozen=True)

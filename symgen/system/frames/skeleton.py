@@ -12,7 +12,7 @@ from symgen.algebra.vectors import Matrix, identity, zeros
 from symgen.bodies.spatial_body import SpatialBody
 from symgen.bodies.spatial_moments import Deformation
 from symgen.system.frames.alignment import JointLink, Numbers, UnalignedFrame, aligned, moved
-from symgen.system.frames.moves import Across, Ball, Float, MarkerNode, Move, Orient, ToWorld
+from symgen.system.frames.moves import Across, Ball, Float, MarkerNode, Move, ToWorld
 from symgen.system.frames.spatial_algebra import SE3, Inertia, no_masses
 from symgen.system.frames.tree import GROUND, BodyFrame, FlexibleNode, FrameTree, RigidNode
 from symgen.system.orientations import Turning
@@ -26,15 +26,14 @@ class Skeleton:
         self._body_frames: dict[str, BodyFrame] = {"ground": BodyFrame()}
         self._numbers = numbers
 
-    def float(self, body: SpatialBody, turning: Turning | None) -> None:
+    def float(self, body: SpatialBody, turning: Turning) -> None:
         """A body that no joint places. Its mass stands at its origin, which moves without turning."""
         q, data = body.coordinates, body.integrals
         assert data is not None
         point = Inertia(data.mass, zeros(), no_masses().Sigma)
         floats = Float(q.columns[:3], q.R_o, q.R_o_dot)
         self._add(UnalignedFrame(GROUND, moves=[floats], inertia=RigidNode(point)))
-        turns: Move = Orient(q.turning, q.theta, q.theta_dot) if turning is None else _ball(turning)
-        self._add(UnalignedFrame(len(self._rough) - 1, moves=[turns], inertia=_inertia(body, ZERO)))
+        self._add(UnalignedFrame(len(self._rough) - 1, moves=[_ball(turning)], inertia=_inertia(body, ZERO)))
         self._body_frames[body.name] = BodyFrame(len(self._rough) - 1)
 
     def place(

@@ -21,6 +21,7 @@ from symgen.algebra.vectors import (
     Vector,
     cross,
     identity,
+    inertia_times,
     minus,
     plus,
     product,
@@ -250,27 +251,6 @@ def only_axis(arms: Sequence[Vector]) -> int | None:
     """The axis along which all arms are, by structure."""
     found = {k for arm in arms for k in range(3) if not arm[k].is_zero()}
     return found.pop() if len(found) == 1 else None
-
-
-def inertia_times(Sigma: Matrix, omega: Vector) -> Vector:
-    """(tr(Sigma) - Sigma) omega, with each diagonal entry of the inertia tensor the sum of two of Sigma."""
-    result = []
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        own = mul(add(Sigma[j][j], Sigma[k][k]), omega[i])
-        result.append(sub(sub(own, mul(Sigma[i][j], omega[j])), mul(Sigma[i][k], omega[k])))
-    return result
-
-
-def traced(block: Matrix, vector: Vector, transposed: bool) -> Vector:
-    """(tr B - B^T) vector, or (tr B - B) vector."""
-    result = []
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        own = mul(add(block[j][j], block[k][k]), vector[i])
-        first, second = (block[i][j], block[i][k]) if transposed else (block[j][i], block[k][i])
-        result.append(sub(sub(own, mul(first, vector[j])), mul(second, vector[k])))
-    return result
 
 
 def turned_back(x: ca.SX, y: ca.SX, cosine: ca.SX, sine: ca.SX) -> tuple[ca.SX, ca.SX]:

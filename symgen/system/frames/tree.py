@@ -19,11 +19,11 @@ from functools import cached_property
 import casadi as ca
 
 from symgen.algebra.rows import Row
-from symgen.algebra.scalar import ZERO, add, dot, mul, sub, total
-from symgen.algebra.vectors import Matrix, Vector, combination, cross, plus, scaled, zeros
+from symgen.algebra.scalar import ZERO, add, dot, mul, sub
+from symgen.algebra.vectors import Matrix, Vector, combination, cross, plus, scaled, traced, weighted
 from symgen.bodies.spatial_moments import SpatialIntegrals, SpatialMoments
 from symgen.system.frames.moves import Move, Node
-from symgen.system.frames.spatial_algebra import SE3, Force, FrameMotion, Inertia, traced
+from symgen.system.frames.spatial_algebra import SE3, Force, FrameMotion, Inertia
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class FlexibleNode:
 
     def moments(self, rates: Row) -> SpatialMoments:
         """With rates by column, zero where absent."""
-        return SpatialMoments(self.data, self.q_f, self.own(rates), zeros())
+        return SpatialMoments(self.data, self.q_f, self.own(rates))
 
     @cached_property
     def rigid(self) -> Inertia:
@@ -115,14 +115,6 @@ class RigidNode:
     def inertia_force(self, motion: FrameMotion, rates: Row, accelerations: Row) -> tuple[Force, Row]:
         """(wrench that moves the masses, nothing on modes)."""
         return self.rigid.inertia_wrench(motion), {}
-
-
-def weighted(blocks: list[Matrix], factors: Vector) -> Matrix:
-    """Sum of factors[k] blocks[k]."""
-    return [
-        [total(mul(factor, block[i][j]) for block, factor in zip(blocks, factors, strict=True)) for j in range(3)]
-        for i in range(3)
-    ]
 
 
 GROUND = -1

@@ -7,8 +7,10 @@ from dataclasses import dataclass, field
 from functools import partial
 from typing import Literal
 
+from benchmarks.scenes.arm import arm
+from benchmarks.scenes.spatial_arm import spatial_arm
+from benchmarks.scenes.vehicle import vehicle
 from symgen.scene import SceneRecord
-from symgen.scenes.arm import arm
 from symgen.scenes.bricard import bricard
 from symgen.scenes.chain import chain
 from symgen.scenes.flexible_four_bar import flexible_four_bar
@@ -24,12 +26,10 @@ from symgen.scenes.flyball_governor import flyball_governor
 from symgen.scenes.hub_beam import hub_beam
 from symgen.scenes.near_singular_slider_crank import near_singular_slider_crank
 from symgen.scenes.overdamped_joint import overdamped_joint
-from symgen.scenes.spatial_arm import spatial_arm
 from symgen.scenes.spatial_chain import spatial_chain
 from symgen.scenes.spatial_slider_crank import spatial_slider_crank
 from symgen.scenes.spin_up_beam import spin_up_beam
 from symgen.scenes.two_oscillators import two_oscillators
-from symgen.scenes.vehicle import vehicle
 
 LINKS = 10
 
