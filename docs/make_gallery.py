@@ -50,9 +50,9 @@ SECTIONS = {
 }
 HEAD = """# Gallery
 
-Each picture is drawn by a script of at most 70 lines (`python examples/crane.py crane.png`), which also prints figures
-that only right physics gives: a closed form, a conservation law, a published value. A test runs every script and holds
-the figures (`tests/house/test_examples.py`). A click on a picture opens the script.
+A script of at most 70 lines draws each picture (`python examples/crane.py crane.png`) and prints
+figures that only right physics gives: a closed form, a conservation law, a published value. A test
+runs every script and checks the figures. A click on a picture opens the script.
 """
 
 

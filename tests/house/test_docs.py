@@ -106,6 +106,17 @@ def test_guides_are_short_and_begin_with_what_one_types(page: Path) -> None:
         assert any(line.startswith(("```", "|")) for line in lines[:22]), "it begins with what one types"
 
 
+WRITTEN_BY_PROGRAMS = ("benchmarks", "hard-suite", "long-runs", "CHANGELOG")
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if page.stem not in WRITTEN_BY_PROGRAMS], ids=page_id)
+def test_prose_has_short_lines(page: Path) -> None:
+    """Tables, formulas, pictures and programs are as wide as they must be."""
+    text = re.sub(r"^```.*?^```", "", read(page), flags=re.DOTALL | re.MULTILINE)
+    prose = [line for line in text.splitlines() if not line.startswith(("|", "!", "$", "<", "    "))]
+    assert not [line for line in prose if len(line) > MOST_CHARACTERS]
+
+
 def test_the_readme_has_the_two_commands() -> None:
     commands = [line for block in blocks(README, "sh") for line in block.splitlines()]
     assert commands == ["pip install -e . && symgen demo slider-crank", 'pip install -e ".[dev]" && pytest']
