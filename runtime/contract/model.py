@@ -598,3 +598,10 @@ def refuse_rigid_stops(model: Model, who: str, remedy: str) -> None:
     """Raises ModelError for a model with rigid stops, of which `who` does not know."""
     if any(event.side for event in model.mode_events):
         refuse_elements(model, who, remedy)
+
+
+def refuse_reactions(model: Model, who: str, remedy: str) -> None:
+    """Raises ModelError for a model with friction by reactions (`mu`), of which `who` does not know."""
+    if model.has("elements") and "margin" in model.kernel("elements").name_out():
+        names = ", ".join(event.name for event in model.mode_events if not event.side)
+        raise ModelError(f"{names} of model {model.name}", f"follows from reactions by mu, which {who}", remedy)

@@ -11,7 +11,7 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import Model, refuse_reactions
 from runtime.contract.signals import SINCE
 from runtime.contract.tape import UNUSED, Node, Tape, read_tape, shared
 from runtime.engine.c_source import Code, Style, named, number, stage_code, tape_code
@@ -73,6 +73,7 @@ def refuse_stops(model: Model, p: np.ndarray) -> None:
     c, name = model.constants(p), f"of model {model.name}"
     if model.sources:
         raise ModelError(f"inputs {', '.join(model.sources)} {name}", "are functions of time", "give them as inputs")
+    refuse_reactions(model, "exported code does not know", "give coulomb, or simulate it")
     moving = [event.name for event in model.description.events if event.sets and SINCE in model.signals.names]
     if moving:
         raise ModelError(

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from runtime.contract.model import Model
+from runtime.contract.model import Model, refuse_reactions
 from runtime.schemes.switching.complementarity import balancing, complementary
 from runtime.schemes.switching.settle import elements
 from runtime.schemes.switching.stops import AT_REST
@@ -44,6 +44,7 @@ def with_modes(model: Model, values: np.ndarray, modes: np.ndarray) -> np.ndarra
 
 def signs(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:
     """(n_m,) of the rates of joints with friction, zero at rest, one of stops; at: q_i, q_d, q_i_dot, q_d_dot, t."""
+    refuse_reactions(model, "is open at a state by itself", "give coulomb, or step it")
     rate = elements(model, at, c)["v_rel"][[one.row for one in model.mode_events]]
     rest = AT_REST * (1.0 + np.abs(at["q_i_dot"]).max(initial=0.0))
     sides = np.array([one.side for one in model.mode_events])

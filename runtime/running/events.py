@@ -223,10 +223,7 @@ class EventActions:
         settled = opened("runtime.schemes.switching.settle:settled")
         found = settled(model, at, c, own & (before == 0), come, own & (before != 0))
         if found is None:
-            self.status = Status(
-                "no_mode", t, None, "no choice of what is held and what moves is consistent",
-                "Look at the friction and the stops of joints that share a loop, or take a smaller friction.",
-            )  # fmt: skip
+            self.status = Status("no_mode", t, None, *opened("runtime.schemes.switching.settle:no_mode")(model, at, c))
             return None
         inputs[modes] = found.modes
         z[self._inputs] = inputs

@@ -88,7 +88,7 @@ class Locks:
     @property
     def _shares(self) -> ca.SX:
         """(n_e,) holds w; of what has no bound, a stop, the largest of them, or 1 where there is none."""
-        own = self.stuck * ca.vertcat(*(one.holds for one in self.elements))
+        own = self.stuck * ca.vertcat(*(one.share for one in self.elements))
         largest = ca.mmax(own)
         return self.stuck * ca.if_else(own > 0, own, ca.if_else(largest > 0, largest, 1))
 

@@ -14,9 +14,11 @@ class Friction(StrictModel):
     """F(v) = coulomb + stribeck exp(-v / stribeck_velocity) + viscous v against a sliding at v [m/s or rad/s].
 
     At rest the joint holds up to `breakaway`, coulomb unless given. stribeck: breakaway - coulomb unless given.
+    By the joint's own force R [N] instead: mu R of a slide, mu R radius of a hinge, and at rest `mu_static`, mu unless
+    given, in place of mu; what falls is the coefficient.
     """
 
-    coulomb: Annotated[Quantity, Meaning("friction of fast sliding", FORCE, Bound.NON_NEGATIVE)]
+    coulomb: Annotated[Quantity | None, Meaning("friction of fast sliding", FORCE, Bound.NON_NEGATIVE)] = None
     breakaway: Annotated[Quantity | None, Meaning("friction that holds at most", FORCE, Bound.POSITIVE)] = None
     stribeck_velocity: Annotated[
         Quantity | None, Meaning("velocity over which friction falls", "m/s or rad/s", Bound.POSITIVE)
@@ -25,20 +27,47 @@ class Friction(StrictModel):
         Quantity | None, Meaning("friction of slow sliding beyond coulomb", FORCE, Bound.NON_NEGATIVE)
     ] = None
     viscous: Annotated[Quantity, Meaning("friction per velocity", "N s/m or N m s/rad", Bound.NON_NEGATIVE)] = 0.0
+    mu: Annotated[
+        Quantity | None, Meaning("friction of fast sliding for the joint's force", "1", Bound.NON_NEGATIVE)
+    ] = None
+    mu_static: Annotated[Quantity | None, Meaning("friction that holds at most for it", "1", Bound.POSITIVE)] = None
+    radius: Annotated[Quantity | None, Meaning("radius of the bearing", "m", Bound.POSITIVE)] = None
 
     def faults(self, scene: Any) -> Iterator[Fault]:
         """What holds less than what slides, and what falls over no velocity. Of numbers; the rest is bounded."""
-        falls = self.stribeck is not None or (self.breakaway is not None and self.breakaway != self.coulomb)
+        if (self.coulomb is None) == (self.mu is None):
+            both = "has coulomb and mu" if self.mu is not None else "does not say how much"
+            yield Fault("friction", both, "give coulomb, or mu for friction by the joint's own force")
+            return
+        slides, holds = ("mu", "mu_static") if self.coulomb is None else ("coulomb", "breakaway")
+        foreign = ("breakaway", "stribeck") if self.coulomb is None else ("mu_static", "radius")
+        for key in foreign:
+            if getattr(self, key) is not None:
+                yield Fault(f"friction.{key}", f"does not go with {slides}", f"leave it out, or {slides}")
+        yield from self._size_faults(slides, holds)
+
+    def _size_faults(self, slides: str, holds: str) -> Iterator[Fault]:
+        least, most = getattr(self, slides), getattr(self, holds)
+        falls = self.stribeck is not None or (most is not None and most != least)
         if falls and self.stribeck_velocity is None:
-            yield Fault("friction", "falls from breakaway to coulomb over no velocity", "give a stribeck_velocity")
+            yield Fault("friction", f"falls from {holds} to {slides} over no velocity", "give a stribeck_velocity")
         if not falls and self.stribeck_velocity is not None:
-            yield Fault("friction.stribeck_velocity", "has nothing to act on", "give a breakaway above coulomb")
-        if not falls and self.coulomb == 0:
-            yield Fault("friction", "holds nothing", "give a coulomb above zero, or damping where it is only viscous")
-        numbers = [one for one in (self.breakaway, self.coulomb, self.stribeck or 0.0) if isinstance(one, float | int)]
+            yield Fault("friction.stribeck_velocity", "has nothing to act on", f"give a {holds} above {slides}")
+        if not falls and least == 0:
+            yield Fault("friction", "holds nothing", f"give a {slides} above zero, or damping where it is only viscous")
+        numbers = [one for one in (most, least, self.stribeck or 0.0) if isinstance(one, float | int)]
         if len(numbers) == 3 and numbers[0] < numbers[1] + numbers[2]:
-            slides = "coulomb" if self.stribeck is None else "coulomb and stribeck together"
+            together = slides if self.stribeck is None else "coulomb and stribeck together"
             yield Fault(
-                "friction.breakaway", f"{numbers[0]:g} is below {slides}: what holds would slide at once",
-                "give a breakaway at least as large",
+                f"friction.{holds}", f"{numbers[0]:g} is below {together}: what holds would slide at once",
+                "give a larger one",
             )  # fmt: skip
+
+    def lever_faults(self, turns: bool) -> Iterator[Fault]:
+        """Of a joint that turns, or slides: without a radius, or with one."""
+        if self.mu is not None and turns and self.radius is None:
+            yield Fault(
+                "friction.radius", "is missing: a hinge rubs on its bearing", "give the radius of the bearing [m]"
+            )
+        if self.mu is not None and not turns and self.radius is not None:
+            yield Fault("friction.radius", "is of hinges", "leave it out of a joint that slides")

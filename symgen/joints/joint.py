@@ -202,6 +202,8 @@ class Joint(StrictModel):
             if (part := getattr(self, key, None)) is not None:
                 yield from part.faults(scene)
                 yield from self._angle_faults(key, scene)
+        if (friction := self.rubs()) is not None:
+            yield from friction.lever_faults(any(motion.kind == "angle" for motion in self.motions or ()))
 
     def rubs(self) -> Friction | None:
         """The friction of its one free direction, which the types have that leave one free."""

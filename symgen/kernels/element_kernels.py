@@ -20,6 +20,7 @@ from symgen.condensed.locks import Locks, locks
 from symgen.condensed.variations import variations
 from symgen.kernels.jacobians import directions, jacobian_kernels
 from symgen.kernels.kernel import Arguments, Kernel, dynamics
+from symgen.kernels.reaction_friction import Grips
 from symgen.kernels.specification import block_signals, substep_name
 from symgen.system.equations import Element
 from symgen.system.topology import Topology
@@ -36,23 +37,27 @@ def with_elements(
 ) -> dict[str, Callable[[], Kernel]]:
     """The builders of a system, by name, with those of its elements and of what they lock."""
     locked = locks(system)
+    grips = Grips(locked)
     found = {name: build for name, build in builders.items() if name not in WITHOUT}
-    found["elements"] = partial(_elements, locked, a)
-    found["element_forces"] = partial(_forces, locked, a)
+    found["elements"] = partial(_elements, locked, a, grips)
+    found["element_forces"] = partial(_forces, locked, a, grips)
     found["condensed"] = lambda: Kernel(a.select(*STATE), dict(zip(("M_hat", "Q_hat"), locked.locked(), strict=True)))
     for name in jacobian_kernels(system, a):
-        found[name] = partial(_rates_left, name, locked, a)
+        found[name] = partial(_rates_left, name, locked, a, grips)
     if (pivots := locked_pivots(locked, topology)) is not None:
         found["forward_dynamics"] = lambda: dynamics(system, a, tree_accelerations(system, topology, pivots))
     if len(groups) > 1:
         found["blocks"] = partial(_blocks, locked, a, groups)
     for level in range(1, len(groups)):
         found[substep_name(level + 1)] = partial(_substep, locked, a, [one.positions for one in groups], level)
-    return found
+    return grips.in_kernels(found) if grips.own else found
 
 
-def _elements(locked: Locks, a: Arguments) -> Kernel:
-    """M_hat and Q_hat with nothing locked, and v = G q_i', v' = G q_i'' + bias with the bounds at rest."""
+def _elements(locked: Locks, a: Arguments, grips: Grips) -> Kernel:
+    """M_hat and Q_hat with nothing locked, and v = G q_i', v' = G q_i'' + bias with the bounds at rest.
+
+    Of friction by reactions R: Q_hat and holds without R, what they gain with R, and R_k = |F_0 + F_a q_i'' + F_R R|_k.
+    """
     system, own = locked.system, locked.elements
     outputs = {
         "M_hat": system.M_hat(),
@@ -65,53 +70,63 @@ def _elements(locked: Locks, a: Arguments) -> Kernel:
     if stops := [stop for one in own for stop in one.stops]:
         outputs["gap"] = ca.densify(ca.vertcat(*(one.gap for one in stops)))
         outputs["restitution"] = ca.densify(ca.vertcat(*(one.restitution for one in stops)))
+    if grips.own:
+        for name in ("Q_hat", "holds"):
+            outputs[name], outputs[f"{name}_R"] = grips.split(outputs[name])
+        outputs |= dict(zip(("F_0", "F_a", "F_R"), map(ca.densify, grips.F), strict=True))
+        outputs["margin"] = ca.densify(grips.margins)
     return Kernel(a.select(*STATE), outputs)
 
 
-def _forces(locked: Locks, a: Arguments) -> Kernel:
+def _forces(locked: Locks, a: Arguments, grips: Grips) -> Kernel:
     """The force on each element, its rate, and what is left of each mode.
 
-    Of friction holds - |f| stuck, s v sliding; of a stop the gap while it is open, and what presses while it is closed.
+    Of friction holds - |f| stuck, s v sliding, either way up to the bound of its contraction where it has one; of a
+    stop the gap while it is open, and what presses while it is closed.
     """
     system, own = locked.system, locked.elements
     residual = system.generalised_force({c: a.q_i_ddot[k] for k, c in enumerate(system.choice.independent)})
     holding = locked.forces(residual)
     forces = [add(holding[k], one.law) for k, one in enumerate(own)]
-    left = [value for k, one in enumerate(own) for value in _left(one, holding[k])]
+    margins = dict(zip((one.joint for one in grips.own), ca.vertsplit(grips.margins) if grips.own else (), strict=True))
+    left = [value for k, one in enumerate(own) for value in _left(one, holding[k], margins.get(one.joint))]
     inputs = a.select(*STATE, q_i_ddot=a.q_i_ddot)
     columns = {"f_rel": forces, "v_rel": [one.rate for one in own], "mode_left": left}
     return Kernel(inputs, {name: ca.densify(ca.vertcat(*values)) for name, values in columns.items()})
 
 
-def _left(one: Element, force: ca.SX) -> list[ca.SX]:
+def _left(one: Element, force: ca.SX, margin: ca.SX | None) -> list[ca.SX]:
     """By mode. Friction lets nothing go that rests on a stop: the stop does, where that and friction hold no longer."""
     found = []
     if one.friction is not None:
         s, stuck = one.friction.mode, sub(ONE, mul(one.friction.mode, one.friction.mode))
         slack = add(mul(one.open, one.holds - ca.fabs(force)), sub(ONE, one.open))
-        found.append(stuck * slack + mul(s, one.rate) + LEAST * s * s)
+        left = stuck * slack + mul(s, one.rate) + LEAST * s * s
+        found.append(left if margin is None else ca.fmin(left, margin))
     for stop in one.stops:
         away = mul(stop.mode, stop.mode)
         found.append(away * (stop.gap + TOUCH * (1 - stop.mode) / 2) + (1 - away) * (stop.side * force + one.holds))
     return found
 
 
-def _rates_left(name: str, locked: Locks, a: Arguments) -> Kernel:
+def _rates_left(name: str, locked: Locks, a: Arguments, grips: Grips) -> Kernel:
     """Derivatives of Q_hat - M_hat q_i'' in the directions that do not stick."""
     kernel = jacobian_kernels(locked.system, a)[name]()
-    if locked.right_inverse is not None:
+    if locked.right_inverse is not None and not grips.own:
         return Kernel(kernel.inputs, {key: locked.rates_left(value) for key, value in kernel.outputs.items()})
     a_given = a.q_i_ddot if name == "residual_jacobian" else ca.SX.zeros(a.q_i_ddot.numel())
-    both = _along_motions(locked, a_given)
+    both = _along_motions(locked, a_given, grips)
     return Kernel(
         kernel.inputs, dict(zip(kernel.outputs, both[1:] if name == "dQ_hat_dq_i_dot" else both, strict=False))
     )
 
 
-def _along_motions(locked: Locks, q_i_ddot: ca.SX) -> tuple[ca.SX, ca.SX]:
+def _along_motions(locked: Locks, q_i_ddot: ca.SX, grips: Grips) -> tuple[ca.SX, ca.SX]:
     """Total derivatives of the locked Q_hat - M_hat q_i'' by q_i and by q_i', whose G moves with the mechanism."""
     system, eq = locked.system, locked.system.reduced
     M_hat, Q_hat = locked.locked()
+    if grips.own:
+        (Q_hat,) = grips.known([Q_hat])
     given = dict(zip(system.choice.independent, ca.vertsplit(q_i_ddot), strict=True))
     found = directions(variations(system, system.accelerations(given)), system.choice.independent)
     q, rates = ca.vertcat(*eq.q), ca.vertcat(*eq.q_dot)

@@ -106,6 +106,16 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation("G", "", "", "n_e x n_i", "mixed", "v_rel = G q_i'"),
     Notation("G_bias", "", "", "n_e", "m/s^2, rad/s^2", "what G leaves of v_rel'"),
     Notation("holds", "", "", "n_e", "N, N m", "the largest force that keeps such a direction stuck"),
+    Notation(
+        "Q_hat_R", "", "", "n_i x n_r", "mixed", "what Q_hat gains with each reaction R that friction is a share of"
+    ),
+    Notation("holds_R", "", "", "n_e x n_r", "1, m", "what holds gains with each of them"),
+    Notation("F_0", "", "", "2 or 3 n_r", "N", "force of each such joint, R its size, without accelerations and R"),
+    Notation("F_a", "", "", "2 or 3 n_r x n_i", "mixed", "what it gains with q_i_ddot"),
+    Notation("F_R", "", "", "2 or 3 n_r x n_r", "1", "what it gains with R"),
+    Notation(
+        "margin", "", "", "n_r", "1", "1/2 less what R gains with R: below zero, accelerations may be two or none"
+    ),
     Notation("f_rel", "", "", "n_e", "N, N m", "forces on such directions, by their laws where they slide"),
     Notation(
         "mode_left",

@@ -62,12 +62,14 @@ class Rubbing:
     """What rubs on an element. mode: 0 while it is stuck, else the sign of v, an input that a run sets.
 
     holds: the force on v that keeps it stuck lies between -holds and holds. Where it moves, its law is a force.
+    reaction: the size of the joint's force as a symbol in both, where they are a share of it.
     """
 
     name: str
     mode: ca.SX
     law: ca.SX
     holds: ca.SX
+    reaction: ca.SX | None
 
     def record(self, row: int) -> EventRecord:
         """Of the event that ends a mode; row: of the element."""
@@ -132,6 +134,12 @@ class Element:
     def holds(self) -> ca.SX:
         """Force up to which friction holds."""
         return ZERO if self.friction is None else self.friction.holds
+
+    @property
+    def share(self) -> ca.SX:
+        """The same, for a reaction of one: what it takes of what is held more than once."""
+        one = self.friction
+        return self.holds if one is None or one.reaction is None else ca.substitute(one.holds, one.reaction, 1)
 
 
 def product(factors: Sequence[ca.SX]) -> ca.SX:

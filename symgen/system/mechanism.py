@@ -279,24 +279,31 @@ class Mechanism(Generic[Marker]):
             self.table.require(f"{item}.restitution", "1 - restitution", sub(ONE, e))
 
     def _friction(self, name: str, friction: Friction, own: ConstraintRow, s: ca.SX) -> Rubbing:
-        """-s (coulomb + stribeck exp(-s v / v_s)) - viscous v where v slides to the side s, nothing where it sticks."""
-        item = f"{name}.friction"
+        """-s (coulomb + stribeck exp(-s v / v_s)) - viscous v where v slides to the side s, nothing where it sticks.
+
+        By the joint's force R, which is left open here, mu R and mu R radius are in place of coulomb and of what holds.
+        """
+        item, reaction, by = f"{name}.friction", None, ONE
 
         def of(key: str, otherwise: ca.SX = ZERO) -> ca.SX:
             return otherwise if getattr(friction, key) is None else self._quantity(friction, key, item)
 
-        coulomb, speed, viscous = of("coulomb"), of("stribeck_velocity", ONE), of("viscous")
-        holds = of("breakaway", coulomb)
-        beyond = of("stribeck", sub(holds, coulomb))
-        if friction.breakaway is not None:
-            self.table.require(f"{item}.breakaway", "breakaway - coulomb", sub(holds, coulomb))
-        v, law = self._rate(own), coulomb
+        slides, most = ("coulomb", "breakaway") if friction.mu is None else ("mu", "mu_static")
+        if friction.mu is not None:
+            reaction = ca.SX.sym(f"{item}.reaction")
+            by = mul(of("radius", ONE), reaction)
+        least, speed, viscous = of(slides), of("stribeck_velocity", ONE), of("viscous")
+        holds = of(most, least)
+        beyond = of("stribeck", sub(holds, least))
+        if getattr(friction, most) is not None:
+            self.table.require(f"{item}.{most}", f"{most} - {slides}", sub(holds, least))
+        v, law = self._rate(own), least
         if not beyond.is_zero():  # steps look behind a reversal before they end there: it must not explode
             law = add(law, mul(beyond, ca.exp(ca.fmin(neg(div(mul(s, v), speed)), 1))))
-        force = neg(add(mul(s, law), mul(viscous, v)))
+        force = neg(add(mul(s, mul(by, law)), mul(viscous, v)))
         row = {column: mul(force, value) for column, value in own.C_q.items()}
         self._add_effect(name, LoadEffect(row, dissipated=neg(mul(force, v))))
-        return Rubbing(item, s, force, holds)
+        return Rubbing(item, s, force, mul(by, holds), reaction)
 
     def _add_one_sided(self, name: str, row: Row, sides: Sequence[tuple[int, Push]]) -> None:
         self._add_effect(name, against(row, sides))

@@ -21,8 +21,10 @@ from runtime.schemes.switching.small_systems import times
 from runtime.schemes.switching.stops import AT_REST, Hit, Stops
 
 PIVOT = 1e-9
+MATRICES = {"M_hat", "G", "by", "A", "Q_hat_R", "holds_R", "b_R", "F_a", "F_f", "F_R"}
 # of the largest rate: what stops one that rests is less; an element whose rate is zero since its G is passes on
 PASSES = 1e-6
+MOST_TURNS, FOUND = 100, 1e-14  # of forces that are shares of reactions, which at least halve their error in a turn
 
 
 @dataclass(frozen=True)
@@ -92,18 +94,70 @@ def _once(
         stay = rest & (np.abs(own["v_rel"]) <= most)
         at = _moved(model, at, v + _at_rest(own["G"][stay], own["v_rel"][stay]), c)
     own = weighed(model, at, c)  # with the laws of those that move
-    lower, upper = bounds.of(own["holds"])
-    A, b = own["A"][np.ix_(rest, rest)], own["b"][rest]
-    sides = complementary(A, b, lower[rest], upper[rest], bounds.by_row(let_go)[rest])
-    if sides is None:
+    balance = _balance(own, bounds, rest, bounds.by_row(let_go))
+    if balance is None:
         return None
-    force, moving = np.zeros(len(rest)), np.zeros(len(rest))
-    force[rest], moving[rest] = balancing(A, b, lower[rest], upper[rest], sides), -sides
+    moving, accelerations = balance
     held = rest & (moving == 0)
     modes[rubs] = np.where(rest, moving, np.sign(rate))[bounds.row[rubs]]
     modes[bounds.touched] = np.where(held, 0.0, -1.0)[bounds.row[bounds.touched]]
+    if "margin" in own and _beyond(model, at, c, modes).any():
+        return None
     settled_ = Settled(modes, at["q_i_dot"] - start, hits, at["q_d_dot"])
-    return settled_, own["v_rel"], own["b"] + times(own["A"], force)
+    return settled_, own["v_rel"], accelerations
+
+
+def _beyond(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray, modes: np.ndarray) -> np.ndarray:
+    """(n_r,) frictions by reactions whose contraction is above its bound with these modes (n_m,)."""
+    c = c.copy()
+    c[len(c) - model.signals.size + model.element_modes] = modes
+    return np.asarray(elements(model, at, c)["margin"] < 0)
+
+
+def no_mode(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> tuple[str, str]:
+    """(cause, remedy) where `settled` finds nothing."""
+    own = elements(model, at, c)
+    if "margin" in own:
+        sides = np.sign(own["v_rel"])[[event.row for event in model.mode_events]]
+        beyond = _beyond(model, at, c, np.where(sides == 0, 1.0, sides))
+        rows = np.abs(own["holds_R"]).argmax(axis=0)[beyond]
+        names = [event.name for event in model.mode_events if not event.side and event.row in rows]
+        if names:
+            return (
+                f"{', '.join(names)}: the joint's own force rises by more than half of what friction gains with it "
+                "(Painleve): accelerations may be two or none",
+                "Take a smaller mu, or a smaller radius.",
+            )
+    return (
+        "no choice of what is held and what moves is consistent",
+        "Look at the friction and the stops of joints that share a loop, or take a smaller friction.",
+    )
+
+
+def _balance(
+    own: Mapping[str, np.ndarray], bounds: _Bounds, rest: np.ndarray, let_go: np.ndarray
+) -> tuple[np.ndarray, np.ndarray] | None:
+    """(n_e,) where each row at rest goes, zero where it is held, and v' (n_e,); None: nothing is consistent.
+
+    Bounds and laws that are shares of the joints' own forces R follow from them, which follow from what is held.
+    """
+    n = len(own.get("margin", ()))
+    R, moving, force = np.zeros(n), np.zeros(len(rest)), np.zeros(len(rest))
+    for _ in range(MOST_TURNS):
+        b, holds = own["b"], own["holds"]
+        if n:
+            b, holds = b + own["b_R"] @ R, holds + own["holds_R"] @ R
+        A, (lower, upper) = own["A"][np.ix_(rest, rest)], bounds.of(holds)
+        sides = complementary(A, b[rest], lower[rest], upper[rest], let_go[rest])
+        if sides is None:
+            return None
+        force[rest], moving[rest] = balancing(A, b[rest], lower[rest], upper[rest], sides), -sides
+        before = R
+        if n:
+            R = np.linalg.norm((own["F_0"] + own["F_f"] @ force + own["F_R"] @ R).reshape(n, -1), axis=1)
+        if (np.abs(R - before) <= FOUND * np.abs(R).max(initial=0.0)).all():
+            return moving, b + times(own["A"], force)
+    return None
 
 
 class _Bounds:
@@ -162,19 +216,20 @@ def elements(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> dict[
     """The function `elements` at a state with constants c; vectors are flat."""
     found = model.evaluate("elements", **at, c=c)
     shaped = {name: np.asarray(value, dtype=float) for name, value in found.items()}
-    return {name: value if name in ("M_hat", "G") else value.ravel() for name, value in shaped.items()}
+    return {name: value if name in MATRICES else value.ravel() for name, value in shaped.items()}
 
 
 def weighed(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
     """What `weights` gives at a state with constants c; vectors are flat."""
     found = weights(model)(**at, c=c)
     shaped = {name: np.asarray(value, dtype=float) for name, value in found.items()}
-    return {name: value if name in ("G", "by", "A") else value.ravel() for name, value in shaped.items()}
+    return {name: value if name in MATRICES else value.ravel() for name, value in shaped.items()}
 
 
 def weights(model: Model) -> ca.Function:
     """(q_i, q_d, q_i_dot, q_d_dot, t, c) -> what `elements` says of v = G q_i', with v' = b + A f of forces f (n_e,) on
     it: A = G by, b = G M_hat^-1 Q_hat + G_bias, by = M_hat^-1 G^T (n_i, n_e). Exported C has this function, too.
+    Of friction by reactions R: b + b_R R, holds + holds_R R, and R_k = |F_0 + F_f f + F_R R|_k.
     """
 
     def build() -> ca.Function:
@@ -189,6 +244,10 @@ def weights(model: Model) -> ca.Function:
         found: dict[str, ca.SX] = {}
         found |= {name: own[name] for name in ("G", "v_rel", "holds", "gap", "restitution") if name in own}
         found |= {"by": by, "A": ca.triu2symm(ca.triu(G @ by)), "b": G @ free + own["G_bias"]}
+        if "margin" in own:
+            by_R = ca.horzcat(*(solve(factors, Number(one)).re for one in ca.horzsplit(own["Q_hat_R"])))
+            found |= {"b_R": G @ by_R, "F_f": own["F_a"] @ by, "F_R": own["F_R"] + own["F_a"] @ by_R}
+            found |= {"F_0": own["F_0"] + own["F_a"] @ free} | {name: own[name] for name in ("holds_R", "margin")}
         names = list(found)
         return ca.Function("weights", list(at.values()), shared([ca.densify(one) for one in found.values()]),
                            list(at), names)  # fmt: skip
