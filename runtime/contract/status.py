@@ -126,6 +126,7 @@ EventKind = Literal[
 class Event:
     """Something that happened during a run, at a time [s], told in plain words; of events of the scene with their name
     and direction (rising or falling). Kinks of loads, at which steps end without a word, are in no solution.
+    impulse: what a stop gave in an impact, away from it [N s or N m s].
     """
 
     time: float
@@ -133,6 +134,7 @@ class Event:
     text: str
     name: str = ""
     direction: str = ""
+    impulse: float = 0.0
 
     def __str__(self) -> str:
         return f"t = {self.time:.9g} s: {self.text}"

@@ -1,4 +1,4 @@
-"""Friction of a joint over the saved samples of a run: force, mode, velocity, and the heat that it makes."""
+"""Friction and rigid stops of a joint over the saved samples of a run: forces, modes, velocity, heat, impulses."""
 
 from __future__ import annotations
 
@@ -29,10 +29,37 @@ class JointFriction:
     heat: np.ndarray
 
 
+@dataclass(frozen=True)
+class JointStop:
+    """Over N samples: force (N,) on body b along the joint's coordinate [N or N m] while a stop is closed, else zero;
+    where friction holds there too, of both. impulses (k, 2): time of each impact [s], and what it gave to the body
+    along the coordinate [N s or N m s].
+    """
+
+    force: np.ndarray
+    impulses: np.ndarray
+
+
+def joint_stop(solution: Samples, joint: str) -> JointStop:
+    """The rigid stops of a joint. Raises ModelError for a joint that has none."""
+    rows = stopping(solution.model)
+    solution.column_of(joint, list(rows), "joint with rigid stops")
+    ends = [one for one in solution.model.mode_events if one.side and one.row == rows[joint]]
+    modes = [solution.measures[:, solution.model.measures.index(one.mode)] for one in ends]
+    closed, sides = (np.array(modes) == 0).any(axis=0), {one.name: one.side for one in ends}
+    hits = [
+        (one.time, sides[one.name] * one.impulse)
+        for one in solution.events
+        if one.kind == "impact" and one.name in sides
+    ]
+    return JointStop(np.where(closed, solution.frictions[:, rows[joint], 0], 0.0), np.array(hits).reshape(-1, 2))
+
+
 def joint_friction(solution: Samples, joint: str) -> JointFriction:
     """Friction of a joint. Raises ModelError for a joint that has none."""
-    names = rubbing(solution.model)
-    force, velocity = solution.frictions[:, solution.column_of(joint, names, "joint with friction")].T
+    rows = rubbing(solution.model)
+    solution.column_of(joint, list(rows), "joint with friction")
+    force, velocity = solution.frictions[:, rows[joint]].T
     power = -force * velocity
     mode = solution.measures[:, solution.model.measures.index(f"{joint}.friction_mode")]
     t, stops = solution.t, np.sort(solution.stops[:, 0])
@@ -41,38 +68,49 @@ def joint_friction(solution: Samples, joint: str) -> JointFriction:
 
 
 def friction_columns(solution: Samples) -> dict[str, np.ndarray]:
-    """(N,) `joint.friction_force`, `_velocity`, `_power` and `_heat` of each joint that has friction, by name."""
+    """(N,) `joint.friction_force`, `_velocity`, `_power` and `_heat` of each joint that has friction, by name, and
+    `joint.stop_force` of each that has rigid stops.
+    """
     found = {joint: joint_friction(solution, joint) for joint in rubbing(solution.model)}
-    return {f"{joint}.friction_{part}": getattr(one, part) for joint, one in found.items() for part in PARTS}
+    columns = {f"{joint}.friction_{part}": getattr(one, part) for joint, one in found.items() for part in PARTS}
+    return columns | {f"{joint}.stop_force": joint_stop(solution, joint).force for joint in stopping(solution.model)}
 
 
 def friction_units(model: Model) -> dict[str, str]:
     """SI units of the columns."""
     slides = {joint.name for joint in model.description.joints if joint.drawing == "slide"}
     units = {True: ("N", "m/s", "W", "J"), False: ("N m", "rad/s", "W", "J")}
-    return {
+    found = {
         f"{joint}.friction_{part}": unit
         for joint in rubbing(model)
         for part, unit in zip(PARTS, units[joint in slides], strict=True)
     }
+    return found | {f"{joint}.stop_force": units[joint in slides][0] for joint in stopping(model)}
 
 
-def rubbing(model: Model) -> list[str]:
-    """Names of the joints with friction that sticks."""
-    joints = {f"{joint.name}.friction": joint.name for joint in model.description.joints}
-    return [joints[event.name] for event in model.mode_events if not event.side]
+def rubbing(model: Model) -> dict[str, int]:
+    """Joints with friction that sticks, by name, and the row of each among what may be held."""
+    return _rows(model, ("friction",))
+
+
+def stopping(model: Model) -> dict[str, int]:
+    """The same of joints with rigid stops."""
+    return _rows(model, ("limits.lower", "limits.upper"))
+
+
+def _rows(model: Model, ends: tuple[str, ...]) -> dict[str, int]:
+    joints = {f"{joint.name}.{end}": joint.name for joint in model.description.joints for end in ends}
+    return {joints[event.name]: event.row for event in model.mode_events if event.name in joints}
 
 
 def frictions(model: Model, values: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:
-    """(N, n_e, 2) forces and velocities at N states; values: q, q_dot, q_ddot and t, samples by rows."""
-    n, names = len(values["t"]), rubbing(model)
-    if not names or not model.has("element_forces"):
-        return np.zeros((n, len(names), 2))
+    """(N, n_e, 2) forces and velocities of what may be held at N states; values: q, q_dot, q_ddot and t, by rows."""
+    if not model.mode_events or not model.has("element_forces"):
+        return np.zeros((len(values["t"]), max((1 + event.row for event in model.mode_events), default=0), 2))
     at = dict(zip(("q_i", "q_d"), parts(model, values["q"]), strict=True))
     at |= dict(zip(("q_i_dot", "q_d_dot"), rate_parts(model, values["q"], values["q_dot"]), strict=True))
     at |= {"q_i_ddot": rate_parts(model, values["q"], values["q_ddot"])[0], "t": values["t"]}
     at["q_i"][..., [k for k in model.places.turns.ravel() if k < model.places.n_i]] = 0.0
     own, at["q_d"] = at_home(model, c, at["q_d"])
     found = evaluate(model.kernel("element_forces"), at, own)
-    rows = [event.row for event in model.mode_events if not event.side]
-    return np.stack([found["f_rel"][:, rows], found["v_rel"][:, rows]], axis=-1)
+    return np.stack([found["f_rel"], found["v_rel"]], axis=-1)

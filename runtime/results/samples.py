@@ -219,9 +219,9 @@ class Samples(WithLater):
     that the impulse of a prescribed motion put in there [J];
     measures (N, len(model.measures)); joint_forces (N, joints, 3), in space (N, joints, 6): world force [N] and moment
     [N m] of each joint on its body b, at marker b; load_forces (N, loads, 3 or 6): those of each load on its marker or
-    its marker b; frictions (N, joints with friction, 2): force along the joint's coordinate on body b [N or N m], and
-    velocity; parameters: the vector p that was used; m: ratio of each next
-    group's step; events: what happened on the way; outputs: the columns that a run with `outputs` kept at every saved
+    its marker b; frictions (N, joints with friction or rigid stops, 2): force along the joint's coordinate on body b
+    [N or N m], and velocity; parameters: the vector p that was used; m: ratio of each next group's step; events: what
+    happened on the way; outputs: the columns that a run with `outputs` kept at every saved
     sample, "t" first (all other arrays then hold the first and the last sample only); error: see MotionError.
     """
 
@@ -276,7 +276,7 @@ class Samples(WithLater):
         """(N,) a column of the CSV that is neither a coordinate nor a measure by its own name."""
         if name in ("t", "constraint_error", "constraint_rate_error"):
             return np.asarray(getattr(self, name))
-        if ".friction_" in name:
+        if ".friction_" in name or name.endswith(".stop_force"):
             found: dict[str, np.ndarray] = opened("runtime.results.friction:friction_columns")(self)
             return found.get(name)
         first, _, last = name.partition(".")

@@ -63,6 +63,7 @@ class Solution(Samples):
     deflections = Door("runtime.results.deflections:deflections")
     stresses = Door("runtime.results.stresses:stresses")
     friction = Door("runtime.results.friction:joint_friction")
+    stop = Door("runtime.results.friction:joint_stop")
     body_motion = Door("runtime.results.body_motion:body_motion")
     save = Door("runtime.results.export:write_npz")
     export = Door("runtime.results.export:export")

@@ -250,7 +250,7 @@ class EventActions:
         for hit in found.hits:
             name = model.mode_events[hit.k].name
             text = f"{name} is hit at {-hit.before:.6g} and left at {hit.after:.6g}{lost}"
-            self.told.append(Event(t, "impact", text, name))
+            self.told.append(Event(t, "impact", text, name, impulse=hit.impulse))
             if hit.rests is not None:
                 text = f"{name}: its bounces are over, summed from t = {t:.9g} s on"
                 self.told.append(Event(t + hit.rests, "rest", text, name))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from runtime.contract.records import Coordinate
-from runtime.results.friction import friction_columns, friction_units, rubbing
+from runtime.results.friction import friction_columns, friction_units, rubbing, stopping
 from runtime.views.mechanism import scenery
 
 if TYPE_CHECKING:
@@ -135,13 +135,15 @@ def forces(solution: Solution) -> list[Curves]:
 
 
 def _frictions(solution: Solution) -> list[Curves]:
-    """Along the coordinates of joints with friction, and the heat that it makes."""
-    units, columns, found = friction_units(solution.model), friction_columns(solution), list[Curves]()
-    for part in ("force", "heat"):
-        names = {joint: f"{joint}.friction_{part}" for joint in rubbing(solution.model)}
+    """Along the coordinates of joints with friction, the heat that it makes, and forces of stops."""
+    model, columns, found = solution.model, friction_columns(solution), list[Curves]()
+    kinds = [(f"{part} of friction", rubbing(model), f"friction_{part}") for part in ("force", "heat")]
+    units = friction_units(model)
+    for title, joints, part in [*kinds, ("force of stops", stopping(model), "stop_force")]:
+        names = {joint: f"{joint}.{part}" for joint in joints}
         for unit in dict.fromkeys(units[name] for name in names.values()):
             own = {joint: columns[name] for joint, name in names.items() if units[name] == unit}
-            found.append(Curves(f"{part} of friction", unit, list(own), np.array(list(own.values()))))
+            found.append(Curves(title, unit, list(own), np.array(list(own.values()))))
     return found
 
 

@@ -278,7 +278,7 @@ def test_modes_are_not_inputs_of_the_user(model_of: Build) -> None:
         ({"coulomb": -1.0}, "-1.0 must be not negative"),
         ({"coulomb": 0.0}, "holds nothing"),
         ({"breakaway": 1.0}, "coulomb"),
-        ({"mu": 0.3}, "unknown key 'mu'"),
+        ({"mue": 0.3}, "unknown key 'mue'"),
     ],
 )
 def test_friction_that_cannot_be_is_refused(friction: dict[str, Any], message: str) -> None:

@@ -13,6 +13,7 @@ from scipy.optimize import brentq
 
 from runtime import Model, ModelError, simulate
 from runtime.export.c_bundle import exported
+from runtime.gradients.objectives import End
 from runtime.schemes.catalogue import SCHEMES
 from symgen.scene import Scene, SceneError, SceneRecord
 
@@ -30,14 +31,14 @@ def incline(mu: float, push: str = "0", slope: float = -TILT, **more: Any) -> Sc
     return scene.simulation(t_end=1.0, dt=0.01, scheme="rk4").build()
 
 
-def pendulum(space: str, mu: float, radius: float = 0.05, **more: Any) -> SceneRecord:
+def pendulum(space: str, mu: float | str, radius: float = 0.05, **more: Any) -> Scene:
     """A rod of 1 kg and 1 m that falls from level; its angle is rod.theta, or pin.angle in space."""
     spatial = space == "spatial"
     scene = Scene("pendulum", space=space).gravity(*((0.0, -GRAVITY, 0.0)[: 3 if spatial else 2]))
     about: Any = (0.1, 0.1, 0.1) if spatial else 0.1
     scene.rigid("rod", mass=1.0, inertia=about, center_of_mass=(0.5, 0.0, 0.0) if spatial else (0.5, 0.0))
     scene.revolute("pin", "ground.origin", "rod.origin", friction={"mu": mu, "radius": radius, **more})
-    return scene.simulation(t_end=1.5, dt=0.01, scheme="rk4").build()
+    return scene.simulation(t_end=1.5, dt=0.01, scheme="rk4")
 
 
 def test_a_block_slides_down_a_slope_or_stays(model_of: Build) -> None:
@@ -89,7 +90,7 @@ def angular(mu_r: float, angle: float, rate: float) -> float:
 @pytest.mark.parametrize("mu", [0.3, 3.0])
 def test_a_rod_on_its_bearing(model_of: Build, space: str, mu: float) -> None:
     """Up to its first reversal, in the order of rk4."""
-    model, name = model_of(pendulum(space, mu)), "rod.theta" if space == "planar" else "pin.angle"
+    model, name = model_of(pendulum(space, mu).build()), "rod.theta" if space == "planar" else "pin.angle"
     start, t = [0.0, -1e-9], np.arange(0, 0.81, 0.1)
     twin = solve_ivp(lambda t, y: [y[1], angular(mu * 0.05, *y)], (0, 0.8), start, "DOP853", t, rtol=1e-11, atol=1e-12)
     errors = []
@@ -103,7 +104,7 @@ def test_a_rod_on_its_bearing(model_of: Build, space: str, mu: float) -> None:
 @pytest.mark.parametrize("scheme", sorted({"rk4", "exponential", "dopri5", "radau", "single_rate"} & set(SCHEMES)))
 def test_every_scheme_brings_the_rod_to_the_same_rest(model_of: Build, scheme: str) -> None:
     """It swings to and fro and sticks where its weight is within mu r R, without creep; order of each scheme."""
-    model = model_of(pendulum("planar", 3.0))
+    model = model_of(pendulum("planar", 3.0).build())
     runs = [simulate(model, scheme=scheme, t_end=6.0, dt=dt, seen_every=0.1) for dt in (0.01, 0.005)]
     fine = simulate(model, scheme="rk4", t_end=6.0, dt=0.0025, seen_every=0.1)
     assert [event.text for event in runs[1].events] == [event.text for event in fine.events]
@@ -151,7 +152,7 @@ def test_a_coefficient_beyond_its_bound_is_refused_by_name(model_of: Build) -> N
 
 
 def test_what_knows_no_reactions_says_so(model_of: Build) -> None:
-    model = model_of(pendulum("planar", 0.3))
+    model = model_of(pendulum("planar", 0.3).build())
     for ask in (model.equilibrium, lambda: model.mass_matrix([0.5]), lambda: exported(model)):
         with pytest.raises(ModelError, match=r"pin\.friction of model pendulum: follows from reactions by mu, which"):
             ask()
@@ -195,3 +196,12 @@ def test_slow_sliding_rubs_more(model_of: Build) -> None:
     (off,) = (event.time for event in run.events)
     assert off == pytest.approx(0.2 * 2 * GRAVITY / 4, abs=1e-9)
     assert run["rail.friction_force"][-1] == pytest.approx(-0.1 * 2 * GRAVITY, rel=1e-9)
+
+
+def test_a_run_is_differentiated_by_mu(model_of: Build) -> None:
+    """Across two reversals of the rod, against differences of runs."""
+    model = model_of(pendulum("planar", "mu").parameter("mu", 1.0, "1").build())
+    steps: Any = {"t_end": 2.5, "dt": 0.005, "scheme": "rk4"}
+    found = model.gradient(End("rod.theta"), ["mu"], **steps)
+    ends = [simulate(model, parameters={"mu": mu}, error="off", **steps)["rod.theta"][-1] for mu in (1.0001, 0.9999)]
+    assert found.derivatives[0] == pytest.approx((ends[0] - ends[1]) / 2e-4, rel=1e-6)

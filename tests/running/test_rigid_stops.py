@@ -79,12 +79,40 @@ def test_plastic_loses_all_and_elastic_keeps_all(model_of: Build) -> None:
     """At an impact by 4.4 m/s, and over five of them: to 1e-13 of the energy."""
     run = simulate(model_of(ball(0.0).build()))
     assert run["ball.y_dot"][-1] == 0 and [one.kind for one in run.events] == ["impact", "mode"]
-    assert run.energy["kinetic"][-1] + run.energy["potential"][-1] == pytest.approx(0.0, abs=1e-10)
+    assert run.energy["kinetic"][-1] + run.energy["potential"][-1] == pytest.approx(0.0, abs=1e-10)  # 2e-12 m deep
+    assert run.balance.largest < 1e-13
     run = simulate(model_of(ball(1.0).build()))
     energy = run.energy["kinetic"] + run.energy["potential"]
     assert np.ptp(energy) < 1e-13 * energy[0] and len(run.events) == 6
     s = run.t[-1] - (2 * 5 + 1) * sqrt(2 / 9.81)  # since the sixth
     assert run["ball.y"][-1] == pytest.approx(sqrt(2 * 9.81) * s - 9.81 * s**2 / 2, abs=1e-9)
+
+
+def test_forces_and_impulses_of_a_stop_are_outputs(model_of: Build, tmp_path: Any) -> None:
+    """Impulses m v (1 + e) of each bounce, and the weight once it rests, as a column of files, too."""
+    run = simulate(model_of(ball(0.8).build()))
+    stop, first = run.stop("rail"), sqrt(2 * 9.81)
+    assert stop.impulses[:5, 1] == pytest.approx([1.8 * first * 0.8**k for k in range(5)], rel=1e-9)
+    assert stop.impulses[0, 0] == pytest.approx(first / 9.81, abs=1e-11)
+    at_rest = run.t > REST
+    assert stop.force[at_rest] == pytest.approx(9.81, rel=1e-13) and not stop.force[~at_rest].any()
+    assert (run["rail.stop_force"] == stop.force).all()
+    run.export(tmp_path / "run.csv")
+    assert "rail.stop_force [N]" in (tmp_path / "run.csv").read_text().splitlines()[0]
+    run.save(tmp_path / "run.npz")
+    kept = type(run).load(tmp_path / "run.npz", run.model).stop("rail")
+    assert (kept.force == stop.force).all() and (kept.impulses == stop.impulses).all()
+    with pytest.raises(ModelError, match="no joint with friction 'rail'"):
+        run.friction("rail")
+
+
+def test_an_upper_stop_pushes_back(model_of: Build) -> None:
+    """Its force and impulse are negative along the coordinate: a block that is pressed on by 10 N."""
+    scene = Scene("press").rigid("m", mass=2.0, inertia=0.1).rates({"m.x": 1.0}).force("press", "m.origin", 10.0, 0.0)
+    scene.prismatic("rail", "ground.origin", "m.origin", limits={"upper": 0.1, "restitution": 0.0})
+    stop = simulate(model_of(scene.simulation(t_end=0.5, dt=0.01, scheme="rk4").build())).stop("rail")
+    assert stop.force[-1] == pytest.approx(-10.0, rel=1e-13)
+    assert stop.impulses[:, 1] == pytest.approx([-2 * sqrt(1 + 2 * 5 * 0.1)], rel=1e-10)
 
 
 @pytest.mark.parametrize("space", ["planar", "spatial"])

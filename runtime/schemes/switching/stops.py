@@ -13,7 +13,7 @@ impact it rests. Where that is less than TOO_CLOSE, it rests at once.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -29,12 +29,15 @@ MOST_HITS = 50  # at one time, one after another: as in a row of balls; then wit
 
 @dataclass(frozen=True)
 class Hit:
-    """A stop k (among the modes): v_s before and after it; rests: how much later [s] its bounces are over, or None."""
+    """A stop k (among the modes): v_s before and after it; impulse: what it gave away from it [N s or N m s]; rests:
+    how much later [s] its bounces are over, or None.
+    """
 
     k: int
     before: float
     after: float
     e: float
+    impulse: float
     rests: float | None
 
 
@@ -86,6 +89,7 @@ class Stops:
         e[list(soon)] = 0.0
         A = self.side[:, None] * own["A"][np.ix_(self.row, self.row)] * self.side
         by, speed = own["by"][:, self.row] * self.side, self.side * own["v_rel"][self.row]
+        given = np.zeros(len(e))
         for count in range(MOST_HITS + 1):
             comes = on & (speed < -slow)
             if not comes.any():
@@ -97,11 +101,11 @@ class Stops:
             if p is None:
                 return None
             before, speed = speed, speed + times(A[:, some], p)
-            push = push + times(by[:, some], p)
+            push, given[some] = push + times(by[:, some], p), given[some] + p
             for k in map(int, np.flatnonzero(comes)):
                 first = hits[k].before if k in hits else float(before[k])
-                hits[k] = Hit(k, first, float(speed[k]), float(e[k]), soon.get(k))
-        return push, list(hits.values())
+                hits[k] = Hit(k, first, float(speed[k]), float(e[k]), 0.0, soon.get(k))
+        return push, [replace(hit, impulse=float(given[hit.k])) for hit in hits.values()]
 
     def touched(self, own: Mapping[str, np.ndarray], rate: np.ndarray, slow: float) -> np.ndarray:
         """(n_m,) stops on which their rows, with rates (n_e,), lie."""

@@ -15,6 +15,7 @@ from runtime.views import curves
 from runtime.views.curves import COLOURS, Curves, force_vectors, moment_vectors
 from runtime.views.film import is_spatial, shortest_tree, up_axis
 from runtime.views.mechanism import GROUND, Body, Points, Scenery, Solid, scenery
+from runtime.views.viewer.marks import ends_of, held, wheels, with_wheels
 
 if TYPE_CHECKING:
     from runtime.results.solution import Solution
@@ -242,6 +243,7 @@ def parts(solution: Solution, shown: Scenery) -> dict[str, Any]:
         if forces is not None and joint["name"] in solution.model.joints and largest > 0.0:
             column = forces[:, solution.model.joints.index(joint["name"])]
             force = packed(np.stack([np.interp(shown.t, solution.t, part) for part in column.T], axis=1))
+        ends, discs = ends_of(solution, shown, joint), wheels(solution, shown, joint)
         joints.append(
             {
                 "name": joint["name"],
@@ -249,9 +251,13 @@ def parts(solution: Solution, shown: Scenery) -> dict[str, Any]:
                 "a": at(joint["marker_a"]),
                 "b": at(joint["marker_b"]),
                 "axes": axes(joint["marker_a"]),
-                "rail": _rail(shown, joint) if joint["drawing"] == "slide" else None,
+                "rail": _rail(shown, joint, ends) if joint["drawing"] == "slide" else None,
+                "ends": ends,
+                "held": held(solution, joint["name"], shown.t),
+                "wheels": discs,
+                "axes_b": axes(joint["marker_b"]),
                 "force": force,
-                "line": joint["drawing"] in ("rod", "coupling"),
+                "line": joint["drawing"] == "rod" or (joint["drawing"] == "coupling" and not discs),
                 "shown": joint["drawing"] != "drive",
             }
         )
@@ -284,11 +290,11 @@ def parts(solution: Solution, shown: Scenery) -> dict[str, Any]:
     }
 
 
-def _rail(shown: Scenery, joint: Mapping[str, Any]) -> list[float]:
-    """Where the rail of a slide begins and ends along marker a's axis [m]: the travel, and a little more."""
+def _rail(shown: Scenery, joint: Mapping[str, Any], ends: list[float | None]) -> list[float]:
+    """Where the rail of a slide begins and ends along marker a's axis [m]: the travel, its stops, a little more."""
     axis = shown.axes(joint["marker_a"])[:, :, 2 if is_spatial(shown.model) else 0]
     way = shown.place(joint["marker_b"], 1.0) - shown.place(joint["marker_a"], 1.0)
-    travel = np.einsum("fi,fi->f", way, axis)
+    travel = np.append(np.einsum("fi,fi->f", way, axis), [end for end in ends if end is not None])
     more = 0.08 * shown.size()
     return [float(travel.min()) - more, float(travel.max()) + more]
 
@@ -311,7 +317,8 @@ def view_record(
     meshes = {body.name: _mesh(body, surfaces) for body in shown.bodies}
     second = _second(beside, shown, surfaces) if beside is not None else None
     points = np.concatenate([_everything(*scene) for scene in ((shown, meshes), second) if scene is not None], axis=1)
-    low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
+    drawn = parts(solution, shown)
+    low, high = with_wheels(shown, drawn["joints"], points.min(axis=(0, 1)), points.max(axis=(0, 1)))
     size = max(float((high - low).max()), 1e-9)
     deformation = _deformation(shown, meshes)
     stresses, stress = stress_records(solution, shown, meshes)
@@ -343,7 +350,7 @@ def view_record(
                 if not body["ground"]
             ),
         ],
-        **parts(solution, shown),
+        **drawn,
         "curve_t": packed(np.round(solution.t[kept], 15), "<f8"),
         "curves": [_group(group, solution.t[kept], solution, beside) for group in _curves(solution)],
     }

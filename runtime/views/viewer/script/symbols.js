@@ -39,7 +39,43 @@ for (const part of [...run.joints, ...run.loads]) {
   }
 }
 
+// Ends of a way: bars across a rail, marks about a hinge. Wheels in their ratio, with a spoke that turns.
+const held = "#d98e04";
+
+function bars(joint) {
+  return (joint.ends || []).map((end, k) => {
+    if (end === null) return null;
+    const bar = new THREE.Mesh(joint.rail ? new THREE.BoxGeometry(0.6 * s, 4.4 * s, 4.4 * s) : unitRod, matter(dark));
+    layers.joints.add(bar);
+    return { bar, at: end, out: joint.rail ? (k ? 1.5 : -1.5) * s : 0 };
+  }).filter(Boolean);
+}
+
+function wheel(radius) {
+  const group = new THREE.Group(), spoke = new THREE.Mesh(unitRod, matter(steel));
+  group.add(new THREE.Mesh(new THREE.TorusGeometry(radius, 0.3 * s, 10, 64), spoke.material), spoke);
+  span(spoke, new THREE.Vector3(), new THREE.Vector3(radius, 0, 0), 0.25 * s);
+  layers.joints.add(group);
+  return group;
+}
+
+function moveBars(joint) {
+  const frame = turned(joint), a = place(joint.a), x = new THREE.Vector3(1, 0, 0), along = (run.planar ? x : zAxis).clone().applyMatrix4(frame);
+  for (const { bar, at, out } of joint.bars) {
+    if (joint.rail) {
+      bar.position.copy(a).addScaledVector(along, at + out);
+      bar.quaternion.setFromUnitVectors(x, along);
+    } else {
+      const way = new THREE.Vector3(Math.cos(at), Math.sin(at), 0).applyMatrix4(frame);
+      span(bar, a.clone().addScaledVector(way, 1.6 * s), a.clone().addScaledVector(way, 5 * s), 0.35 * s);
+    }
+  }
+}
+
 for (const joint of run.joints) {
+  joint.bars = bars(joint);
+  joint.held = joint.held && decoded(joint.held, Float32Array);
+  joint.discs = (joint.wheels || []).map(wheel);
   joint.object = joint.line ? new THREE.Mesh(unitRod, matter(steel)) : symbol(joint);
   layers.joints.add(joint.object);
   if (joint.rail) {
@@ -117,6 +153,15 @@ function moveSymbols(frame) {
     } else {
       joint.object.position.copy(b);
       joint.object.quaternion.setFromRotationMatrix(turned(joint));
+    }
+    if (joint.bars.length) moveBars(joint);
+    joint.discs.forEach((disc, k) => {
+      disc.position.copy(k ? b : a);
+      disc.quaternion.setFromRotationMatrix(turned(k ? { a: joint.b, axes: joint.axes_b } : joint));
+    });
+    if (joint.held) for (const part of joint.object.children) {
+      part.userData.own = part.userData.own || part.material.color.clone();
+      part.material.color.set(joint.held[frame.low] ? held : part.userData.own);
     }
     if (joint.track) {
       const along = new THREE.Vector3(...(run.planar ? [1, 0, 0] : [0, 0, 1])).applyMatrix4(turned(joint));
