@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
 from threading import Lock
-from typing import Any, TypeVar, cast
+from typing import Any, TypeVar
 
 import casadi as ca
 import numpy as np
@@ -425,7 +425,8 @@ class Model:
         """Make something of the emitted functions by `build`, once for a model."""
         if name not in self._derived:
             self._derived[name] = build()
-        return cast(T, self._derived[name])
+        found: T = self._derived[name]
+        return found
 
     def of_numbers(self, name: str, numbers: tuple[Any, ...], build: Callable[[], T]) -> T:
         """Make something of numbers (parameters, a state) by `build`; kept, and not to be changed, for the latest."""

@@ -9,6 +9,8 @@ from __future__ import annotations
 import hashlib
 import json
 import zlib
+from collections.abc import Callable
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -21,7 +23,7 @@ from runtime.engine.prepare import Prepared
 from runtime.engine.program import Call, Program, Repeat, Sequence, Until
 
 LONGEST = 20_000  # operations of the stages: reading what is longer saves less, and takes room
-ROOMS = ("contract", "engine", "schemes")  # whose code a program follows from
+ROOMS = ("contract", "engine", "schemes", "running")  # whose code programs and looks follow from
 
 
 @cache
@@ -36,12 +38,23 @@ def key_of(*facts: str) -> str:
     return hashlib.sha256(repr((_code(), facts)).encode()).hexdigest()
 
 
-def is_short(prepared: Prepared) -> bool:
-    """Is it worth keeping? Tables are not: their numbers would be read with each of their calls."""
-    stages = [*prepared.program.stages(), prepared.constants]
-    return sum(stage.n_instructions() for stage in stages) <= LONGEST and not any(
-        stage.find_functions() for stage in stages
+def are_short(functions: list[ca.Function]) -> bool:
+    """Are they worth keeping? Tables are not: their numbers would be read with each of their calls."""
+    return sum(one.n_instructions() for one in functions) <= LONGEST and not any(
+        one.find_functions() for one in functions
     )
+
+
+def kept_function(key: str, build: Callable[[], ca.Function]) -> ca.Function:
+    """The Function of a key, built where none can be read; one of no key is not kept."""
+    found = ObjectCache().read(key) if key else None
+    if found is not None:
+        with suppress(zlib.error, ValueError, RuntimeError):
+            return ca.Function.deserialize(zlib.decompress(found[0]).decode())
+    made = build()
+    if key and made.is_a("SXFunction") and are_short([made]):
+        ObjectCache().write(key, zlib.compress(made.serialize().encode(), 1), 0)
+    return made
 
 
 def write_prepared(key: str, prepared: Prepared) -> None:

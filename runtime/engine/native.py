@@ -57,9 +57,15 @@ class NativeProgram:
         def call(code: Code) -> None:
             address = ctypes.cast(code.run, ctypes.c_void_p).value  # type: ignore[arg-type]
             assert address is not None
-            drive(address, z.ctypes.data, c.ctypes.data, self._work_array(code.work), counts, rows)
+            own = z.ctypes.data, c.ctypes.data, self._work_array(code.work), counts.ctypes.data
+            _drive()[0](address, *own, len(counts), rows.ctypes.data, rows.strides[0] if len(rows) else 0)
 
         self.tiers.use(call)
+
+    def each(self, rows: np.ndarray) -> None:
+        """Apply the program once to each of rows (N, z_size), in place; it reads no constants."""
+        start, (n, _), apart = rows.ctypes.data, rows.shape, rows.strides[0]
+        self.tiers.use(lambda code: code.run_blocks(start, start, self._work_array(code.work), 1, n, apart))
 
     def bound(self, z: np.ndarray, c: np.ndarray) -> Callable[[int], None]:
         """`run` with z (z_size,) and c fixed, which must stay where they are: the number of steps is left to give.
@@ -119,13 +125,3 @@ def _drive() -> tuple[Drive, object]:
     pointers, numbers = ctypes.c_void_p, ctypes.c_int64
     kind = ctypes.CFUNCTYPE(None, *[pointers] * 5, numbers, pointers, numbers)
     return kind(engine.get_function_address("drive")), engine
-
-
-def drive(step: int, z: int, c: int, work: int, counts: np.ndarray, rows: np.ndarray) -> None:
-    """Call step(z, c, work, n) for each n of counts (N,) int64, and copy z to the next of rows (N, size) after each.
-
-    step, z, c, work: addresses.
-    """
-    _drive()[0](
-        step, z, c, work, counts.ctypes.data, len(counts), rows.ctypes.data, rows.strides[0] if len(rows) else 0
-    )

@@ -10,6 +10,7 @@ import contextlib
 import hashlib
 import os
 import tempfile
+from math import inf
 from pathlib import Path
 
 from runtime.contract.files import cache_folder, refused_folder
@@ -19,7 +20,12 @@ _HEAD = 32 + 8
 
 
 class ObjectCache:
-    """Objects in a folder, `objects` of the cache folder by default."""
+    """Objects in a folder, `objects` of the cache folder by default.
+
+    written: bytes by this process since it last saw how many there are; a sixteenth of MOST_BYTES may be too many.
+    """
+
+    written = inf
 
     def __init__(self, folder: Path | None = None) -> None:
         self.folder = folder or cache_folder() / "objects"
@@ -58,11 +64,13 @@ class ObjectCache:
             os.replace(file.name, self.folder / f"{key}.o")
         except OSError:
             return
-        self._bound()
+        ObjectCache.written += len(payload)
+        if ObjectCache.written > MOST_BYTES / 16:
+            self._bound()
 
     def _bound(self) -> None:
         """Remove the least recently used until MOST_BYTES are left."""
-        total = 0
+        total, ObjectCache.written = 0, 0
         for path, size, _ in sorted(self.entries(), key=lambda entry: -entry[2]):
             total += size
             if total > MOST_BYTES:

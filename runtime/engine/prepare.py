@@ -127,12 +127,9 @@ class Prepared:
         """A scheme's z with room for what the program keeps besides."""
         return np.concatenate([z, np.zeros(self.z_size - len(z))])
 
-    def ready(self, c: np.ndarray) -> np.ndarray:
-        """The constants as an array for an engine."""
-        return self._constants(c)
-
     @cached_property
-    def _constants(self) -> Direct:
+    def ready(self) -> Direct:
+        """c -> the constants as an array for an engine."""
         return Direct(self.constants)
 
 

@@ -66,7 +66,7 @@ class Direct:
         return found
 
 
-FEW = 2_000_000  # operations of all points: below, making native code takes longer than the virtual machine
+FEW = 4000  # points: until then making native code takes longer than the virtual machine, whatever the length
 CONSTANTS = "c"
 
 
@@ -81,7 +81,7 @@ class RowFunction:
         self._names = function.name_in()
         self._sizes = [int(function.numel_in(k)) for k in range(function.n_in())]
         self._outputs = {name: int(function.numel_out(name)) for name in function.name_out()}
-        self._operations = int(function.n_instructions()) if function.is_a("SXFunction") else 0
+        self._left = FEW if function.is_a("SXFunction") else np.inf
         self._native: NativeProgram | None = None
         self._lock = Lock()
 
@@ -91,22 +91,21 @@ class RowFunction:
             (c if c.ndim == 1 else c[:n]) if name == CONSTANTS else np.reshape(values[name], (n, size))
             for name, size in zip(self._names, self._sizes, strict=True)
         ]
-        if n * self._operations > FEW and not find_llvm():
-            found = self._by_native(np.hstack([np.broadcast_to(one, (n, one.shape[-1])) for one in arguments]))
-        else:
-            found = self._direct.many(arguments, (n, whole))
+        self._left -= n
+        by_calls = self._left > 0 or find_llvm()
+        found = self._direct.many(arguments, (n, whole)) if by_calls else self._by_native(arguments, n)
         ends = np.cumsum([0, *self._outputs.values()]).tolist()
         return {name: found[:, ends[k] : ends[k + 1]].copy() for k, name in enumerate(self._outputs)}
 
-    def _by_native(self, points: np.ndarray) -> np.ndarray:
+    def _by_native(self, arguments: list[np.ndarray], n: int) -> np.ndarray:
         with self._lock:
             if self._native is None:
                 self._native = NativeProgram(Call(self._stage()), "library")
-        rows = np.concatenate([points, np.zeros((len(points), sum(self._outputs.values())))], axis=1)
-        nothing = np.zeros(1)
-        for row in rows:
-            self._native.run(row, nothing, 1)
-        return rows[:, points.shape[1] :]
+        rows, first = np.empty((n, sum(self._sizes) + sum(self._outputs.values()))), 0
+        for size, one in zip(self._sizes, arguments, strict=True):
+            rows[:, first : first + size], first = one, first + size
+        self._native.each(rows)
+        return rows[:, first:]
 
     def _stage(self) -> ca.Function:
         """(z, c) -> z: arguments and outputs one after another; no constants."""
@@ -260,9 +259,7 @@ def _buffered(function: ca.Function, c: np.ndarray) -> Evaluate:
 # ---- Functions at many samples: rows in, rows out.
 
 
-@lru_cache(maxsize=256)
-def _rows(function: ca.Function) -> RowFunction:
-    return RowFunction(function)
+_rows = lru_cache(maxsize=256)(RowFunction)
 
 
 def evaluate(function: ca.Function, values: dict[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:

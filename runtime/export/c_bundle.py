@@ -32,7 +32,7 @@ from runtime.running.stepping import ModelStepper
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import prepared_step, start_there
 from runtime.schemes.switching.restart import restarted
-from runtime.schemes.switching.watched import watch_events, watches
+from runtime.schemes.switching.watched import watches
 from runtime.start.start_state import start_state
 
 
@@ -108,7 +108,6 @@ def exported(
     plan = make_plan(model, 1e9 * length, length, m, name_of_scheme, None, options, 0.0, bounded=True)
     plan.scheme.of_one_length("exported code")
     built = plan.scheme
-    watch_events(built)
     state = start_state(model, p, model.constants(p), 0.0, None)
     own = ModelStepper(model, scheme=scheme, dt=dt, m=m, options=options, parameters=parameters, engine="interpreted")
     z, x = np.append(own.save().z, np.zeros(kept(built))), _start_values(model, state.q, state.q_dot)

@@ -20,7 +20,7 @@ from runtime.running.events import EventActions, Passage, state_of
 from runtime.running.plan import Plan
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.switching.breaks import ON_THE_GRID
-from runtime.schemes.switching.watched import are_kinks, values_at, watch_events, watched_events, watches
+from runtime.schemes.switching.watched import are_kinks, values_at, watched_events, watches
 
 BATCH = 64  # steps after which events are looked at
 NEARER, NEARINGS = 16.0, 7  # steps end before a kink, and begin behind it, nearer by that factor so many times
@@ -32,7 +32,6 @@ class Passages:
 
     def __init__(self, model: Model, plan: Plan) -> None:
         self._model, self._plan = model, plan
-        watch_events(plan.scheme)
         self._events = watched_events(plan.scheme)
         self._names = [event.name for event in self._events]
 
@@ -68,7 +67,7 @@ class Passages:
         own = SteppedModel.prepared(self._model, plan, begun.x[: len(self._model.parameters)], "auto")
         own.find_switches(plan.t0, plan.t_end)
         assert own.broken is not None
-        z = own.begin(own.broken.grid.clock(0), *begun.state)
+        z = own.stepper.start(own.broken.grid.clock(0), *begun.state, own.c, plan.grid.dt_L)
         own.begin_events(z)
         made, passages, kinks = list[Passage](), dict[int, list[EventPassage]](), list[float]()
         happenings = EventActions(own, made)

@@ -11,7 +11,6 @@ import numpy as np
 
 from runtime.contract.coordinates import followed
 from runtime.contract.model import Model
-from runtime.contract.records import Coordinate
 
 # ---- What errors of coordinates are measured by.
 
@@ -29,20 +28,22 @@ def floored(model: Model, amplitudes: np.ndarray, share: float = SHARE) -> np.nd
     return np.where(found > 0, found, 1.0)
 
 
-def _entries(model: Model) -> list[Coordinate]:
-    """Of `followed`."""
-    known, names = {entry.name: entry for entry in model.description.coordinates}, followed(model)[0]
-    return model.derived("entries of what tells a motion", lambda: [known[name] for name in names])
+def _kinds(model: Model) -> tuple[np.ndarray, np.ndarray]:
+    """Of `followed` (N): which are of the kind and unit of which (N, N); which are angles of bodies (N,)."""
+
+    def found() -> tuple[np.ndarray, np.ndarray]:
+        known = {entry.name: entry for entry in model.description.coordinates}
+        entries = [known[name] for name in followed(model)[0]]
+        alike = [[(a.kind, a.unit) == (b.kind, b.unit) for b in entries] for a in entries]
+        angles = [entry.unit == "rad" and not entry.elastic for entry in entries]
+        return np.array(alike, dtype=bool), np.array(angles, dtype=bool)
+
+    return model.derived("kinds of what tells a motion", found)
 
 
 def _largest_of_kind(model: Model, values: np.ndarray) -> np.ndarray:
     """(N,) of each of `followed` the largest value (N,) of its kind and unit."""
-    entries = _entries(model)
-    alike = model.derived(
-        "coordinates of a kind",
-        lambda: np.array([[(a.kind, a.unit) == (b.kind, b.unit) for b in entries] for a in entries]),
-    )
-    return np.asarray(np.where(alike, values, -np.inf).max(axis=1, initial=-np.inf))
+    return np.asarray(np.where(_kinds(model)[0], values, -np.inf).max(axis=1, initial=-np.inf))
 
 
 TURN = np.pi / np.sqrt(3.0)  # rad: RMS about its mean of an angle that turns on and on, modulo a turn
@@ -107,9 +108,8 @@ class MotionError:
 
 def amplitudes(model: Model, q: np.ndarray) -> np.ndarray:
     """(n_told,) RMS about the mean of what tells a motion, from samples q (N, n_told); a turn's of what turns on."""
-    turns = np.array([entry.unit == "rad" and not entry.elastic for entry in _entries(model)], dtype=bool)
     found = np.sqrt(np.mean((q - q.mean(axis=0)) ** 2, axis=0))
-    return np.asarray(np.where(turns & (np.ptp(q, axis=0) > ROUND), np.minimum(found, TURN), found))
+    return np.asarray(np.where(_kinds(model)[1] & (np.ptp(q, axis=0) > ROUND), np.minimum(found, TURN), found))
 
 
 def with_rates(error: MotionError, model: Model, v: np.ndarray, other: np.ndarray) -> MotionError:

@@ -27,6 +27,7 @@ from runtime.results.solution import Solution
 from runtime.running.companion import marks_of, measured
 from runtime.running.inputs import InputValue, bound
 from runtime.running.outcome import finished
+from runtime.running.pace import Pace
 from runtime.running.plan import Plan
 from runtime.running.problem import Problem
 from runtime.running.record import record_of
@@ -34,7 +35,6 @@ from runtime.running.run import Further, Progress, Run, with_reads
 from runtime.running.singular.exchange import variant_of
 from runtime.running.singular.guard import Guard
 from runtime.running.stepped_model import SteppedModel
-from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 from runtime.schemes.switching.impulse import Impulse
 
@@ -127,12 +127,12 @@ def read_checkpoint(path: str | Path) -> Checkpoint:
         raise ModelError(str(path), f"it is not a whole checkpoint ({reason})", REMEDY) from error
 
 
-FORMAT = "symgen checkpoint 8"
+FORMAT = "symgen checkpoint 9"
 
 
 @dataclass(frozen=True)
 class CheckpointHeader:
-    """The run: model (manifest, inputs, scene), plan. How far: steps done, rows streamed, what was kept.
+    """The run: model (manifest, inputs, scene), numbers of its plan. How far: steps done, rows streamed, what was kept.
 
     segments: q_i of each segment so far, in the order of the record; segment: the one under way. position: all
     coordinates there, which tell a generator of variants where it is. monitor, guard: what checks
@@ -144,15 +144,7 @@ class CheckpointHeader:
     digest: str
     driven_by: str
     scene_toml: str
-    scheme: str
-    dt: float
-    m: list[int]
-    options: dict[str, Any]
-    t0: float
-    steps: int
-    seen_steps: int
-    force: bool
-    outputs: list[str]
+    plan: dict[str, Any]
     initial_changes: str
     step: int
     last_step: int
@@ -179,25 +171,7 @@ class CheckpointHeader:
         del values["format"]
         if set(values) != {entry.name for entry in fields(cls)}:
             raise ValueError("its header has other entries than a checkpoint's")
-        events = [Event(**event) for event in values.pop("events")]
-        options = {
-            name: tuple(value) if isinstance(value, list) else value for name, value in values.pop("options").items()
-        }
-        return cls(**values, events=events, options=options)
-
-    def plan(self, model: Model) -> Plan:
-        """The run's plan on its model. Raises SchemeError."""
-        scheme = scheme_kind(self.scheme).build(self.scheme, model, self.dt, self.m or None, self.options)
-        return Plan(
-            self.scheme,
-            scheme,
-            self.options,
-            self.steps,
-            self.seen_steps,
-            self.t0,
-            self.force,
-            tuple(self.outputs),
-        )
+        return cls(**values | {"events": [Event(**event) for event in values["events"]]})
 
     def check_model(self, model: Model, path: str | Path) -> None:
         """Raises ModelError if the checkpoint belongs to another model."""
@@ -217,7 +191,7 @@ class CheckpointHeader:
     def check_settings(self, wanted: Mapping[str, Any], path: str | Path) -> None:
         """Raises SchemeError if a setting that was said again is another one. None was not said."""
         for name, value in wanted.items():
-            kept = json.loads(json.dumps(getattr(self, name)))
+            kept = self.plan[name]
             if value is not None and json.loads(json.dumps(value)) != kept:
                 raise SchemeError(
                     f"checkpoint {path}",
@@ -230,7 +204,7 @@ def checkpoint_of(run: Run) -> Checkpoint:
     """All that a run needs to go on from where it is."""
     arrays, state = run.record.arrays(), run.problem.state
     if run.marks is not None:
-        arrays |= run.marks.arrays(run.record.segments)
+        arrays |= {f"mark_{name}": values for name, values in run.marks.arrays().items()}
     if run.earlier is not None:
         arrays["earlier"] = run.earlier
     arrays |= {"start_p": run.problem.p, "start_q": state.q, "start_q_dot": state.q_dot}
@@ -246,17 +220,9 @@ def header_of(run: Run) -> CheckpointHeader:
         digest=model.digest,
         driven_by=model.driven_by,
         scene_toml=model.scene_toml,
-        scheme=plan.name,
-        dt=plan.grid.dt_L,
-        m=list(plan.grid.m),
-        options=dict(plan.options),
-        t0=plan.t0,
-        steps=plan.steps,
-        seen_steps=plan.seen_steps,
-        force=plan.force,
-        outputs=list(plan.outputs),
+        plan=plan.numbers,
         initial_changes=run.initial_changes,
-        step=segment.step_of(z),
+        step=int(z[1]),
         last_step=record.last_step,
         rows=record.rows,
         stream=None if record.folder is None else str(record.folder),
@@ -312,7 +278,7 @@ def resume(
     segment, z = segments[header.segment], kept.z.copy()
     segment.monitor.resume(segment.state(z), header.monitor)
     segment.impulses.update({at: Impulse(energy, np.array(jumps)) for at, energy, *jumps in header.impulses})
-    keep_rows = bool(header.outputs) or header.stream is not None
+    keep_rows = bool(header.plan["outputs"]) or header.stream is not None
     record = record_of(segment, z, stream or header.stream, keep_rows, resumed=True)
     record.segments[:] = segments
     with record.closed_on_error():
@@ -327,13 +293,17 @@ def resume(
         record,
         further,
         header.initial_changes,
+        Pace.of(segment.stepper.operations),
         list(header.events),
         guard=Guard.remembered(header.guard),
         earlier=kept.arrays.get("earlier"),
         marks=marks_of(problem, plan),
     )
-    if run.marks is not None and "mark_steps" in kept.arrays:
-        run.marks.restore(kept.arrays, segments)
+    if run.marks is not None and "mark_samples" in kept.arrays:
+        marks = {name: kept.arrays[f"mark_{name}"] for name in ("sample_segments", "samples")}
+        run.marks.segments = record.segments
+        run.marks.restore(marks, 0, -1)
+        run.marks.last_step = max(run.marks.steps(), default=-1)
     run.happenings.resume(header.happened)
     schedule = problem.schedule(plan.grid.dt_L)
     schedule.resume(header.schedule)
@@ -345,7 +315,7 @@ def resume(
 def _segments(model: Model, kept: Checkpoint, engine: str, path: str | Path) -> list[SteppedModel]:
     """Those that the run has had, built again. Raises ModelError if z does not fit the one under way."""
     header = kept.header
-    plan = header.plan(model)
+    plan = Plan.of_numbers(model, header.plan)
     segments = [SteppedModel.of_run(model, plan, kept.p, engine)]
     for q_i in header.segments[1:]:
         variant = model if q_i == model.q_i else variant_of(model, q_i, np.array(header.position))

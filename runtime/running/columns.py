@@ -31,7 +31,7 @@ class ColumnRecord(Record):
     """Of a run of a segment from z (flat) on; stream: a folder, None for memory. Raises OutputError or ModelError."""
 
     def __init__(self, segment: SteppedModel, z: np.ndarray, stream: str | Path | None, resumed: bool) -> None:
-        super().__init__([segment], segment.plan.seen_steps)
+        super().__init__([segment], segment.plan.seen_steps, segment.plan.steps)
         self.outputs, self.first = segment.plan.outputs, None
         seen = segment.observed([segment.state(z)])
         columns = columns_of(seen, self.outputs)

@@ -70,26 +70,26 @@ def measured(run: Run, solution: Solution) -> MotionError:
 
     Where the first would condemn the run, the second has to agree; where both are lost, far shorter steps tell.
     """
-    problem, plan, marks = run.problem, run.record.segments[0].plan, run.marks
-    if marks is None or not marks.states:
+    plan, marks = run.record.segments[0].plan, run.marks
+    if marks is None or not marks.samples:
         return MotionError(reason="the run was not looked at on its way")
-    if not problem.forgets:
+    if not run.problem.forgets:
         return MotionError(reason="a controller keeps a memory of its own: give its numbers as Sampled(memory=...)")
     try:
         if any(event.kind == "load_missed" for event in run.events):  # other steps of this length miss it, too
             if (short := _too_short(run)) is not None:
                 return MotionError(reliable_until=short.time, reason=short.text)
-            return _compared(problem, plan, marks, solution, 1 / INSIDE)
-        if max(marks.states) < marks.every:  # an event has ended it soon
-            return _compared(problem, plan, marks, solution, 1 / FINER, early=True)
-        found = _compared(problem, plan, marks, solution, _ratio(plan))
+            return _compared(run, marks, solution, 1 / INSIDE)
+        if marks.last_step < marks.every:  # an event has ended it soon
+            return _compared(run, marks, solution, 1 / FINER, early=True)
+        found = _compared(run, marks, solution, _ratio(plan))
         if not found.measured or max(found.judged.values()) > LARGEST:
-            shorter = _compared(problem, plan, marks, solution, 1 / _ratio(plan))
+            shorter = _compared(run, marks, solution, 1 / _ratio(plan))
             found = min((one for one in (found, shorter) if one.measured), key=lambda one: one.largest, default=found)
         if not found.measured:
-            found = _compared(problem, plan, marks, solution, 1 / FINER)
+            found = _compared(run, marks, solution, 1 / FINER)
         if found.measured and plan.scheme.damps:
-            early = _compared(problem, plan, marks, solution, 1 / FINER, early=True)
+            early = _compared(run, marks, solution, 1 / FINER, early=True)
             found = max((one for one in (found, early) if one.measured), key=lambda one: max(one.judged.values()))
     except KeyboardInterrupt:
         return MotionError(reason="stopped by the user while it was measured")
@@ -110,10 +110,9 @@ def _steps_of_mark(problem: Problem, plan: Plan) -> int:
     return steps_of_mark(plan.steps, _ratio(plan), base if base is not None and base < plan.steps else None)
 
 
-def _compared(
-    problem: Problem, plan: Plan, marks: Marks, solution: Solution, ratio: float, early: bool = False
-) -> MotionError:
+def _compared(run: Run, marks: Marks, solution: Solution, ratio: float, early: bool = False) -> MotionError:
     """The difference to a companion whose steps are about `ratio` times as long; or why there is none."""
+    problem, plan = run.problem, run.record.segments[0].plan
     if plan.scheme.adaptive:
         a = b = marks.early if early else marks.every
     elif early:
@@ -122,31 +121,30 @@ def _compared(
         a = _steps_of_mark(problem, plan)
         b = coprime(a, ratio)
     every = marks.every // a * b if not early else b
-    shown = marks.every // a if early else min(plan.steps // marks.every, len(marks.states))
+    seen = marks.steps()
+    shown = marks.every // a if early else min(plan.steps // marks.every, len(seen))
     if not shown:
         return MotionError(reason="the run is too short for it")
-    own = Marks(every)
-    other = begun(
-        problem, stepped_by(problem, plan, plan.grid.dt_L * a / b, every * shown, every, ratio), own, quiet=True
-    )
+    stepped = stepped_by(problem, plan, plan.grid.dt_L * a / b, every * shown, every, ratio)
+    other = begun(problem, stepped, None, quiet=True, like=run)
     if ratio == 1 / INSIDE and (missed := [one for one in loads_missed(other) if one.kind == "load_missed"]):
         return MotionError(reliable_until=missed[0].time, reason=missed[0].text)
     status = integrate(other)
     if status.name == "interrupted":
         raise KeyboardInterrupt
     step = marks.early if early else marks.every
-    common = [k for k in range(1, shown + 1) if k * step in marks.states and k * every in own.states]
+    common = [k for k in range(1, shown + 1) if k * step in seen and k * every <= other.record.last_step]
     if status.ok and not common:
         return MotionError(reason="it ends before it is looked at twice")
     if not status.ok:
         reason = f"made again with steps of {other.segment.plan.grid.dt_L:.3g} s the motion ends as {status.name}"
         return MotionError(reliable_until=status.time, reason=f"{reason} at t = {status.time:.4g} s")
     model = problem.model
-    mine, v = marks.told([k * step for k in common], model)
-    theirs, other_v = own.told([k * every for k in common], model)
+    mine, v = marks.told(model, [k * step for k in common])
+    theirs, other_v = other.record.told(model, [k * every for k in common])
     t = np.array([plan.time(k * step) for k in common])
-    seen = np.concatenate([mine, theirs, solution.q[:, followed(model)[1]]])
-    return with_rates(motion_error(model, t, mine, theirs, amplitudes(model, seen)), model, v, other_v)
+    sizes = amplitudes(model, np.concatenate([mine, theirs, solution.q[:, followed(model)[1]]]))
+    return with_rates(motion_error(model, t, mine, theirs, sizes), model, v, other_v)
 
 
 def loads_missed(run: Run) -> list[Event]:

@@ -145,7 +145,7 @@ def diagnose(failure: Failure, time: float, monitor: Monitor) -> Status:
 def _mass_left(monitor: Monitor) -> float | None:
     """Of a run that stopped behind its latest state: is M_hat about to lose its sign there, seen from the start?"""
     assert monitor.latest is not None
-    M_hat = monitor.look.mass(monitor.latest, monitor.c)
+    M_hat = monitor.look(monitor.latest, monitor.c).M_hat
     if monitor.mass is None or not np.isfinite(M_hat).all():
         return None
     inverse = np.linalg.inv(np.linalg.cholesky(monitor.mass))

@@ -316,6 +316,8 @@ def _text(event: EventRecord, direction: str, changes: dict[str, float]) -> str:
 
 def note_impulses(segment: SteppedModel, step: int, events: list[Event]) -> None:
     """Append an event for each impulse of a prescribed motion until the end of a step, unless it is told already."""
+    if not segment.impulses:
+        return
     told = {event.time for event in events if event.kind == "velocity_jump"}
     told |= {
         time for event in events if event.kind == "impact" for time in (event.time, np.nextafter(event.time, -np.inf))

@@ -19,18 +19,17 @@ from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
 from runtime.contract.status import Status
-from runtime.engine.rows import ManyPoints
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import MotionError, amplitudes, motion_error, with_rates
 from runtime.results.solution import Solution
 from runtime.running.companion import loads_missed, marks_of
 from runtime.running.monitor import known_slopes
 from runtime.running.outcome import LARGEST, finished, passed_by
-from runtime.running.plan import AUTO, DEFAULT, MAX_SAMPLES, Plan, make_plan
+from runtime.running.plan import AUTO, DEFAULT, MAX_SAMPLES, Plan, make_plan, refuse_alike
 from runtime.running.problem import ROUNDING, Problem, common_time
 from runtime.running.record import Marks, told_by
 from runtime.running.run import Further, Run, begun, integrate
-from runtime.running.time_functions import force_of_time
+from runtime.running.time_functions import OfTime, force_of_time
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import LARGE_SYSTEM, SchemeError
 from runtime.schemes.scheme import Scheme, evaluation_operations
@@ -102,9 +101,8 @@ class Rung:
     @cached_property
     def seen(self) -> tuple[np.ndarray, np.ndarray]:
         """(numbers of its marks (N,), what tells the motion and its rates at them (2, N, n_told))."""
-        steps = sorted(self.marks.states)
-        told = self.marks.told(steps, self.run.problem.model) if steps else np.zeros((2, 0, 0))
-        return np.array([step // self.marks.every for step in steps], dtype=int), told
+        steps = self.marks.steps()
+        return np.array(steps, dtype=int) // self.marks.every, self.marks.told(self.run.problem.model)
 
     @property
     def lost(self) -> bool:
@@ -168,11 +166,14 @@ class Ladder:
         self.unit = FIRST if apart is None else ceil(span / apart - ROUNDING)
         self.span = self.unit * apart if apart is not None else span
 
-    def plan(self, method: Method, steps: int) -> Plan:
-        """So many steps of the method over the motion."""
+    def plan(self, method: Method, steps: int, known: Plan | None = None) -> Plan:
+        """So many steps of the method over the motion; known: a plan of its with other steps."""
         every = ceil(steps / SEEN) if self.spacing is None else max(1, round(self.spacing * steps / self.span))
         if steps / every > MAX_SAMPLES:
             raise SchemeError(f"{steps // every:.3g} samples are too many; give a longer time between them")
+        if known is not None:
+            refuse_alike(known.t0, known.t0 + self.span, self.span / steps)
+            return replace(known.with_steps(known.scheme.model, self.span / steps, steps), seen_steps=every)
         m = None if method.m is None else list(method.m)
         model, t0 = self.problem.model, self.problem.t0
         plan = make_plan(
@@ -184,9 +185,10 @@ class Ladder:
         """Rungs from the first to the one that meets the tolerance, or to the last that it is worth to make."""
         count, rungs, spent = ceil((method.first or self.first(method)) / self.unit), list[Rung](), 0.0
         seen = 0
+        plan = None
         while True:
-            plan = self.plan(method, count * self.unit)
-            rung = self.rung(plan, quiet=bool(rungs))
+            plan = self.plan(method, count * self.unit, plan)
+            rung = self.rung(plan, rungs[-1].run if rungs else None)
             order = plan.scheme.order
             if rungs and not rung.lost and not rungs[-1].lost:
                 self.judge(rungs, rung, order)
@@ -211,11 +213,11 @@ class Ladder:
         shortest = min((one.end - one.start for one in passed_by(rung.run, SEES_SHORT)), default=inf)
         return ceil(SEES_SHORT * self.span / shortest / self.unit)
 
-    def rung(self, plan: Plan, quiet: bool = False) -> Rung:
-        """A whole motion; quiet: nobody looks whether its steps see what loads do."""
+    def rung(self, plan: Plan, like: Run | None) -> Rung:
+        """A whole motion, of which one is known with other steps; nobody looks whether steps see what loads do."""
         marks = Marks(plan.steps // self.unit * max(1, self.unit // FIRST))
         further = Further(progress=self.further.progress)
-        run = begun(self.problem, replace(plan, outputs=()), marks, further, quiet=quiet)
+        run = begun(self.problem, replace(plan, outputs=()), marks, further, quiet=True, like=like)
         began = time.process_time()
         status = integrate(run)
         return Rung(plan.steps, run, marks, status, time.process_time() - began)
@@ -223,14 +225,15 @@ class Ladder:
     def judge(self, before: list[Rung], rung: Rung, order: int) -> None:
         """The error of a rung by the one before it, in place; by extrapolation where three rungs show the order."""
         last = before[-1]
-        common, here, there = np.intersect1d(rung.seen[0], last.seen[0], return_indices=True)
+        here, there = (np.isin(one.seen[0], other.seen[0]) for one, other in ((rung, last), (last, rung)))
+        common = rung.seen[0][here]
         if not len(common):
             return
         model, segment, record = self.problem.model, rung.run.segment, rung.run.record
-        (mine, v), (theirs, other) = (rung.seen[1].take(here, axis=1), last.seen[1].take(there, axis=1))
+        (mine, v), (theirs, other) = (rung.seen[1].compress(here, axis=1), last.seen[1].compress(there, axis=1))
         samples = [rows for own, rows in record.samples if record.segments[own] is segment]
         seen = [mine, theirs, *([told_by(segment, np.concatenate(samples), model)[0]] if samples else [])]
-        t = np.array([segment.plan.time(int(k) * rung.marks.every) for k in common])
+        t = segment.plan.t0 + common * rung.marks.every * segment.plan.grid.dt_L
         found = motion_error(model, t, mine, theirs, amplitudes(model, np.concatenate(seen)))
         rung.told = with_rates(found, model, v, other)
         rung.error = rung.differs = self._asked(rung.told)
@@ -274,7 +277,7 @@ class Ladder:
         further, interrupted = self.further, rungs[-1].status.name == "interrupted"
         chance = rungs[-1].lost and not interrupted and not (whole and whole[-1].told.measured)
         if not whole or chance:  # a motion that coarse steps alone bring to its end is none
-            rungs[-1].run.events += loads_missed(rungs[-1].run) if len(rungs) > 1 else []
+            rungs[-1].run.events += loads_missed(rungs[-1].run)
             return finished(rungs[-1].run, lambda run, solution: rungs[-1].told)
         answer = whole[-1]
         error = _doubted(answer, rungs)
@@ -282,7 +285,7 @@ class Ladder:
         if further.bounded or (further.checkpoint is not None and not interrupted):  # once more, to keep what it makes
             plan = replace(run.record.segments[0].plan, outputs=tuple(further.outputs or ()))
             run = begun(self.problem, plan, marks_of(self.problem, plan), further)
-        elif answer is not rungs[0]:
+        else:
             run.events[:0] = loads_missed(run)
         found = finished(run, lambda run, solution: error)
         stats: dict[str, float | int | str] = dict(found.stats) | {
@@ -431,15 +434,14 @@ def steps_that_see_loads(model: Model, c: np.ndarray, state: ConsistentState, t0
         return 0
     inside = [one for one in switches if t0 < one.time < t_end]
     legs = list(zip([t0, *(one.after for one in inside)], [*(one.before for one in inside), t_end], strict=True))
-    forces = ManyPoints(function)
-    fine = _moved_by_loads(forces, legs, FINE)
+    fine = _moved_by_loads(function, legs, FINE)
     varies = np.ptp(fine[2], axis=1) > VARIES * np.abs(fine[2]).max(axis=1)
     if not varies.any():
         return 0
     exact, size = fine[1][varies], fine[1][varies].std(axis=1)
     least, steps = FINE, FINE // 2
     while steps >= COARSE:
-        at, found, _ = _moved_by_loads(forces, legs, steps)
+        at, found, _ = _moved_by_loads(function, legs, steps)
         off = found[varies] - np.array([np.interp(at, fine[0], row) for row in exact])
         if not (np.sqrt(np.mean(off**2, axis=1)) <= SEES * size).all():
             break
@@ -448,7 +450,7 @@ def steps_that_see_loads(model: Model, c: np.ndarray, state: ConsistentState, t0
 
 
 def _moved_by_loads(
-    function: ManyPoints, legs: Sequence[tuple[float, float]], steps: int
+    forces_at: OfTime, legs: Sequence[tuple[float, float]], steps: int
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(times of ends of steps, what each force alone moves until then, forces that were seen), (n_i, .) each."""
     span = legs[-1][1] - legs[0][0]
@@ -456,7 +458,7 @@ def _moved_by_loads(
     for begin, end in legs:
         count = max(1, round(steps * (end - begin) / span))
         t = np.linspace(begin, end, 2 * count + 1)
-        forces, h = function(np.zeros(0), t[:, None]).T, (end - begin) / count
+        forces, h = forces_at(t), (end - begin) / count
         first, middle, last = forces[:, 0:-1:2], forces[:, 1::2], forces[:, 2::2]
         rises.append(h / 6 * (first + 4 * middle + last))
         moves.append(h * h / 6 * (first + 2 * middle))

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import casadi as ca
 import numpy as np
@@ -60,19 +60,24 @@ class Monitor:
         self.length, self.scale = 1.0, 1.0
         self._samples = 0
         self._begun: np.ndarray | None = None
-        self._bodies = flexible_bodies(model, model.parameter_vector() if p is None else p)
-        self.look = CloseLook(model, scheme)
+        self.look, self._p = CloseLook(model, scheme), p
 
-    def first(self, z: np.ndarray) -> Status | None:
-        """Look at the start (the scheme's part of z, flat), and remember what later states are compared with."""
+    def first(self, z: np.ndarray, like: Monitor | None = None) -> Status | None:
+        """Look at the start (the scheme's part of z, flat), and remember what later states are compared with.
+
+        like: who has looked at the same start of other steps, and found nothing.
+        """
         if not np.isfinite(z).all():
             return self._ends(self._of_events(z) or Failure("finite at the start"), z)
         self.good = self._begun = z.copy()
         x, d = z[self.scheme.layout.slice("x")], self._increments(z)
         self.scale = max(1.0, float(np.abs(x).max(initial=0.0)), float(np.abs(d).max(initial=0.0)))
+        if like is not None:
+            self.length, self.mass, self._bodies = like.length, like.mass, like._bodies
+            return None
         if self.look.constrained:
-            self.length = mechanism_length(self.model, self.look.constraints(z, self.c)[1])
-        M_hat = self.look.mass(z, self.c)
+            self.length = mechanism_length(self.model, self.look.jacobian(z, self.c))
+        M_hat = self.look(z, self.c).M_hat
         if not positive_definite(M_hat):
             return self._ends(Failure("mass at the start"), z)
         self.mass, h = M_hat, self.scheme.grid.h[-1]
@@ -146,24 +151,25 @@ class Monitor:
         return Failure("event", found=(watched_events(self.scheme)[int(np.argmax(bad))].name,)) if bad.any() else None
 
     def _closely(self, z: np.ndarray) -> Failure | None:
+        seen = self.look(z, self.c)
         if self.look.constrained:
-            C = np.abs(self.look.constraints(z, self.c)[0])
             allowed = CONSTRAINT_LIMIT * np.where(self.look.lengths, self.length, 1.0)
-            if not (C <= allowed).all():  # NaN is off too
+            if not (np.abs(seen.C) <= allowed).all():  # NaN is off too
                 return Failure("constraints")
-        if not positive_definite(self.look.mass(z, self.c)):
-            return Failure("mass")
-        return self._bent(z) if self._bodies else None
+        return self._bent(seen.q) if positive_definite(seen.M_hat) else Failure("mass")
 
-    def _bent(self, z: np.ndarray) -> Failure | None:
+    def _bent(self, q: np.ndarray) -> Failure | None:
         """Deflections against the body's length, and turns against a radian: modes are linear."""
-        q = self.look.coordinates(z, self.c)
         for name, columns, length, shapes, turns in self._bodies:
             moved = float(np.sqrt(np.square(shapes @ q[columns]).sum(axis=1).max())) / length
             turned = float(np.sqrt(np.square(turns @ q[columns]).sum(axis=1).max()))
             if moved > MOST_DEFLECTION or turned > MOST_TURN:
                 return Failure("deflection", found=(name, moved, turned))
         return None
+
+    @cached_property
+    def _bodies(self) -> list[Body]:
+        return flexible_bodies(self.model, self.model.parameter_vector() if self._p is None else self._p)
 
     @cached_property
     def step_limit(self) -> float | None:
@@ -210,6 +216,14 @@ def positive_definite(M_hat: np.ndarray) -> bool:
         return bool(np.isfinite(M_hat).all() and np.linalg.eigvalsh(M_hat)[0] > 0)
 
 
+class Looked(NamedTuple):
+    """C (n_c,), M_hat (n_i, n_i) and q (n,) at a state."""
+
+    C: np.ndarray
+    M_hat: np.ndarray
+    q: np.ndarray
+
+
 class CloseLook:
     """What the equations say at a state z (at least the scheme's part), by functions that a scheme keeps."""
 
@@ -217,39 +231,31 @@ class CloseLook:
         self.model, self.scheme = model, scheme
         self.constrained = bool(model.constraints) and model.has("constraints")
         self.lengths = length_rows(model)
+        self._long = is_long_tree(model) and model.has("energy")  # M_hat is not derived for this
 
-    def constraints(self, z: np.ndarray, c: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """C (n_c,) and C_q (n_c, n)."""
-        model, scheme, rows = self.model, self.scheme, len(self.model.constraints)
-        values = direct(scheme, "look at constraints", lambda: observed(model, scheme, "constraints", ("C", "C_q")))(
-            z, c
-        )
-        return values[:rows], values[rows:].reshape(-1, rows).T
+    def __call__(self, z: np.ndarray, c: np.ndarray) -> Looked:
+        n, rows = len(self.model.q_i), len(self.model.constraints) * self.constrained
+        values = direct(self.scheme, "close look", self._build)(z, c)
+        if not self._long:
+            end = rows + n * n
+            return Looked(values[:rows], values[rows:end].reshape(n, n).T, values[end:])
+        momenta = self.scheme.derived("momenta", lambda: _momenta(self.model, self.scheme))
+        columns = np.asarray(momenta(z, c, np.hstack([np.zeros((n, 1)), np.eye(n)])))
+        return Looked(values[:rows], columns[:, 1:] - columns[:, :1], values[rows:])
 
-    def mass(self, z: np.ndarray, c: np.ndarray) -> np.ndarray:
-        """M_hat (n_i, n_i); of a long tree from the kinetic energy, so that M_hat is not derived for this."""
-        n, model, scheme = len(self.model.q_i), self.model, self.scheme
-        if is_long_tree(model) and model.has("energy"):
-            momenta = scheme.derived("momenta", lambda: _momenta(model, scheme))
-            columns = np.asarray(momenta(z, c, np.hstack([np.zeros((n, 1)), np.eye(n)])))
-            return np.asarray(columns[:, 1:] - columns[:, :1])
+    def _build(self) -> ca.Function:
+        model, scheme = self.model, self.scheme
+        z, c = _symbols(scheme)
+        seen = {**scheme.observer(z=z, c=c), "c": observed_constants(scheme, z, c)}
+        q = joined(model, seen["q_i"], seen["q_d"])
+        C = observed(model, scheme, "constraints", ("C",))(z, c) if self.constrained else ca.SX(0, 1)
+        M_hat = ca.SX(0, 1) if self._long else ca.vec(model.evaluate("condensed", **seen)["M_hat"])
+        return ca.Function("close_look", [z, c], [ca.densify(ca.vertcat(C, M_hat, q))])
 
-        def build() -> ca.Function:
-            z, c = _symbols(scheme)
-            seen = {**scheme.observer(z=z, c=c), "c": observed_constants(scheme, z, c)}
-            return ca.Function("mass", [z, c], [ca.densify(model.evaluate("condensed", **seen)["M_hat"])])
-
-        return direct(scheme, "look at mass", build)(z, c).reshape(n, n).T
-
-    def coordinates(self, z: np.ndarray, c: np.ndarray) -> np.ndarray:
-        """q (n,)."""
-
-        def build() -> ca.Function:
-            z, c = _symbols(self.scheme)
-            seen = self.scheme.observer(z=z, c=c)
-            return ca.Function("coordinates", [z, c], [ca.densify(joined(self.model, seen["q_i"], seen["q_d"]))])
-
-        return direct(self.scheme, "look at coordinates", build)(z, c)
+    def jacobian(self, z: np.ndarray, c: np.ndarray) -> np.ndarray:
+        """C_q (n_c, n)."""
+        values = direct(self.scheme, "look at C_q", lambda: observed(self.model, self.scheme, "constraints", ("C_q",)))
+        return values(z, c).reshape(-1, len(self.model.constraints)).T
 
 
 def _symbols(scheme: Scheme) -> tuple[ca.SX, ca.SX]:
@@ -278,7 +284,7 @@ def observed(model: Model, scheme: Scheme, name: str, outputs: Sequence[str]) ->
         found = model.evaluate(name, q=q, q_dot=q_dot, t=seen["t"], c=observed_constants(scheme, z, c))
         return ca.Function(f"observed_{name}", [z, c], [ca.densify(found[output]) for output in outputs])
 
-    return scheme.derived(f"observed {name}", build)
+    return scheme.derived(f"observed {name} {outputs}", build)
 
 
 def observed_constants(scheme: Scheme, z: ca.SX, c: ca.SX) -> ca.SX:

@@ -123,7 +123,7 @@ def _circumstances(run: Run) -> dict[str, float | int | str]:
 def statistics(segment: SteppedModel, z: np.ndarray, setup: float, wall: float) -> dict[str, float | int | str]:
     """Counts of evaluations, times [s] and operations of a run that has come to z (flat)."""
     layout, scheme, stepper = segment.plan.scheme.layout, segment.plan.scheme, segment.stepper
-    steps = segment.step_of(z)
+    steps = int(z[1])
     iterations = int(z[layout.slice("iterations")][0])
     full, partial = scheme.evaluations()
     full_evaluations, sub_steps = iterations or steps * full, steps * partial

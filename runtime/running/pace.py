@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import signal
 import threading
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 from types import FrameType
+from typing import Self
 
 CALL_SECONDS = 0.25  # a call lasts about this long
+OPERATIONS = 5_000_000  # of a first call
 LONGEST_CALL = 1 << 20
 FIRST_SAVED = 32  # of the first look: what goes wrong and heals within a stretch is not seen
 MOST_SAVED = 256  # states that are saved between two looks
@@ -22,9 +22,14 @@ class Pace:
     Looks cost as much as some hundred steps of a small mechanism, so there are few of them while all is well.
     """
 
-    steps: int = 64
+    steps: int
     saves: int = FIRST_SAVED
     slow_until: int = 0
+
+    @classmethod
+    def of(cls, operations: int) -> Pace:
+        """Of steps that take so many operations."""
+        return cls(max(1, 1 << (OPERATIONS // max(1, operations)).bit_length() - 1))
 
     def slow(self, step: int) -> bool:
         """Is each saved state looked at closely here?"""
@@ -52,28 +57,26 @@ class Pace:
 
 
 class Interrupts:
-    """asked: was Ctrl-C pressed? A second press stops at once."""
+    """Hears Ctrl-C inside a `with`. asked: was it pressed? A second press stops at once.
+
+    Outside the main thread, and where the caller has a handler, nothing changes.
+    """
 
     asked = False
+    _ours = False
+
+    def __enter__(self) -> Self:
+        own = signal.getsignal(signal.SIGINT) is signal.default_int_handler
+        self._ours = own and threading.current_thread() is threading.main_thread()
+        if self._ours:
+            signal.signal(signal.SIGINT, self._heard)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._ours:
+            signal.signal(signal.SIGINT, signal.default_int_handler)
 
     def _heard(self, number: int, frame: FrameType | None) -> None:
         if self.asked:
             raise KeyboardInterrupt
         self.asked = True
-
-
-@contextmanager
-def heard_interrupts() -> Iterator[Interrupts]:
-    """Hear Ctrl-C while inside. Outside the main thread, and where the caller has a handler, nothing changes."""
-    heard = Interrupts()
-    ours = (
-        threading.current_thread() is threading.main_thread()
-        and signal.getsignal(signal.SIGINT) is signal.default_int_handler
-    )
-    if ours:
-        signal.signal(signal.SIGINT, heard._heard)
-    try:
-        yield heard
-    finally:
-        if ours:
-            signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -44,13 +44,28 @@ class Plan:
     outputs: tuple[str, ...] = ()
 
     @property
+    def numbers(self) -> dict[str, Any]:
+        """In plain numbers and words, for `of_numbers`."""
+        found = {name: getattr(self, name) for name in ("steps", "seen_steps", "t0", "force", "outputs")}
+        return found | {"scheme": self.name, "dt": self.grid.dt_L, "m": self.grid.m, "options": dict(self.options)}
+
+    @staticmethod
+    def of_numbers(model: Model, numbers: Mapping[str, Any]) -> Plan:
+        """On a model, from `numbers` as JSON gives them back. Raises SchemeError."""
+        rest = dict(numbers)
+        name, dt, m, options = (rest.pop(key) for key in ("scheme", "dt", "m", "options"))
+        options = {key: tuple(value) if isinstance(value, list) else value for key, value in options.items()}
+        built = scheme_kind(name).build(name, model, dt, m or None, options)
+        return Plan(name, built, options, **rest | {"outputs": tuple(rest["outputs"])})
+
+    @property
     def grid(self) -> Grid:
         """Groups and steps."""
         return self.scheme.grid
 
     def time(self, step: int) -> float:
         """Time after so many major steps [s]."""
-        return self.t0 + step * self.grid.dt_L
+        return self.t0 + step * self.scheme.grid.h[0]
 
     @property
     def t_end(self) -> float:
@@ -100,13 +115,19 @@ def make_plan(
         raise SchemeError(f"dt = {grid.dt_L:g} s is longer than the simulation ({end - t0:g} s); give a smaller step")
     if (end - t0) / grid.dt_L > MAX_STEPS:
         raise SchemeError(f"dt = {grid.dt_L:g} s needs more than {MAX_STEPS:.0e} steps; raise dt or lower t_end")
-    if grid.dt_L < TOLD_APART * max(abs(t0), abs(end)):
-        near = f"times near {max(abs(t0), abs(end)):g} s that are {grid.dt_L:g} s apart"
-        raise SchemeError(f"{near} cannot be told from each other; begin at t0 = 0")
+    refuse_alike(t0, end, grid.dt_L)
     steps = max(1, ceil((end - t0) / grid.dt_L - STEP_ROUNDING))
     if steps / every > MAX_SAMPLES and not bounded:
         raise SchemeError(f"{steps // every:.3g} saved states are too many; raise seen_every or dt, or stream them")
     return Plan(name, built, dict(options or {}), steps, every, float(t0))
+
+
+def refuse_alike(t0: float, end: float, dt: float) -> None:
+    """Raises SchemeError for times dt apart that are one number [s]."""
+    latest = max(abs(t0), abs(end))
+    if dt < TOLD_APART * latest:
+        near = f"times near {latest:g} s that are {dt:g} s apart"
+        raise SchemeError(f"{near} cannot be told from each other; begin at t0 = 0")
 
 
 def steps_asked(

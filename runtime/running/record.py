@@ -4,9 +4,8 @@ by which two ways to make one motion are compared.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
 from itertools import groupby
 from pathlib import Path
 
@@ -24,25 +23,27 @@ from runtime.running.stepped_model import SteppedModel
 class Record:
     """Samples of a run; its segments are appended to `segments` as it goes on, and samples name theirs by its place.
 
-    rows: samples that are kept otherwise (see columns.py), in a folder, if there are any.
+    last: the step that ends the run. rows: samples that are kept otherwise (see columns.py), in a folder, if any are.
     """
 
     rows = 0
     folder: Path | None = None
 
-    def __init__(self, segments: list[SteppedModel], seen_steps: int) -> None:
-        self.segments, self.every = segments, seen_steps
+    def __init__(self, segments: list[SteppedModel], seen_steps: int, last: int = 0) -> None:
+        self.segments, self.every, self.last = segments, seen_steps, last
         self.samples: list[tuple[int, np.ndarray]] = []  # (segment, states (N, n_z)): all, or those that wait
         self.last_step = -1
 
+    def due(self, steps: np.ndarray) -> np.ndarray:
+        """(N,) which of these steps (N,) are to be kept."""
+        return np.asarray((steps % self.every == 0) | (steps == self.last))
+
     def add(self, segment: SteppedModel, rows: np.ndarray) -> None:
         """Keep states (N, n_z) of a segment (copies of the scheme's part), unless their steps are kept already."""
-        steps = rows[:, 1].astype(int)
-        new = steps > self.last_step
+        new = rows[:, 1] > self.last_step
         if new.any():
-            self.last_step = int(steps[-1])
-            kept = rows[new, : segment.plan.scheme.layout.size].copy()
-            self.samples.append((self.segments.index(segment), kept))
+            self.last_step = int(rows[-1, 1])
+            self.samples.append((self.segments.index(segment), rows[new, : segment.plan.scheme.layout.size]))
 
     def flush(self) -> None:
         """Write what waits."""
@@ -80,6 +81,18 @@ class Record:
         self.samples = [(k, states[None, end - sizes[k] : end]) for k, end in zip(owners, ends, strict=True)]
         self.last_step = last_step
 
+    def steps(self) -> list[int]:
+        """At which states are kept."""
+        return [int(step) for _, rows in self.samples for step in rows[:, 1]]
+
+    def told(self, model: Model, steps: Sequence[int] | None = None) -> np.ndarray:
+        """(2, N, n_told) what tells the motion of a model at these steps (None: all), and its rates."""
+        parts = by_segment(self.samples)
+        if steps is not None:
+            parts = [(k, rows[np.isin(rows[:, 1], steps)]) for k, rows in parts]
+        found = [told_by(self.segments[k], rows, model) for k, rows in parts if len(rows)]
+        return np.concatenate(found, axis=1) if found else np.zeros((2, 0, len(followed(model)[0])))
+
     def solution(self, last: tuple[int, np.ndarray]) -> Solution:
         """Of all whole states that were kept, `last` the last one."""
         found = [self.segments[segment].observed(part) for segment, part in by_segment(self.samples)]
@@ -101,61 +114,29 @@ def record_of(
 ) -> Record:
     """Of a run from z (flat) on: whole states in memory, or rows of columns. Raises OutputError or ModelError."""
     if not keep_rows:
-        return Record([segment], segment.plan.seen_steps)
+        return Record([segment], segment.plan.seen_steps, segment.plan.steps)
     found: Record = opened("runtime.running.columns:ColumnRecord")(segment, z, stream, resumed)
     return found
 
 
-@dataclass
-class Marks:
+class Marks(Record):
     """States of a run at marks: every so many steps, and every `early` ones until the first of them (0: none)."""
 
-    every: int
-    early: int = 0
-    states: dict[int, tuple[SteppedModel, np.ndarray]] = field(default_factory=dict)
+    def __init__(self, every: int, early: int = 0) -> None:
+        super().__init__([], every)
+        self.early = early
+
+    def due(self, steps: np.ndarray) -> np.ndarray:
+        """See Record."""
+        at = steps % self.every == 0
+        if self.early:
+            at |= (steps < self.every) & (steps % self.early == 0)
+        return np.asarray(at & (steps > 0))
 
     def within(self, first: int, last: int) -> list[int]:
         """Steps between two that are at a mark, these left out."""
         early = range(first + self.early - first % self.early, min(last, self.every), self.early) if self.early else ()
         return [*early, *range(first + self.every - first % self.every, last, self.every)]
-
-    def look(self, segment: SteppedModel, rows: np.ndarray) -> None:
-        """Keep those of the states (N, n_z) that are at a mark."""
-        size, steps = segment.plan.scheme.layout.size, rows[:, 1].astype(int)
-        at = (steps > 0) & (steps % self.every == 0)
-        if self.early:
-            at |= (steps > 0) & (steps < self.every) & (steps % self.early == 0)
-        for k in np.flatnonzero(at):
-            self.states[int(steps[k])] = (segment, rows[k, :size].copy())
-
-    def drop_from(self, step: int) -> None:
-        """Forget the states of this step and of later ones."""
-        self.states = {at: one for at, one in self.states.items() if at < step}
-
-    def arrays(self, segments: Sequence[SteppedModel]) -> dict[str, np.ndarray]:
-        """What a checkpoint keeps of it: steps, places of the segments, and states one after another."""
-        found = sorted(self.states.items())
-        return {
-            "mark_steps": np.array([step for step, _ in found], dtype=np.int64),
-            "mark_segments": np.array([segments.index(segment) for _, (segment, _) in found], dtype=np.int64),
-            "mark_states": np.concatenate([np.zeros(0), *(z for _, (_, z) in found)]),
-        }
-
-    def restore(self, arrays: Mapping[str, np.ndarray], segments: Sequence[SteppedModel]) -> None:
-        """From `arrays`."""
-        first = 0
-        for step, k in zip(arrays["mark_steps"], arrays["mark_segments"], strict=True):
-            segment = segments[int(k)]
-            last = first + segment.plan.scheme.layout.size
-            self.states[int(step)] = (segment, arrays["mark_states"][first:last])
-            first = last
-
-    def told(self, steps: Sequence[int], model: Model) -> np.ndarray:
-        """(2, N, n_told) what tells the motion of a model at these steps, and its rates, whatever q_i was stepped."""
-        first = self.states[steps[0]][0]
-        if all(self.states[step][0] is first for step in steps):
-            return told_by(first, np.array([self.states[step][1] for step in steps]), model)
-        return np.concatenate([self.told([step], model) for step in steps], axis=1)
 
 
 def told_by(segment: SteppedModel, states: np.ndarray, model: Model) -> np.ndarray:

@@ -16,7 +16,7 @@ from runtime.results.solution import Solution
 from runtime.running.events import EventActions, note_impulses
 from runtime.running.inputs import EndlessInput, Schedule
 from runtime.running.monitor import Failure
-from runtime.running.pace import Interrupts, Pace, heard_interrupts
+from runtime.running.pace import Interrupts, Pace
 from runtime.running.plan import Plan, whole_number
 from runtime.running.problem import Problem
 from runtime.running.record import Marks, Record, record_of
@@ -76,13 +76,13 @@ class Run:
     record: Record
     further: Further
     initial_changes: str
+    pace: Pace
     events: list[Event] = field(default_factory=list)
     status: Status | None = None
     guard: Guard = field(default_factory=Guard)
     marks: Marks | None = None
     schedule: Schedule | None = None
     earlier: np.ndarray | None = None
-    pace: Pace = field(default_factory=Pace)
     interrupts: Interrupts = field(default_factory=Interrupts)
     left: dict[int, int] = field(default_factory=dict)
     set_up: float = 0.0
@@ -98,7 +98,7 @@ class Run:
     @property
     def step(self) -> int:
         """Major steps done."""
-        return self.segment.step_of(self.z)
+        return int(self.z[1])
 
     @property
     def happenings(self) -> EventActions:
@@ -152,18 +152,18 @@ class Run:
     def to_event(self, at: int, before: np.ndarray, rows: np.ndarray) -> np.ndarray | None:
         """Step to the event that was flagged in step `at` of a stretch from `before`, whose states are rows (N, n_z).
 
-        None where it has happened, else the states up to the step before it; the next stretch is that step.
+        None where it has happened, else those up to the step before it; the next stretch is that step.
         """
-        happened, first = self.happenings, self.segment.step_of(before) + 1
+        happened, first = self.happenings, int(before[1]) + 1
         if self.plan.scheme.adaptive:
-            return rows if not self._ends_at_event(rows) else None
+            return None if self._ends_at_event(rows) else np.vstack([rows[:-1], self.z])
         self.pace.steps, self.z = 1, before.copy()
         if at > first:
             return self.segment.run_and_save(self.z, self.to_be_seen(at - first))
         self.segment.forget_determinants(self.z)
         w = happened.step(self.z)
         if not happened.told:
-            return rows[:0]
+            return self.z[None]
         self._event_has_happened(w)
         return None
 
@@ -173,7 +173,7 @@ class Run:
         if not happened:
             return False
         self.pace.steps = 1
-        self.keep(rows)
+        self.keep(rows[:-1])
         while self.step < self.plan.steps and scheme.next_seen(self.z, self.plan.grid.dt_L) <= scheme.reached(self.z):
             if scheme.is_stuck(self.z):  # the check of the least step tells
                 break
@@ -221,14 +221,12 @@ class Run:
 
     def keep(self, rows: np.ndarray) -> None:
         """Of the states (N, n_z) those that are to be saved, or are at marks."""
-        if self.status is not None or not len(rows):
+        if self.status is not None:
             return
         steps = rows[:, 1].astype(int)
-        due = (steps % self.plan.seen_steps == 0) | (steps == self.plan.steps)
-        if due.any():
-            self.record.add(self.segment, rows[due])
-        if self.marks is not None:
-            self.marks.look(self.segment, rows)
+        for kept in (self.record, self.marks):
+            if kept is not None:
+                kept.add(self.segment, rows[kept.due(steps)])
 
     def report(self) -> None:
         """A checkpoint where one is due, and progress."""
@@ -259,34 +257,36 @@ def integrate(run: Run) -> Status:
     again, state by state, so that the trouble is found where it begins. Whatever happens is decided by states alone.
     """
     began, run.written = time.perf_counter(), time.monotonic()
-    with heard_interrupts() as run.interrupts:
+    with run.interrupts:
         try:
             while run.status is None and run.step < run.plan.steps and not run.interrupts.asked:
                 run.take_inputs()
                 clock, n, before, known = time.perf_counter(), run.stretch(), run.z.copy(), run.segment.monitor.memory()
-                rows: np.ndarray | None = run.segment.run_and_save(run.z, run.to_be_seen(n))
+                seen = run.segment.run_and_save(run.z, run.to_be_seen(n))
+                rows: np.ndarray | None = seen
                 at, alarm = run.segment.first_event(run.z), run.alarm()
-                if rows is not None and at is not None and not alarm:  # an alarm comes first
-                    rows, alarm = run.to_event(at, before, rows), run.alarm()
-                    n = n if run.plan.scheme.adaptive else max(1, at - 1 - run.segment.step_of(before))
-                status = None if rows is None or alarm else run.checked(samples=len(rows) + 1)
+                if at is not None and not alarm:  # an alarm comes first
+                    rows, alarm = run.to_event(at, before, seen), run.alarm()
+                    n = n if run.plan.scheme.adaptive else max(1, at - 1 - int(before[1]))
+                status = None if rows is None or alarm else run.checked(samples=len(rows))
                 if rows is None:
-                    pass  # an event has happened: what it leads to is checked
-                elif len(rows) and (alarm or status is not None):
-                    run.pace.went_wrong(until=run.segment.step_of(before) + n)
+                    run.keep(run.z[None])  # an event has happened: what it leads to is checked
+                elif len(rows) > 1 and (alarm or status is not None):
+                    run.pace.went_wrong(until=int(before[1]) + n)
                     run.segment.monitor.recall(known)
                     run.z = before
                 elif alarm:
                     opened("runtime.running.singular.passage:pass_by")(run, before, n)
+                    run.keep(run.z[None])
+                elif status is not None:
+                    run.status = status
                 else:
                     run.guard.accept(*run.segment.determinants(run.z))
                     run.earlier = before
                     run.pace.went_well()
                     run.keep(rows)
                     note_impulses(run.segment, run.step, run.events)
-                    run.status = status
                 run.pace.took(time.perf_counter() - clock)
-                run.keep(run.z[None])
                 run.report()
         except KeyboardInterrupt:
             run.interrupts.asked = True
@@ -320,9 +320,16 @@ ROUNDING = 1e-13  # m or rad: less is the dust of an assembly
 
 
 def begun(
-    problem: Problem, plan: Plan, marks: Marks | None, further: Further | None = None, quiet: bool = False
+    problem: Problem,
+    plan: Plan,
+    marks: Marks | None,
+    further: Further | None = None,
+    quiet: bool = False,
+    like: Run | None = None,
 ) -> Run:
     """The run of a plan at its checked start. quiet: of a companion or a rung, whose steps may miss what loads do.
+
+    like: a run of the problem with other steps, by whose start it is known to be sound.
 
     Raises ModelError, OutputError or CompilerError.
     """
@@ -335,11 +342,14 @@ def begun(
     z = segment.start(state.q, state.q_dot)
     changes = ", ".join(f"{key}: {a:.9g} -> {b:.9g}" for key, (a, b) in state.changed.items() if _differ(a, b))
     record = record_of(segment, z, further.stream, keep_rows=further.bounded)
-    run = Run(problem, segment, z, record, further, changes or "none", events, guard=segment.new_guard(), marks=marks)
-    run.pace = Pace()
+    pace, guard = Pace.of(segment.stepper.operations), Guard.of(len(segment.determinants(z)[0]))
+    run = Run(problem, segment, z, record, further, changes or "none", pace, events, guard=guard, marks=marks)
+    if marks is not None:
+        marks.segments = record.segments
     run.settle(told=False)
     with record.closed_on_error():
-        run.status = run.status or segment.monitor.first(segment.state(z))
+        known = None if like is None else like.record.segments[0].monitor
+        run.status = run.status or segment.monitor.first(segment.state(z), known)
         record.add(segment, z[None])
         run.schedule = with_reads(problem.schedule(plan.grid.dt_L), run)
     run.set_up = time.perf_counter() - started

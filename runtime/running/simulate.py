@@ -140,7 +140,7 @@ def _made_once(problem: Problem, wanted: str) -> str:
     Raises SchemeError where that scheme cannot tell its own steps' lengths.
     """
     name = str(opened("runtime.running.ladder:chosen_method")(problem)[0].scheme if wanted == AUTO else wanted)
-    if scheme_kind(name).adaptive is not None:
+    if scheme_kind(name).varying:
         return name
     if wanted == AUTO:
         return "dopri5"

@@ -7,7 +7,7 @@ and comparisons are built on it, too.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Self
 
@@ -21,12 +21,11 @@ from runtime.results.observe import observe_samples
 from runtime.results.solution import Solution
 from runtime.running.monitor import Monitor
 from runtime.running.plan import Plan
-from runtime.running.singular.guard import Guard
 from runtime.running.time_functions import all_stops
 from runtime.schemes.stepper import Stepper, kept_stepper
 from runtime.schemes.switching.impulse import Impulse
 from runtime.schemes.switching.times import SwitchTime, switches_by_inputs, switching_times
-from runtime.schemes.switching.watched import NEVER, all_awake, begin_events, watch_events, watches
+from runtime.schemes.switching.watched import NEVER, begin_events, watches
 
 LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
 
@@ -57,15 +56,13 @@ class SteppedModel:
         """Prepare and compile, for parameters p (n_p,); wait: for the best code. Raises ModelError or CompilerError."""
         c = model.constants(p)
         stepper = kept_stepper(plan.scheme, engine, wait)
-        plan = replace(plan, scheme=stepper.scheme)
         return cls(model, plan, stepper, p.copy(), c, stepper.ready(c, plan.grid.dt_L).copy())
 
     @classmethod
     def of_run(
         cls, model: Model, plan: Plan, p: np.ndarray, engine: str, begun: ConsistentState | None = None
     ) -> SteppedModel:
-        """With events watched and stops found over the time of the plan. Raises what `prepared` does."""
-        watch_events(plan.scheme)
+        """With stops found over the time of the plan. Raises what `prepared` does."""
         found = cls.prepared(model, plan, p, engine)
         found.begun = begun or ConsistentState(model.initial_q, model.initial_q_dot, {})
         found.find_switches(plan.t0, plan.t_end)
@@ -80,10 +77,6 @@ class SteppedModel:
         """From now on these parameters (n_p,)."""
         self.p[:], self.c[:] = p, self.model.constants(p)
         self.ready[:] = self.stepper.ready(self.c, self.plan.grid.dt_L)
-
-    def begin(self, t: float, q: np.ndarray, q_dot: np.ndarray) -> np.ndarray:
-        """The whole z at a consistent state of all coordinates (n,) at time t [s] (Eqs. 68-71)."""
-        return self.stepper.start(t, q, q_dot, self.c, self.plan.grid.dt_L)
 
     def advance(self, z: np.ndarray, steps: int) -> None:
         """Make so many major steps in place, in one native call where nothing jumps."""
@@ -146,7 +139,9 @@ class SteppedModel:
 
     def begin_events(self, z: np.ndarray) -> None:
         """Look for events from a state z (n_z,) on as if none had happened yet."""
-        all_awake(self.plan.scheme, z)
+        layout = self.plan.scheme.layout
+        if "event_quiet" in layout.sizes:
+            z[layout.slice("event_quiet")] = -NEVER
         self.look_anew(z)
 
     def look_anew(self, z: np.ndarray) -> None:
@@ -187,7 +182,7 @@ class SteppedModel:
         """
         grid = self.plan.time(step)
         start = at if at is not None else grid if self.broken is None else self.broken.grid.clock(step)
-        z = self.begin(start, q, q_dot)
+        z = self.stepper.start(start, q, q_dot, self.c, self.plan.grid.dt_L)
         z[0], z[1] = self.plan.t0 + (start - grid), step  # the grid of times is the run's
         self.forget_determinants(z)
         self.begin_events(z)
@@ -203,33 +198,29 @@ class SteppedModel:
     def _switches_by_inputs(self) -> bool:
         return switches_by_inputs(self.model)
 
-    def step_of(self, z: np.ndarray) -> int:
-        """Major steps that were made when z was reached."""
-        return int(z[1])
-
     def run(self, z: np.ndarray, steps: int) -> None:
         """Advance z in place."""
         self.forget_determinants(z)
         self.advance(z, steps)
 
     def run_and_save(self, z: np.ndarray, ends: Sequence[int]) -> np.ndarray:
-        """Advance z in place to the last of these steps; (N, n_z) whole states at those before it.
+        """Advance z in place to the last of these steps; (N, n_z) whole states at them, the last of which is z.
 
         Fewer where steps cannot be made whole. Ctrl-C leaves z where it began, so that no saved state is missing.
         """
         self.forget_determinants(z)
-        counts, begun = np.diff([self.step_of(z), *ends]).astype(np.int64), z.copy()
+        counts, begun = np.diff([int(z[1]), *ends]).astype(np.int64), z.copy()
         rows = np.empty((len(counts), len(z)))
         try:
             if self.broken is None and not self.plan.scheme.adaptive:
                 self.stepper.engine.run_rows(z, self.ready, counts, rows)
-                return rows[:-1]
+                return rows
             for k, end in enumerate(ends):
                 self.advance(z, int(counts[k]))
-                if self.step_of(z) < end:
-                    return rows[:k]
                 rows[k] = z
-            return rows[:-1]
+                if int(z[1]) < end:
+                    return rows[: k + 1]
+            return rows
         except KeyboardInterrupt:
             z[:] = begun
             raise
@@ -238,10 +229,6 @@ class SteppedModel:
     def impulses(self) -> dict[float, Impulse]:
         """Of prescribed motions whose velocity has jumped so far, by time [s]."""
         return self.given if self.broken is None else self.broken.impulses
-
-    def new_guard(self) -> Guard:
-        """For the determinants that the scheme keeps."""
-        return Guard.of(self.plan.scheme.layout.sizes["det_low"])
 
     def forget_determinants(self, z: np.ndarray) -> None:
         """Let det_low and det_high begin anew."""

@@ -29,7 +29,7 @@ from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.impulse import moves_in_time
 from runtime.schemes.switching.steps_with_stops import StepsWithStops
 from runtime.schemes.switching.times import has_switching_times, switches_by_inputs, switching_times
-from runtime.schemes.switching.watched import watch_events, watched_events
+from runtime.schemes.switching.watched import watched_events
 from runtime.start.start_state import start_state
 
 KNOWN = (float, int, np.number)  # kinds of numbers that need no closer look
@@ -83,14 +83,13 @@ class ModelStepper:
         self._settings = {"scheme": scheme, "dt": dt, "m": m, "options": options, "engine": engine}
         plan.scheme.of_one_length("a stepper")
         self.dt = plan.grid.dt_L
-        watch_events(plan.scheme)
         self._own = SteppedModel.prepared(model, plan, model.parameter_vector(parameters), engine, wait=True)
-        self.scheme = self._own.plan.scheme
+        self.scheme = plan.scheme
         self._constants = self.scheme.constants(self._own.c, self.dt).copy()
         self._sample: Solution | None = None
         state = start_state(model, self.parameters, self._own.c, 0.0, None)
         # this array stays where it is: compiled code and readers know its address
-        self._z = self._own.begin(0.0, state.q, state.q_dot).copy()
+        self._z = self._own.stepper.start(0.0, state.q, state.q_dot, self._own.c, self.dt)
         self._across = UnendingSteps(self._own, self._z) if may_break(plan.scheme) else None
         self._advance = self._own.bound(self._z) if self._across is None else self._across.run
         self._set_out(0.0)
@@ -125,7 +124,7 @@ class ModelStepper:
                 self._take(np.append(self.parameters[:-1], t))  # rates count from here
             found = start_state(self.model, self.parameters, self._own.c, t, state, start)
             q, q_dot = found.q, found.q_dot
-        self._z[:] = self._own.begin(t, q, q_dot)
+        self._z[:] = self._own.stepper.start(t, q, q_dot, self._own.c, self.dt)
         self._set_out(t)
         self._sample = None
 

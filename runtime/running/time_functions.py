@@ -21,6 +21,7 @@ from runtime.contract.coordinates import parts, rate_parts
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.contract.status import Event
+from runtime.engine.rows import ManyPoints
 from runtime.running.plan import Plan
 from runtime.schemes.stage_equations import is_long_tree
 from runtime.schemes.switching.times import MARGIN, SwitchTime, switching_times
@@ -68,7 +69,7 @@ def refuse_position_jumps(
     if function is None:
         return
     sides = np.array([[one.before, one.after] for one in switches]).ravel()
-    values = np.asarray(function(np.concatenate([sides, np.linspace(t0, t_end, SEEN)])[None, :]))
+    values = function(np.concatenate([sides, np.linspace(t0, t_end, SEEN)]))
     jumps = np.abs(values[:, 1 : len(sides) : 2] - values[:, 0 : len(sides) : 2])
     allowed = JUMP * np.ptp(values, axis=1) + DUST
     row, k = divmod(int((jumps - allowed[:, None]).argmax()), len(switches))
@@ -80,15 +81,18 @@ def refuse_position_jumps(
         )
 
 
-def _of_time(model: Model, c: np.ndarray, state: ConsistentState, name: str, output: str) -> ca.Function | None:
-    """t -> an output of a kernel at the state; None if it does not depend on t."""
+OfTime = Callable[[np.ndarray], np.ndarray]  # (n, N) at times (N,)
+
+
+def _of_time(model: Model, c: np.ndarray, state: ConsistentState, name: str, output: str) -> OfTime | None:
+    """An output of a kernel at the state; None if it does not depend on t."""
     if not model.has(name) or "t" not in model.kernel(name).name_in():
         return None
     numbers = (name, output, c.tobytes(), state.q.tobytes(), state.q_dot.tobytes())
     return model.of_numbers("of time", numbers, lambda: _with_time_left(model, c, state, name, output))
 
 
-def _with_time_left(model: Model, c: np.ndarray, state: ConsistentState, name: str, output: str) -> ca.Function | None:
+def _with_time_left(model: Model, c: np.ndarray, state: ConsistentState, name: str, output: str) -> OfTime | None:
     t = ca.SX.sym("t")
     (q_i, q_d), (q_i_dot, q_d_dot) = parts(model, state.q), rate_parts(model, state.q, state.q_dot)
     values = {
@@ -101,11 +105,14 @@ def _with_time_left(model: Model, c: np.ndarray, state: ConsistentState, name: s
         "c": c,
     }
     found = ca.densify(model.evaluate(name, **{key: ca.SX(ca.DM(one)) for key, one in values.items()}, t=t)[output])
-    return ca.Function("of_time", [t], [found]) if ca.depends_on(found, t) else None
+    if not ca.depends_on(found, t):
+        return None
+    points = ManyPoints(ca.Function("of_time", [t], [found]))
+    return lambda times: points(np.zeros(0), times[:, None]).T
 
 
-def force_of_time(model: Model, c: np.ndarray, state: ConsistentState) -> ca.Function | None:
-    """t -> Q_hat (n_i,) at the state; None if it does not depend on t."""
+def force_of_time(model: Model, c: np.ndarray, state: ConsistentState) -> OfTime | None:
+    """Q_hat (n_i, N) at the state; None if it does not depend on t."""
     if is_long_tree(model) and "t" not in model.kernel("forward_dynamics").name_in():
         return None
     return _of_time(model, c, state, "condensed", "Q_hat")
@@ -117,7 +124,7 @@ def _refuse_jumps(
     function = _of_time(model, c, state, "constraints", "C_t") if model.constraints else None
     if function is None:
         return
-    velocities = np.asarray(function(times[None, :])).reshape(-1, len(times))
+    velocities = function(times)
     allowed = JUMP * np.abs(velocities).max(axis=1) + DUST
     steep = np.argsort(-np.abs(np.diff(velocities, 2)), axis=1)[:, :CANDIDATES]  # steep is no jump
     looked = [(row, k) for row, own in enumerate(steep) for k in own if not _ends_between(ends, *times[[k, k + 2]])]
@@ -129,7 +136,7 @@ def _refuse_jumps(
 
     def levels(t: np.ndarray) -> np.ndarray:
         """(n,) of each candidate at its own time, what changes steadily taken out."""
-        found: np.ndarray = np.asarray(function(t[None, :]))[rows, np.arange(len(rows))] - slopes * t
+        found: np.ndarray = function(t)[rows, np.arange(len(rows))] - slopes * t
         return found
 
     low, high = times[at], times[at + 2]
@@ -166,17 +173,17 @@ def all_stops(
     apart.
     """
 
-    motion, forces = (t0, t_end, c.tobytes(), state.q.tobytes(), state.q_dot.tobytes()), _forces_nearby(model, c, state)
-    known, short = model.of_numbers(
-        "stops",
-        motion,
-        lambda: (switching_times(model, c, t0, t_end), [] if forces is None else pulses(forces, t0, t_end)),
-    )
+    def found() -> tuple[list[SwitchTime], list[tuple[float, float]]]:
+        forces = _forces_nearby(model, c, state)
+        return switching_times(model, c, t0, t_end), [] if forces is None else pulses(forces, t0, t_end)
+
+    motion = t0, t_end, c.tobytes(), state.q.tobytes(), state.q_dot.tobytes()
+    known, short = model.of_numbers("stops", motion, found)
     return sorted([*known, *pulse_times(short, t0, t_end, known, step)], key=lambda one: one.time)
 
 
-def _forces_nearby(model: Model, c: np.ndarray, state: ConsistentState) -> Forces | None:
-    """times (1, N) -> Q_hat at a state, and below it at a turned one that moves; None where no load depends on t.
+def _forces_nearby(model: Model, c: np.ndarray, state: ConsistentState) -> OfTime | None:
+    """Q_hat at a state, and below it at a turned one that moves; None where no load depends on t.
 
     What is not finite at the second is left out: nothing says that the motion comes there.
     """
@@ -187,9 +194,9 @@ def _forces_nearby(model: Model, c: np.ndarray, state: ConsistentState) -> Force
 
     def forces(times: np.ndarray) -> np.ndarray:
         """(2 n_i, N)."""
-        none = np.zeros((n, times.size))
-        here = none if own is None else np.asarray(own(times)).reshape(n, -1)
-        there = none if other is None else np.array(other(times)).reshape(n, -1)
+        none = np.zeros((n, len(times)))
+        here = none if own is None else own(times)
+        there = none if other is None else other(times).copy()
         there[~np.all(np.abs(there) < LARGEST_LOAD, axis=1)] = 0.0
         return np.vstack([here, there])
 
@@ -212,7 +219,7 @@ def _missed_loads(
     loads = _forces_nearby(model, c, state)
     if loads is None:
         return []
-    forces = loads(times[None, :])
+    forces = loads(times)
     bad = ~(np.abs(forces) < LARGEST_LOAD)
     if bad.any():
         k = int(bad.any(axis=0).argmax())
@@ -256,13 +263,11 @@ CLOSELY = 65  # looks about its peak
 PARTS = 24
 REACH = 8  # parts of the motion on each side
 
-Forces = Callable[[np.ndarray], np.ndarray]  # (n_Q, N) at times (1, N)
 
-
-def pulses(forces: Forces, t0: float, t_end: float) -> list[tuple[float, float]]:
+def pulses(forces: OfTime, t0: float, t_end: float) -> list[tuple[float, float]]:
     """(begin, end) [s] of what acts for a short time from t0 to t_end [s], rising."""
     times = np.linspace(t0, t_end, POINTS + 1)
-    values = np.asarray(forces(times[None, :])).reshape(-1, POINTS + 1)
+    values = forces(times)
     if not (np.abs(values) < 1e290).all():
         return []
     spans = {
@@ -288,11 +293,11 @@ def pulse_times(
     return [SwitchTime(t, t - margin, t + margin, ()) for t, margin in margins]
 
 
-def _has_height(forces: Forces, times: np.ndarray, k: int, row: np.ndarray, span: tuple[int, int]) -> bool:
+def _has_height(forces: OfTime, times: np.ndarray, k: int, row: np.ndarray, span: tuple[int, int]) -> bool:
     """Has a load k the height that its values (POINTS + 1,) show? At a pole it has none."""
     peak = span[0] + int(np.abs(row[span[0] : span[1] + 1]).argmax())
     near = np.linspace(times[max(peak - 1, 0)], times[min(peak + 1, POINTS)], CLOSELY)
-    found = np.asarray(forces(near[None, :])).reshape(-1, CLOSELY)[k]
+    found = forces(near)[k]
     return bool(np.abs(found).max() < 2 * abs(row[peak]))
 
 

@@ -11,6 +11,7 @@ from runtime.contract.doors import opened
 from runtime.contract.model import Model
 from runtime.schemes.options import HALVES, Options, SchemeError, make_grid
 from runtime.schemes.scheme import Scheme
+from runtime.schemes.switching.watched import watch_events
 
 Ratios = Literal["none", "groups", "sub_steps"]
 
@@ -21,7 +22,8 @@ class SchemeKind:
 
     ratios: what m is. `groups`: one ratio between each two groups of the partition; `sub_steps`: one number of
     sub-steps for all coordinates; `none`: no m. default_m: m where neither the user nor the scene gives one that fits.
-    By their places, `file:name` of this folder: the class, the record of its options, the class for a tolerance.
+    By their places, `file:name` of this folder: the class and the record of its options. varying: may steps be as long
+    as its estimate of their error asks for?
     """
 
     class_at: str
@@ -29,7 +31,7 @@ class SchemeKind:
     ratios: Ratios
     options_at: str
     default_m: int = 1
-    adaptive_at: str = ""
+    varying: bool = False
 
     @property
     def make(self) -> type[Scheme]:
@@ -40,11 +42,6 @@ class SchemeKind:
     def options(self) -> type[Options]:
         """The record of its options, defaults in it."""
         return cast(type[Options], opened(f"runtime.schemes.{self.options_at}"))
-
-    @property
-    def adaptive(self) -> type[Scheme] | None:
-        """The class for a tolerance, if there is one."""
-        return opened(f"runtime.schemes.{self.adaptive_at}") if self.adaptive_at else None
 
     @property
     def multirate(self) -> bool:
@@ -61,9 +58,9 @@ class SchemeKind:
             raise SchemeError(
                 f"{name} takes one step for all coordinates; leave m = {m!r} out, or choose another scheme"
             )
-        adaptive = self.adaptive if getattr(options, "tolerance", False) else None
+        adaptive = self.varying and getattr(options, "tolerance", 0.0) > 0
         if m is None:
-            m = self._usual_m(model, options) if adaptive is None or self.ratios == "none" else [HALVES]
+            m = self._usual_m(model, options) if not adaptive or self.ratios == "none" else [HALVES]
         groups = [list(group.positions) for group in model.groups]
         if self.ratios != "groups":
             groups = [list(range(len(model.q_i)))]
@@ -73,7 +70,11 @@ class SchemeKind:
         )
         key = (name, repr(groups), repr(grid.m), repr(options))
         if key not in model.schemes:
-            model.schemes[key] = (adaptive or self.make)(model, grid, options)
+            built: Scheme = self.make(model, grid, options)
+            if adaptive:
+                built = opened("runtime.schemes.adaptive.adaptive_steps:AdaptiveSteps")(built)
+            watch_events(built)
+            model.schemes[key] = built
         found: Scheme = model.schemes[key]
         return found.on(grid)
 
@@ -113,14 +114,14 @@ SCHEMES: dict[str, SchemeKind] = {
         "sub_steps",
         "exponential:ExponentialOptions",
         default_m=4,
-        adaptive_at="adaptive.methods:AdaptiveExponential",
+        varying=True,
     ),
     "exponential_rk4": SchemeKind(
         "exponential_rk4:ExponentialRungeKutta",
         "exponential Runge-Kutta on the stiff deflections, order 4",
         "none",
         "exponential_rk4:ExponentialRungeKuttaOptions",
-        adaptive_at="adaptive.methods:AdaptiveExponentialRungeKutta",
+        varying=True,
     ),
     "exponential_adams": SchemeKind(
         "exponential_adams:ExponentialAdams",
@@ -139,7 +140,7 @@ SCHEMES: dict[str, SchemeKind] = {
         "Dormand-Prince, order 5(4)",
         "none",
         "options:AdaptiveOptions",
-        adaptive_at="adaptive.methods:AdaptiveDormandPrince",
+        varying=True,
     ),
     "dop853": SchemeKind(
         "baselines.runge_kutta:DormandPrince8",

@@ -145,7 +145,7 @@ class ExponentialRungeKutta(Method):
             seen.append(at)
             return motion.remainder(equations.chart_accelerations(at, stage.v), stage)
 
-        found = krogstad(motion, d, rough=self.adaptive)
+        found = krogstad(motion, d, rough=self.options.tolerance > 0)
         kept = {"b1": found.b1, "b2": found.b2}
         end, loop = found.end, equations.loop_part(seen[-1].q_d)
         return Attempt(end.q, end.v, loop, end.q - found.before.q, end.v - found.before.v, kept, tuple(seen))

@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping
 from copy import copy
 from dataclasses import dataclass
 from enum import Enum
+from functools import cached_property
 from typing import Self
 
 import casadi as ca
@@ -20,6 +21,7 @@ from runtime.contract.coordinates import charts_in
 from runtime.contract.model import Model
 from runtime.contract.status import StatusName
 from runtime.contract.tape import arithmetic, shared
+from runtime.engine.kept_programs import kept_function, key_of
 from runtime.engine.program import LONG, Call, Fields, Layout, Program, make_stage
 from runtime.engine.rows import Direct
 from runtime.schemes.charts import Charts
@@ -49,7 +51,7 @@ class Scheme(ABC):
 
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
         self.model = model
-        self.take_steps(grid)
+        self._take_steps(grid)
         self._derived: dict[str, ca.Function] = {}
         self.called: dict[str, Direct] = {}  # by `direct`
         self.options = options.checked(len(grid.groups))
@@ -170,28 +172,31 @@ class Scheme(ABC):
         """The fields of z that do not act on any value of the motion."""
         return self.lasting(Lasting.CONTROL, Lasting.ACCOUNT)
 
+    @cached_property
+    def alike(self) -> tuple[str, ...]:
+        """Kind, groups, ratios, options and fields of z: what its programs depend on, whatever its steps."""
+        parts = self.grid.groups, self.grid.m, self.options, self.layout.sizes
+        return (type(self).__qualname__, *map(repr, parts))
+
     def lasting(self, *kinds: Lasting) -> list[str]:
         """The fields of z that matter so long, in the order of z."""
         return [name for name, one in self._fields.items() if one.lasting in kinds]
 
     def on(self, grid: Grid) -> Self:
-        """The same scheme with the steps of another grid with the same groups and ratios; nothing is built of it."""
+        """With the steps of a grid with the same groups and ratios; what is built of either serves both."""
         found = copy(self)
-        found._derived, found.called, found._fields = {}, {}, dict(self._fields)
-        found.take_steps(grid)
+        found._take_steps(grid)
         return found
 
     def with_step(self, dt: float) -> Self:
-        """The same scheme with a major step of dt [s]; what is built of either serves both, for stages read steps."""
-        found = copy(self)
-        found._fields = dict(self._fields)
-        found.take_steps(self.grid.scaled(dt))
-        return found
+        """The same scheme with a major step of dt [s]."""
+        return self.on(self.grid.scaled(dt))
 
-    def take_steps(self, grid: Grid) -> None:
-        """From now on the steps of a grid with the same groups and ratios."""
+    def _take_steps(self, grid: Grid) -> None:
         self.grid, self._steps = grid, np.array(grid.h)
-        self.step_sizes = np.array([grid.h[self.group_of(k)] for k in range(len(self.model.q_i))])
+        self.step_sizes = np.empty(len(self.model.q_i))
+        for own, h in zip(grid.groups, grid.h if len(grid.groups) > 1 else grid.h[:1], strict=True):
+            self.step_sizes[own] = h
 
     def constants(self, c: np.ndarray, dt: float | None = None) -> np.ndarray:
         """The model's c and the steps, as the stages read them; dt: another major step than the grid's [s]."""
@@ -201,8 +206,13 @@ class Scheme(ABC):
     def derived(self, name: str, build: Callable[[], ca.Function]) -> ca.Function:
         """A Function made of the scheme's, built once."""
         if name not in self._derived:
-            self._derived[name] = build()
+            self._derived[name] = kept_function(self.key(name), build)
         return self._derived[name]
+
+    def key(self, name: str) -> str:
+        """Of what is kept on disk of it, "" where nothing is: a folder's text is what its digest says."""
+        kept = bool(self.model.folder) and not self.model.sources
+        return key_of(self.model.digest, *self.alike, name) if kept else ""
 
     @property
     def starter(self) -> ca.Function:
@@ -410,10 +420,14 @@ def direct(scheme: Scheme, name: str, build: Callable[[], ca.Function]) -> Direc
 
 def evaluation_operations(scheme: Scheme) -> int:
     """Arithmetic operations of a full evaluation: closure, velocities, M_hat, Q_hat and the solution for q_i_ddot."""
+    return arithmetic(scheme.derived("evaluation", lambda: _evaluation(scheme)))
+
+
+def _evaluation(scheme: Scheme) -> ca.Function:
     model = scheme.model
     q_i, v, t = ca.SX.sym("q_i", len(model.q_i)), ca.SX.sym("v", len(model.q_i)), ca.SX.sym("t")
     loop, c = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", scheme.c_size)
     equations = scheme.equations(c)
     assert isinstance(scheme.options, ClosureOptions)  # who takes sub-steps closes in each of them
     a = equations.accelerations(equations.close(q_i, loop, t, scheme.options.closure_iterations), v)
-    return arithmetic(ca.Function("evaluation", [q_i, v, t, loop, c], shared([a])))
+    return ca.Function("evaluation", [q_i, v, t, loop, c], shared([a]))

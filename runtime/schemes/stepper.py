@@ -13,9 +13,8 @@ import numpy as np
 
 from runtime.contract.coordinates import charts_in, independent, loop_part
 from runtime.engine.choose import choose_engine, operations_per_step, sub_step_operations
-from runtime.engine.kept_programs import is_short, key_of, read_prepared, write_prepared
+from runtime.engine.kept_programs import are_short, read_prepared, write_prepared
 from runtime.engine.prepare import Prepared, prepare
-from runtime.schemes.options import Grid
 from runtime.schemes.scheme import Scheme, direct, evaluation_operations
 from runtime.schemes.switching.watched import with_events
 
@@ -27,7 +26,7 @@ def start_vector(
     model = scheme.model
     if not model.places.all_independent:
         return direct(scheme, "start_there", lambda: start_there(scheme))(t, q, q_dot, scheme.constants(c, dt))
-    start = direct(scheme, "start", lambda: scheme.starter)
+    start = direct(scheme, "starter", scheme.start)
     return start(t, *independent(model, q, q_dot), loop_part(model, q), scheme.constants(c, dt))
 
 
@@ -44,14 +43,11 @@ def start_there(scheme: Scheme) -> ca.Function:
 
 def prepared_step(scheme: Scheme) -> Prepared:
     """The program of a major step, from the disk where one of a like scheme on this very model was kept."""
-    model = scheme.model
-    known = bool(model.folder) and not model.sources  # a folder's text is what its digest says
-    alike = (repr(scheme.grid.groups), repr(scheme.grid.m), repr(scheme.options), repr(scheme.layout.sizes))
-    key = key_of(model.digest, type(scheme).__qualname__, *alike) if known else ""
-    found = read_prepared(key) if known else None
+    key = scheme.key("step")
+    found = read_prepared(key) if key else None
     if found is None:
         found = prepare(with_events(scheme, scheme.program()), scheme.layout.size, scheme.c_size)
-        if known and is_short(found):
+        if key and are_short([*found.program.stages(), found.constants]):
             write_prepared(key, found)
             found = replace(found, tapes={})  # compiled by its Functions, as when it is read again
     return found
@@ -86,11 +82,7 @@ class Stepper:
 
     def ready(self, c: np.ndarray, dt: float) -> np.ndarray:
         """What the program reads, for constants and a step."""
-        return self.ready_for(self.scheme.constants(c, dt))
-
-    def ready_for(self, constants: np.ndarray) -> np.ndarray:
-        """The same for the constants as the scheme's stages read them."""
-        return self.prepared.ready(constants)
+        return self.prepared.ready(self.scheme.constants(c, dt))
 
     def start(self, t: float, q: np.ndarray, q_dot: np.ndarray, c: np.ndarray, dt: float) -> np.ndarray:
         """z at a consistent state of all coordinates (Eqs. 68-71)."""
@@ -120,18 +112,17 @@ _LOCK = Lock()  # of what models keep: threads may run one model at once
 def kept_stepper(scheme: Scheme, engine: str = "auto", wait: bool = False) -> Stepper:
     """A stepper with what was prepared and compiled for a like scheme on the same model before, else a new one.
 
-    Its `scheme` is to be used in place of the one given: what was built of that is there already. Alike are schemes of
-    a kind with the same groups, ratios, options and fields of z, whatever their steps: these are data of a program.
-    The oldest goes first.
+    Steps are data of a program. The oldest goes first.
     """
     known: dict[tuple[Any, ...], Stepper] = scheme.model.steppers
-    alike = (repr(scheme.grid.groups), repr(scheme.grid.m), repr(scheme.options), repr(scheme.layout.sizes))
-    key = (type(scheme), *alike, engine, wait)
+    key = (*scheme.alike, engine, wait)
     with _LOCK:
-        found = known.pop(key, None)
-        if found is not None:
-            known[key] = found  # the youngest now
-            return found if found.scheme.grid == scheme.grid else _with_steps(found, scheme.grid)
+        kept = known.pop(key, None)
+        if kept is not None:
+            known[key] = kept  # the youngest now
+            found = copy(kept)
+            found.scheme = scheme
+            return found
     stepper = Stepper(scheme, engine, wait)
     _ = stepper.sub_step_cost  # counted once: copies with other steps take it along
     if stepper.operations <= MOST_OPERATIONS:
@@ -140,11 +131,3 @@ def kept_stepper(scheme: Scheme, engine: str = "auto", wait: bool = False) -> St
             while sum(one.operations for one in known.values()) > MOST_OPERATIONS:
                 del known[next(iter(known))]
     return stepper
-
-
-def _with_steps(kept: Stepper, grid: Grid) -> Stepper:
-    """The same programs with other steps; what is built of either scheme later is that of both."""
-    other = copy(kept)
-    other.scheme = copy(kept.scheme)
-    other.scheme.take_steps(grid)
-    return other

@@ -87,8 +87,11 @@ def current_folder(name: str) -> Path | None:
     """Folder of the emitted code if that was generated from the scene as it stands today, else None.
 
     The comparison builds the scene, so a stamp in the user's cache says for which files of the generator it was made.
+    In an installed package, which has no pyproject.toml, both are as they were built.
     """
     folder = generated_folder(name)
+    if not (ROOT / "pyproject.toml").is_file():
+        return folder if folder.is_dir() else None
     try:
         text = (folder / "scene.toml").read_bytes().decode("utf-8")
         digest = str(json.loads((folder / "manifest.json").read_bytes())["sha256"])

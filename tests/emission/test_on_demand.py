@@ -85,7 +85,7 @@ def test_mass_and_slopes_of_a_long_tree_are_those_of_the_matrices(emitted: Model
         assert np.abs(found - wanted).max() < 1e-8 * np.abs(wanted).max()
     scheme = make_plan(emitted, 1.0, 1e-4, None, "single_rate", 1, None, 0.0).scheme
     z = np.asarray(scheme.start()(0.0, state.q_i, np.zeros(LINKS), [], scheme.constants(c))).ravel()
-    assert np.abs(CloseLook(emitted, scheme).mass(z, scheme.constants(c)) - M_hat).max() < 1e-12 * np.abs(M_hat).max()
+    assert np.abs(CloseLook(emitted, scheme)(z, scheme.constants(c)).M_hat - M_hat).max() < 1e-12 * np.abs(M_hat).max()
 
 
 def test_a_chain_is_assembled_in_as_many_iterations_whatever_its_length(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,7 +11,6 @@ from benchmarks.scenes.arm import arm
 from runtime.contract.model import Model
 from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.stage_equations import LinearisedEquations
-from runtime.schemes.switching.watched import watch_events
 from symgen.notation.fields import FIELDS
 from symgen.notation.symbols import SYMBOLS, Notation, table
 from symgen.scene import Scene, SceneRecord
@@ -52,11 +51,10 @@ def fields_of_z(model: Model) -> set[str]:
         choices = [{}]
         if "order" in kind.options.names():
             choices.append({"order": 5})
-        if kind.adaptive is not None:
+        if kind.varying:
             choices.append({"tolerance": 1e-3})
         for options in choices:
             scheme = kind.build(name, model, 1.0, None, options)
-            watch_events(scheme)
             found |= set(scheme.layout.sizes)
     return found
 

@@ -255,8 +255,11 @@ def test_edited_checkpoints_are_refused(built_in: Load, checkpoint: Path, tmp_pa
     """Also those that are whole archives: a run goes on with what it wrote itself, and with nothing else."""
     arrays = dict(np.load(checkpoint))
     header = json.loads(str(arrays["header"]))
-    if key in header:
-        arrays["header"] = np.array(json.dumps({**header, key: value}))
+    for own in (header, header["plan"]):
+        if key in own:
+            own[key] = value
+    if key in header or key in header["plan"]:
+        arrays["header"] = np.array(json.dumps(header))
     else:
         arrays[key] = arrays[key] + value
     path = tmp_path / "edited.npz"

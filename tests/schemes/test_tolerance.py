@@ -90,7 +90,7 @@ def seen_inside_a_step(model: Model, scheme: str, h: float, share: float) -> tup
     layout, state = runs.scheme.layout, runs.state
     z = runs.stepper.start(0.0, state.q, state.q_dot, runs.c, share * h)
     z[layout.slice("h_next")] = h
-    runs.stepper.run(z, runs.stepper.ready_for(runs.scheme.constants(runs.c, share * h, 1e9)), 1)
+    runs.stepper.run(z, runs.stepper.prepared.ready(runs.scheme.constants(runs.c, share * h, 1e9)), 1)
     assert z[layout.slice("accepted")] == 1 and z[layout.slice("t_to")] == pytest.approx(h)
     fine = PreparedRuns(model, "dop853").samples(share * h / 40, 40, 40)
     exact = np.array([fine["x"][-1], fine["v"][-1]])

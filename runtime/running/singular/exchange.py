@@ -110,7 +110,7 @@ CONJUGATE = np.array([1.0, -1.0, -1.0, -1.0])
 
 def carried(old: SteppedModel, z: np.ndarray, new: SteppedModel, seen: Solution) -> np.ndarray:
     """z of the new segment at the state of the old one; seen: that state observed, one sample."""
-    result = new.start(seen.q[0], seen.q_dot[0], old.step_of(z))
+    result = new.start(seen.q[0], seen.q_dot[0], int(z[1]))
     before, after = old.plan.scheme.layout, new.plan.scheme.layout
     for name in (*COUNTERS, *(name for name in OF_TOLERANCE if name in after.sizes)):
         result[after.slice(name)] = z[before.slice(name)]

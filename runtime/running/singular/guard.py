@@ -33,19 +33,15 @@ class Guard:
         """That has seen nothing yet."""
         return cls(np.zeros(blocks), np.zeros(blocks))
 
-    def share(self, low: np.ndarray, high: np.ndarray) -> float:
-        """The smallest determinant of some steps as a share of the largest so far; negative if one changed its sign."""
-        if not len(self.largest):
-            return 1.0
+    def alarm(self, low: np.ndarray, high: np.ndarray) -> bool:
+        """Is a determinant of some steps below its share of the largest so far, or has one changed its sign?"""
+        if not len(low):
+            return False
         largest = np.maximum(self.largest, np.maximum(np.abs(low), np.abs(high)))
         changed = (np.sign(low) * np.sign(high) <= 0) | (self.sign * np.sign(low) < 0)
         with np.errstate(invalid="ignore", divide="ignore"):
             shares = np.where(changed, -1.0, np.minimum(np.abs(low), np.abs(high)) / largest)
-        return float(shares.min())
-
-    def alarm(self, low: np.ndarray, high: np.ndarray) -> bool:
-        """Is a determinant below the threshold, or has it changed its sign?"""
-        return self.share(low, high) < self.threshold
+        return bool(shares.min() < self.threshold)
 
     def accept(self, low: np.ndarray, high: np.ndarray) -> None:
         """Remember steps without alarm."""

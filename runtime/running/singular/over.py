@@ -57,7 +57,7 @@ class Over:
 
         What an event sets holds from there on; very near to the position from the other side on. Raises BranchLost.
         """
-        plan, done, samples = self.segment.plan, self.segment.step_of(z), list[np.ndarray]()
+        plan, done, samples = self.segment.plan, int(z[1]), list[np.ndarray]()
         first, end, known = done, self._last_step(way, done), dict[int, float]()
         while True:
             quiet = self._quiet(z)

@@ -64,7 +64,7 @@ def locate(
         guard.accept(*segment.determinants(z))
         return z, None, False
     for start in (before, earlier):
-        distance = -1 if start is None else segment.step_of(low_z) - 1 - segment.step_of(start)
+        distance = -1 if start is None else int(low_z[1]) - 1 - int(start[1])
         if start is not None and distance >= 0:
             previous = start.copy()
             if distance:
@@ -91,7 +91,7 @@ def _go_on(run: Run, before: np.ndarray, n: int) -> None:
         return
     last = z if previous is None else previous
     found = Passage(run).go_on(last)
-    if run.left.get(id(found.segment)) == found.segment.step_of(found.z):  # exchanges would go in a circle
+    if run.left.get(id(found.segment)) == int(found.z[1]):  # exchanges would go in a circle
         _step_unguarded(run, last)
         return
     happened, event = run.happenings, found.event
@@ -110,8 +110,8 @@ def _go_on(run: Run, before: np.ndarray, n: int) -> None:
         run.keep(sample[None])
     run.status = found.status
     if found.segment is not run.segment:
-        run.left[id(run.segment)] = found.segment.step_of(found.z)
-        run.segment, run.guard = found.segment, found.segment.new_guard()
+        run.left[id(run.segment)] = int(found.z[1])
+        run.segment, run.guard = found.segment, Guard.of(len(found.segment.determinants(found.z)[0]))
         if found.segment not in run.record.segments:
             run.record.segments.append(found.segment)
     run.z, run.earlier = found.z, None
@@ -181,7 +181,7 @@ class Passage:
                 "Start elsewhere, change a length a little, or stop the run before it.",
             )
         self.guard.passed()
-        first, event = self.segment.step_of(z) + 1, over.told()
+        first, event = int(z[1]) + 1, over.told()
         return Continuation(self.segment, samples[-1].copy(), samples, first, event, status)
 
     # ---- another q_i ----------------------------------------------------------------------------------------
@@ -207,7 +207,7 @@ class Passage:
             f"{exchange.into} took the place of {exchange.out} in q_i, "
             f"which makes the closure {exchange.gain:.3g} times better determined",
         )
-        return Continuation(segment, new, [], segment.step_of(new) + 1, event)
+        return Continuation(segment, new, [], int(new[1]) + 1, event)
 
     def _segment_with(self, names: list[str], q: np.ndarray) -> SteppedModel:
         """One that the run has had, or a new one. Raises NoVariant or SchemeError."""
@@ -226,5 +226,5 @@ class Passage:
         return Continuation(self.segment, z, [], None, event)
 
     def _lost(self, name: StatusName, z: np.ndarray, cause: str, advice: str) -> Continuation:
-        time = self.segment.plan.time(self.segment.step_of(z))
+        time = self.segment.plan.time(int(z[1]))
         return Continuation(self.segment, z, [], None, None, Status(name, time, None, cause, advice))

@@ -24,8 +24,8 @@ import numpy as np
 from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Until
 from runtime.engine.program import Sequence as InTurn
-from runtime.schemes.one_step import Attempt, Method
-from runtime.schemes.options import Grid, Options
+from runtime.schemes.one_step import Attempt, Method, OneStep
+from runtime.schemes.options import Options
 from runtime.schemes.scheme import LARGEST, StateField, account, given, state
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, loop_blocks
 from runtime.schemes.step_limit import StepLimit
@@ -131,20 +131,24 @@ def amplitudes(model: Model, half_ranges: ca.SX) -> ca.SX:
 
 STOPS = 4  # times ahead that z knows; whoever runs the scheme fills in the next ones
 FIRST = 0.1  # of dt: the first step that is tried
+WIDER = 1.5  # ranges whose squares, weighted, add up to so much more than before make the weights be formed anew
+SHORTEST, SHORTEST_OF_TIME = 1e-12, 1e-14  # of dt and of t: shorter steps are not made
+NOTHING = 1e-12  # of a step: an interpolant is not asked for less
+ATTEMPTS = 1 << 13  # in one application of the program; the next one goes on
 # what an attempt changes although it may be refused: `before` keeps it
 RESTORED = ("closure_error", "det_now", "det_low", "det_high")
 
 
-class AdaptiveState(Method):
-    """Start and end of the running step, the controller's memory, and what is counted."""
+class AdaptiveSteps(OneStep):
+    """Steps of a method as long as its estimate asks for, and its state: see `further_fields`."""
 
     adaptive = True
 
-    def __init__(self, model: Model, grid: Grid, options: Options) -> None:
-        self.refuse_varying(grid, options)
-        super().__init__(model, grid, options)
+    def __init__(self, method: Method) -> None:
+        method.refuse_varying(method.grid, method.options)
+        self.method, self.order, self.damps = method, method.order, method.damps
+        super().__init__(method.model, method.grid, method.options)
         self.c_size += 1
-        self._operations: dict[str, int] = {}
 
     @classmethod
     def limited(cls, options: Options) -> bool:
@@ -177,7 +181,7 @@ class AdaptiveState(Method):
             "loop_to": state(loops),
             "t_to": state(1),
             "a_from": state(n),
-            **self.method_fields(),
+            **self.method.method_fields(),
             "q_seen": state(n if self.model.description.orientations else 0),
             "q_error": state(n),
             "v_error": state(n),
@@ -248,7 +252,7 @@ class AdaptiveState(Method):
         """For the statistics of a run that has come to z (flat): accepted and rejected steps, least and largest [s]."""
         seen = {name: z[self.layout.slice(name)][0] for name in ("accepted", "rejected", "h_least", "h_largest")}
         accepted, rejected = int(seen["accepted"]), int(seen["rejected"])
-        start, attempt = self.counted_evaluations
+        start, attempt = self.method.counted_evaluations
         return {
             "steps": accepted,
             "rejected_steps": rejected,
@@ -312,18 +316,10 @@ class AdaptiveState(Method):
         """Time at the end of the last accepted step [s]."""
         return float(z[self.layout.slice("t_to")][0])
 
-
-# Which step is tried next: the stages of a step of a tolerance that are needed once in a while.
-#
-# `aim` begins every application of the program. `judge` comes where an attempt was not as usual: its error left the
-# band of controller.py, its end is near a time that no step crosses, or ranges have grown.
-
-WIDER = 1.5  # ranges whose squares, weighted, add up to so much more than before make the weights be formed anew
-SHORTEST, SHORTEST_OF_TIME = 1e-12, 1e-14  # of dt and of t: shorter steps are not made
-
-
-class StepControl(AdaptiveState):
-    """The controller, as stages."""
+    # ---- which step is tried next ---------------------------------------------------------------------------
+    #
+    # `aim` begins every application of the program. `judge` comes where an attempt was not as usual: its error left
+    # the band, its end is near a time that no step crosses, or ranges have grown.
 
     def _goal(self, z: Fields, equations: StageEquations) -> ca.SX:
         return z["t0"] + (z["n"] + 1) * equations.h[0]
@@ -356,7 +352,7 @@ class StepControl(AdaptiveState):
 
     def _weight(self, low: ca.SX, high: ca.SX, equations: StageEquations) -> ca.SX:
         """(n_i) what makes e^2 of squares of estimated errors, of coordinates seen between low and high."""
-        asked = equations.h[-1] / self.strictness
+        asked = equations.h[-1] / self.method.strictness
         return weights(self.model, low, high) / (asked * asked)
 
     @staticmethod
@@ -386,7 +382,7 @@ class StepControl(AdaptiveState):
         # the errors before were measured as this one was
         peak = z["peak"] * square / ca.fmax(mean_square(z["weight"], z["q_error"], h * z["v_error"]), SMALLEST**2)
         accepted = square <= REFUSED**2
-        factor = step_factor(square, peak, self.error_order)
+        factor = step_factor(square, peak, self.method.error_order)
         wanted = h * factor
         wanted = ca.if_else(accepted, ca.fmax(wanted, ca.if_else(h < z["h_next"], z["h_next"], 0.0)), wanted)
         t = ca.if_else(accepted, z["t_to"], z["t_from"])
@@ -398,7 +394,7 @@ class StepControl(AdaptiveState):
             **restored,
             **plan,
             **{"weight": weight, "width": WIDER * ca.dot(weight, (high - low) ** 2), "wider": ca.SX(0)},
-            "peak": peak_after(square, peak, factor, self.error_order),
+            "peak": peak_after(square, peak, factor, self.method.error_order),
             "t_to": t,
             **self._lengths(z, z["accepted"] - ca.if_else(accepted, 0.0, 1.0)),
             "rejected": z["rejected"] + ca.if_else(accepted, 0.0, 1.0),
@@ -419,20 +415,12 @@ class StepControl(AdaptiveState):
             **{"accepted": accepted, "counted": accepted},
         }
 
-
-NOTHING = 1e-12  # of a step: an interpolant is not asked for less
-ATTEMPTS = 1 << 13  # in one application of the program; the next one goes on
-
-
-class AdaptiveSteps(StepControl):
-    """The loop, around what a Method says of a step."""
-
     # ---- the program ----------------------------------------------------------------------------------------
 
     def program(self) -> Program:
         """To the next time that is to be seen."""
         flag = {name: self.layout.slice(name).start for name in ("fresh", "cold", "odd", "going")}
-        begin = Until(self.stage("begin", self._begin), flag["cold"], 1, usual=int(not self.first_same_as_last))
+        begin = Until(self.stage("begin", self._begin), flag["cold"], 1, usual=int(not self.method.first_same_as_last))
         moved: tuple[Program, ...] = (self.stage("range", self._range), self.stage("move", self._move))
         start = InTurn((Until(InTurn(moved), flag["fresh"], 1, usual=1), begin))
         judge = Until(self.stage("judge", self._judge), flag["odd"], 1, usual=0)
@@ -454,8 +442,8 @@ class AdaptiveSteps(StepControl):
             moved = self.rebased(z, self.arrived(equations, z["q_to"], z["loop_to"], z["t_to"]), z["loop_to"])
             out |= {"chart": moved["chart"], "q_from": moved["x"], "q_to": moved["x"]}
             out |= {"loop_from": moved["loop"], "loop_to": moved["loop"]}
-        cold = z["cold"] if self.first_same_as_last else ca.SX(1)
-        return {**out, **self.moved(z), "fresh": ca.SX(0), "cold": cold}
+        cold = z["cold"] if self.method.first_same_as_last else ca.SX(1)
+        return {**out, **self.method.moved(z), "fresh": ca.SX(0), "cold": cold}
 
     def _range(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """Ranges widen by what was reached."""
@@ -465,14 +453,14 @@ class AdaptiveSteps(StepControl):
 
     def _begin(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """What is evaluated at a start."""
-        motion, a, fields = self.begun(z, equations)
+        motion, a, fields = self.method.begun(z, equations)
         out = {"cold": ca.SX(0), "a_from": a, "loop_from": equations.loop_part(motion.q_d), **fields}
         return {**out, **self.closed(z, motion), "det_now": motion.det_loop}
 
     def _attempt(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """As if it were accepted and the next one as long; `_judge` says otherwise where the estimate asks for it."""
         h, t = z["h_try"], z["t_try"]
-        tried = self.attempted(z, equations, h)
+        tried = self.method.attempted(z, equations, h)
         square = mean_square(z["weight"], tried.dq, h * tried.dv)
         peak = ca.fmax(square, FORGET**2 * z["peak"])
         # so far from an end another step and a half would not reach it
@@ -489,7 +477,11 @@ class AdaptiveSteps(StepControl):
         h, t = z["h_try"], z["t_try"]
         on_the_way = tried.seen if tried.end is None else (*tried.seen, tried.end)
         loop = tried.loop if tried.end is None else equations.loop_part(tried.end.q_d)
-        v = self.velocities_at({**z, **tried.kept}, equations, h, tried.q, tried.v) if self.by_rates else tried.v
+        v = (
+            self.method.velocities_at({**z, **tried.kept}, equations, h, tried.q, tried.v)
+            if self.method.by_rates
+            else tried.v
+        )
         seen = {"q_seen": self.ranged(tried.q, on_the_way[-1])} if z["q_seen"].numel() else {}
         return {
             **tried.kept,
@@ -532,7 +524,7 @@ class AdaptiveSteps(StepControl):
     def _events_inside(self, z: Fields, equations: StageEquations, share: float | ca.SX) -> ca.SX:
         """(n_e,) by the interpolant at a share of the last step."""
         tau = share * (z["t_to"] - z["t_from"])
-        q, v = self.between(z, equations, tau)
+        q, v = self.method.between(z, equations, tau)
         guess = z["loop_from"] + share * (z["loop_to"] - z["loop_from"])
         motion = equations.close_well(q, guess, z["t_from"] + tau)
         return self._events_at(z, equations, motion, v)
@@ -556,7 +548,7 @@ class AdaptiveSteps(StepControl):
             arrived = ca.logic_and(arrived, z["event_step"] >= NEVER)
         h = z["t_to"] - z["t_from"]
         tau = ca.fmax(ca.fmin(goal, z["t_to"]) - z["t_from"], NOTHING * h)
-        q, v = self.between(z, equations, tau)
+        q, v = self.method.between(z, equations, tau)
         loop = z["loop_from"] + tau * (z["loop_to"] - z["loop_from"]) / h
         out = {"x": q, "v": v, "loop": loop, "n": z["n"] + 1}
         shown = {name: ca.if_else(arrived, new, z[name]) for name, new in out.items()}

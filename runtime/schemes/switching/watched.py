@@ -130,12 +130,6 @@ def looking(scheme: Scheme, z: Fields, c: ca.SX) -> Fields:
     return z | {name: value for name, value in begun.items() if name in z}
 
 
-def all_awake(scheme: Scheme, z: np.ndarray) -> None:
-    """No event has happened yet at z (n_z,)."""
-    if "event_quiet" in scheme.layout.sizes:
-        z[scheme.layout.slice("event_quiet")] = -NEVER
-
-
 def cool_down(scheme: Scheme, z: np.ndarray, happened: list[int], t: float) -> None:
     """These events have happened at t [s], the time of z (n_z,)."""
     if "event_quiet" in scheme.layout.sizes:

@@ -13,7 +13,7 @@ import numpy as np
 
 from runtime.contract.errors import NoResult, SymgenError
 from runtime.contract.model import Model
-from runtime.running.pace import Interrupts, heard_interrupts
+from runtime.running.pace import Interrupts
 from runtime.studies.ensemble.parts import StudyFolder
 from runtime.studies.ensemble.question import NAMES, Question
 from runtime.studies.ensemble.rows import Rows, work_on
@@ -41,7 +41,7 @@ class Means:
 
 def answered(model: Model, question: Question, table: np.ndarray, means: Means) -> np.ndarray:
     """Rows (cases, 2 + width) of all cases; those that were not done are `interrupted`."""
-    with heard_interrupts() as interrupts:
+    with Interrupts() as interrupts:
         if means.folder is not None:
             return _kept_in(StudyFolder(means.folder), model, question, table, means, interrupts)
         if means.executor is None:

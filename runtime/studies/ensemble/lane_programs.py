@@ -24,7 +24,7 @@ from runtime.schemes.scheme import LARGEST, Scheme
 from runtime.schemes.stepper import start_there
 from runtime.schemes.switching.impulse import moves_in_time
 from runtime.schemes.switching.stop_program import StopProgram
-from runtime.schemes.switching.watched import looking, watch_events, with_events
+from runtime.schemes.switching.watched import looking, with_events
 from runtime.start.quasi_static import (
     MAX_STEPS,
     PASSES,
@@ -51,7 +51,6 @@ class LanePrograms:
         self.plan = question.plan(model)
         scheme = self.scheme = self.plan.scheme
         scheme.of_one_length("an ensemble")
-        watch_events(scheme)
         self._prepared = prepare(with_events(scheme, scheme.program()), scheme.layout.size, scheme.c_size)
         reduced = [(question.outputs.index(name), reduction) for name, reduction in question.reduced]
         self._length = _length(model)
