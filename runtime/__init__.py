@@ -13,7 +13,7 @@ The rooms, from what everything stands on to what stands on everything:
     export      a model handed on: plain C, FMUs
     gradients   derivatives of a run, and fits by them
     orbits      motions that repeat: shooting, Floquet, branches, sensitivity
-    studies     many runs: ensembles, advice
+    studies     many runs: ensembles, stability, work-precision, advice
     views       what people look at
 
 The names below are the doors; each room is imported when a name of it is first asked for.

@@ -10,13 +10,13 @@ from scipy.interpolate import CubicHermiteSpline
 
 from benchmarks.harness.fewest import Timed, fewest
 from benchmarks.harness.models import model_of, workplace
-from benchmarks.harness.reference import Reference
 from benchmarks.harness.result import Line, Result
 from benchmarks.scenes.arm import arm
 from runtime.contract.coordinates import followed
 from runtime.contract.model import Model
 from runtime.running.ladder import Ladder, Method
 from runtime.running.problem import Problem
+from runtime.studies.advice.reference import Reference
 
 CASES = ((10, 1.0), (10, 10.0), (10, 100.0), (10, 1000.0), (20, 100.0), (40, 100.0))  # links, factor on E
 DENSE = 20  # links up to which more than one scheme that factorises M_hat is compiled

@@ -10,14 +10,14 @@ from scipy.interpolate import CubicSpline
 
 from benchmarks.harness.fewest import Timed, fewest
 from benchmarks.harness.models import model_of, workplace
-from benchmarks.harness.reference import Reference
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.tolerance_runs import KEPT, Case
-from benchmarks.harness.trial import Trial
 from benchmarks.scenes.hard_suite import CASES, HardCase
 from runtime.contract.model import Model
 from runtime.running.ladder import Method
 from runtime.studies.advice.methods import stiff_methods
+from runtime.studies.advice.reference import Reference
+from runtime.studies.advice.trial import Trial
 
 TOLERANCE, MOST = 1e-3, 200_000
 TURNS = 4  # further timings of each method's best run: another program's burst hits one of them

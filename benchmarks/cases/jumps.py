@@ -8,12 +8,12 @@ import time
 from benchmarks.cases.hard_steps import MOST, TOLERANCE, reference_of
 from benchmarks.harness.fewest import Timed, fewest
 from benchmarks.harness.models import model_of, workplace
-from benchmarks.harness.reference import Reference
 from benchmarks.harness.result import Line, Result
 from benchmarks.scenes.hard_suite import HARD_SUITE
 from runtime import simulate
 from runtime.contract.model import Model
 from runtime.running.ladder import Method
+from runtime.studies.advice.reference import Reference
 from symgen.scene import Scene, SceneRecord
 
 NAMES = ("slider_crank_torque", "f2_heavy_hub", "f2_light_hub")

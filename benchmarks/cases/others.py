@@ -24,10 +24,8 @@ from benchmarks.contenders.pinocchio_tree import version as pinocchio_version
 from benchmarks.contenders.sundials_runs import SundialsRuns
 from benchmarks.harness.matched import Attempt, Matched, match
 from benchmarks.harness.models import model_of, workplace
-from benchmarks.harness.reference import Reference
 from benchmarks.harness.result import Line, Result, Skipped
 from benchmarks.harness.timing import interleave
-from benchmarks.harness.trial import Trial
 from benchmarks.scenes.hard_suite import CASES, HardCase
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import SymgenError
@@ -35,6 +33,8 @@ from runtime.contract.model import Model
 from runtime.running.ladder import Method
 from runtime.schemes.stage_equations import StageEquations
 from runtime.studies.advice.methods import stiff_methods
+from runtime.studies.advice.reference import Reference
+from runtime.studies.advice.trial import Trial
 
 SHORTER = {"oscillators_10000": 1.0, "arm_40": 0.25}  # s of motion, where all of it takes SUNDIALS many seconds
 LONG_ARM, EXUDYN_SAMPLES = "arm_20", 50

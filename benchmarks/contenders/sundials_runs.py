@@ -13,10 +13,10 @@ import numpy as np
 from benchmarks.contenders.external import SLOPES, VALUES
 from benchmarks.contenders.sundials import Sundials, refuse_impulses
 from benchmarks.harness.matched import Attempt, Matched, match
-from benchmarks.harness.reference import Reference
 from runtime.baselines.condensed_ode import TO_ROUNDING, CondensedOde, start_of
 from runtime.contract.coordinates import followed, whole
 from runtime.engine.rows import evaluate
+from runtime.studies.advice.reference import Reference
 
 SAMPLES = 100
 MOST_STEPS = 10_000  # between two samples

@@ -14,8 +14,8 @@ from runtime.contract.model import Model
 from runtime.operating.mode_solver import State
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import Stepper
+from runtime.studies.stability.spectra import StepSpectrum
 from symgen.scenes import generated_folder
-from tests.support.stability import StepSpectrum
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "evidence" / "long-runs.md"
 SUB_STEPS = 10_000_000

@@ -233,6 +233,8 @@ class Model:
     output_jacobian = Door("runtime.gradients.differentiable_run:output_jacobian")
     fit = Door("runtime.gradients.fit:fit")
     advise = Door("runtime.studies.advice.advise:advise")
+    report = Door("runtime.studies.advice.report:report")
+    stability = Door("runtime.studies.stability.chart:stability_chart")
     stepper = Door("runtime.running.stepping:ModelStepper")
     ode = Door("runtime.baselines.ode:ode")
 

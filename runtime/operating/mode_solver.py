@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from runtime.contract.consistent_state import one_thread
+from runtime.contract.consistent_state import dense_eigenvalues, one_thread
 from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
 from runtime.contract.orientations import tilde
@@ -107,6 +107,13 @@ class ModeSolver:
         """
         with one_thread(self.n):
             return self._slopes(state, moving)
+
+    def eigenvalues(self, state: State) -> np.ndarray:
+        """(2 n,) of the equations linearised at a state, in axes that move with their bodies [1/s]."""
+        A = np.zeros((2 * self.n, 2 * self.n))
+        A[: self.n, self.n :] = np.eye(self.n)
+        A[self.n :, : self.n], A[self.n :, self.n :] = self.slopes(state, moving=True)
+        return dense_eigenvalues(A)
 
     def _slopes(self, state: State, moving: bool) -> tuple[np.ndarray, np.ndarray]:
         if is_long_tree(self.model):

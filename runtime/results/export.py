@@ -1,4 +1,4 @@
-"""A Solution as files and columns: .npz without pickle, CSV, MATLAB."""
+"""A Solution as files and columns: .npz without pickle, CSV, MATLAB, Parquet."""
 
 from __future__ import annotations
 
@@ -200,7 +200,7 @@ def column_units(model: Model) -> dict[str, str]:
 
 
 def export(solution: Samples, path: str | Path) -> None:
-    """One row a sample with names and units, as .csv or .mat (MATLAB) by the name's end.
+    """One row a sample with names and units, as .csv, .mat (MATLAB) or .parquet by the name's end.
 
     Of the outputs if only those were kept. Raises ModelError for another ending, or OutputError.
     """
@@ -250,9 +250,28 @@ def to_mat(solution: Samples, path: str | Path) -> None:
         savemat(temporary, content, do_compression=True, oned_as="column", long_field_names=True)
 
 
+def to_parquet(solution: Samples, path: str | Path) -> None:
+    """A Parquet file, the unit of each column in its metadata. Raises ImportError naming the extra, or OutputError."""
+    try:
+        import pyarrow
+        from pyarrow import parquet
+    except ImportError as error:
+        raise ImportError("pyarrow is not installed; install it with: pip install 'symgen[parquet]'") from error
+    columns, units = _columns(solution)
+    fields = [
+        pyarrow.field(name, pyarrow.float64(), nullable=False, metadata={"unit": unit})
+        for name, unit in zip(columns, units, strict=True)
+    ]
+    about = {"model": solution.model.name, "scheme": solution.scheme, "status": str(solution.status)}
+    arrays = [pyarrow.array(np.asarray(values, dtype=float)) for values in columns.values()]
+    with replacing(path) as temporary:
+        parquet.write_table(pyarrow.Table.from_arrays(arrays, schema=pyarrow.schema(fields, metadata=about)), temporary)
+
+
 WRITERS: dict[str, Callable[[Samples, str | Path], None]] = {
     ".csv": to_csv,
     ".mat": to_mat,
+    ".parquet": to_parquet,
 }
 
 

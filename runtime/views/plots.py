@@ -425,15 +425,15 @@ def _over(figure: NotebookFigure, ax: Axes, varied: Mapping[str, np.ndarray], fo
     figure.colorbar(points, ax=ax, label=names[1], pad=0.01)
 
 
-# ---- The picture of advice: error against operations, a curve a method.
+# ---- The picture of advice and reports: error against operations or time, a curve a method.
 
 MARKERS = "osD^vP*X<>hp"
 
 
 def work_precision(
-    title: str, ladders: Mapping[str, np.ndarray], tolerance: float, path: str | Path | None = None
+    title: str, ladders: Mapping[str, np.ndarray], tolerance: float, unit: str, path: str | Path | None = None
 ) -> NotebookFigure:
-    """Error over operations of every rung: of each method (N, 2), operations and error. Raises OutputError."""
+    """Error over the price of every rung: of each method (N, 2), price in a unit, and error. Raises OutputError."""
     figure, (ax,) = grid(1, title)
     for k, (name, rungs) in enumerate(ladders.items()):
         seen = rungs[np.isfinite(rungs).all(axis=1)]
@@ -441,8 +441,9 @@ def work_precision(
             style = {"color": COLOURS[k % len(COLOURS)], "marker": MARKERS[k % len(MARKERS)], "ms": 4, "lw": 1.2}
             ax.loglog(*seen.T, label=name, **style)
     ax.axhline(tolerance, color="0.4", lw=0.8, ls="--", label="tolerance")
-    ax.set_xlabel("operations", fontsize=9)
+    ax.set_xlabel(unit, fontsize=9)
     ax.set_ylabel("error of the motion, of its amplitudes", fontsize=9)
+    ax.tick_params(which="both", labelsize=7)
     legend(ax)
     finish(figure, path)
     return figure

@@ -22,10 +22,11 @@ def demo(arguments: argparse.Namespace) -> Outcome:
     """Generate a built-in scene, simulate it, and show the results.
 
     Leaves model/, report.json, motion.gif, view.html, motion.png, deformation.png, forces.png,
-    energy.png, solution.npz and .csv, and a comparison of methods, advice.png. What is advised is the main run; the
-    scene's own scheme is beside it in difference.png.
+    energy.png, solution.npz and .csv, and a report of methods: methods.md, methods.csv, error_time.png. What is advised
+    is the main run; the scene's own scheme is beside it in difference.png.
     """
     from runtime.contract.loading import load_model
+    from runtime.studies.advice.report import PAGE, PICTURE, TABLE, report
     from runtime.views import plots
     from runtime.views.report import run_report
     from symgen.generate import generate
@@ -35,9 +36,8 @@ def demo(arguments: argparse.Namespace) -> Outcome:
     with Progress("symgen") as progress:
         progress.note(f"deriving {source.scene.name} ...")
         model = load_model(generate(source.scene, folder / MODEL_FOLDER))
-        advice = model.advise(note=progress.note, **settings(arguments, MOTION))
-    advice.picture(folder / "advice.png")
-    files = {"advice.png": str(folder / "advice.png")}
+        advice = report(model, folder, note=progress.note, **settings(arguments, MOTION))
+    files = {name: str(folder / name) for name in (PAGE, TABLE, PICTURE)}
     chosen = any(getattr(arguments, name) for name in ("scheme", "dt", "m", "options"))
     best = {
         "scheme": advice.method.scheme,

@@ -1,4 +1,4 @@
-"""`symgen sweep`, `periodic`, `advise`: many runs of a scene."""
+"""`symgen sweep`, `stability`, `periodic`, `advise`: many runs of a scene."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from runtime.contract.model import Model
     from runtime.orbits.branch import PeriodicBranch
     from runtime.studies.advice.advise import Advice
+    from runtime.studies.stability.chart import StabilityChart
 
 MOST_CASES = 10_000_000
 LISTED = 12  # values in the summary of a sweep
@@ -116,6 +117,40 @@ def _refuse_unknown(model: Any, starts: dict[str, Any]) -> None:
             )
 
 
+def stability(arguments: argparse.Namespace) -> Outcome:
+    """Compute where a scheme is stable on a scene.
+
+    The exact Jacobian of the step, along the motion: spectral radius over (dt_S, m), the largest stable step for
+    each m, growth rates, resonance windows. With --out it leaves stability.csv and stability.png.
+    """
+    from runtime.studies.stability.chart import stability_chart
+    from runtime.studies.stability.picture import stability_picture
+
+    if (arguments.dt_from is None) != (arguments.dt_to is None):
+        raise UsageError("--dt-from and --dt-to belong together")
+    if arguments.dt_from is not None and not 0 < arguments.dt_from < arguments.dt_to:
+        raise UsageError("--dt-from must be positive and below --dt-to")
+    if arguments.points < 2 or arguments.states < 1:
+        raise UsageError("--points must be at least 2 and --states at least 1")
+    model = opened_model(arguments.scene, arguments.made_with)
+    with Progress(f"symgen {model.name}") as progress:
+        chart = stability_chart(
+            model,
+            arguments.scheme,
+            dt_range=None if arguments.dt_from is None else (arguments.dt_from, arguments.dt_to),
+            progress=progress,
+            **settings(arguments, ("m", "points", "states", "options", *MOTION)),
+        )
+    files = {}
+    if arguments.out:
+        folder = Path(arguments.out)
+        chart.write_csv(folder / "stability.csv")
+        stability_picture(chart, folder / "stability.png")
+        files = {name: str(folder / name) for name in ("stability.csv", "stability.png")}
+    data = {"scene": model.name, "scheme": chart.scheme, "t_end": chart.t_end, "limits": chart.table(), "files": files}
+    return Outcome(data, [*_limits(chart), *left(files)])
+
+
 def periodic(arguments: argparse.Namespace) -> Outcome:
     """Find the motion that repeats, whether it is stable, and how it changes over a parameter.
 
@@ -192,6 +227,30 @@ def _branch(branch: PeriodicBranch, outputs: list[str], out: str | None) -> Outc
     return Outcome(data, [*lines, *left(files)], code)
 
 
+def _limits(chart: StabilityChart) -> list[str]:
+    lines = [
+        f"{chart.model.name}, {chart.scheme}, {len(chart.states)} states over {chart.t_end:g} s",
+        f"{'m':>8}  {'dt limit':>12}  {'dt_S limit':>12}  {'growth below':>13}  windows",
+    ]
+    for row in chart.table():
+        m = ",".join(map(str, row["m"])) or "-"
+        if row["dt_limit"] is None:
+            limit = fine = "unstable"
+        else:
+            above = ">" if row["no_limit_found"] else ""
+            limit, fine = f"{above}{row['dt_limit']:.5g} s", f"{above}{row['dt_S_limit']:.5g} s"
+        growth = row["largest_growth_below_limit"]
+        below = f"{'-':>13}" if growth is None else f"{growth:>9.3g} 1/s"
+        windows = ", ".join(f"{low:.4g}-{high:.4g} s" for low, high in row["windows"]) or "-"
+        lines.append(f"{m:>8}  {limit:>12}  {fine:>12}  {below}  {windows}")
+        if row["dt_limit"] is None:
+            smallest, fastest = row["smallest_dt"], row["growth_at_smallest_dt"]
+            lines.append(
+                f"{'':>8}  already dt = {smallest:.3g} s grows by {fastest:.3g} 1/s more than the motion itself"
+            )
+    return lines
+
+
 def advise(arguments: argparse.Namespace) -> Outcome:
     """Find the method and step that suit a scene.
 
@@ -209,3 +268,21 @@ def advise(arguments: argparse.Namespace) -> Outcome:
         advice.picture(files[0])
     lines = advice_lines(advice, motion_words(arguments))
     return Outcome({"advice": advice_data(advice), "files": files}, [*left(files), *lines])
+
+
+def report(arguments: argparse.Namespace) -> Outcome:
+    """Compare methods on a scene: true error against time.
+
+    Every method makes the motion with ever more steps, each of which is compared with an independent reference and
+    timed. With --out it leaves methods.md, methods.csv and error_time.png.
+    """
+    from runtime.studies.advice.advise import advice_data, advice_lines
+    from runtime.studies.advice.report import leave
+    from runtime.studies.advice.report import report as made
+
+    model = opened_model(arguments.scene, arguments.made_with)
+    with Progress(f"symgen {model.name}") as progress:
+        found: Advice = made(model, note=progress.note, **settings(arguments, ("tolerance", "graded", *MOTION)))
+    files = leave(found, Path(arguments.out)) if arguments.out else {}
+    lines = advice_lines(found, motion_words(arguments))
+    return Outcome({"advice": advice_data(found), "files": files}, [*left(files), *lines])

@@ -272,7 +272,7 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
             opt("source SOURCE", "results: folder that `symgen simulate --out` left; else a scene or generated folder"),
             opt(
                 "--out PATH",
-                "results: a .csv or .mat; fmu: a .fmu; c and functions: a folder",
+                "results: a .csv, .mat or .parquet; fmu: a .fmu; c and functions: a folder",
                 required=True,
             ),
             WITH,
@@ -382,6 +382,21 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
             opt("--out DIR", "folder for response.csv"),
         ),
     ),
+    "stability": (
+        studies.stability,
+        (
+            *SCENE,
+            SCHEME,
+            M.but(action="append", help="ratios to look at; may be repeated"),
+            opt("--dt-from SECONDS", "smallest step of the fastest group", number),
+            opt("--dt-to SECONDS", "largest step of the fastest group", number),
+            POINTS.but(default=20),
+            opt("--states COUNT", "states along the motion (default: %(default)s)", int, default=16),
+            SCHEME_OPTION,
+            opt("--out DIR", "folder for stability.csv and stability.png"),
+            MOTION,
+        ),
+    ),
     "periodic": (
         studies.periodic,
         (
@@ -403,6 +418,10 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
         ),
     ),
     "advise": (studies.advise, (*SCENE, *ACCURACY, MOTION, opt("--out FILE", "a picture: error against operations"))),
+    "report": (
+        studies.report,
+        (*SCENE, *ACCURACY, MOTION, opt("--out DIR", "folder for methods.md, methods.csv and error_time.png")),
+    ),
     "demo": (
         demo.demo,
         (

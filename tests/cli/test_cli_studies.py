@@ -1,4 +1,4 @@
-"""`symgen periodic` and `advise` as a user calls them."""
+"""`symgen stability`, `periodic` and `advise` as a user calls them."""
 
 from __future__ import annotations
 
@@ -20,6 +20,42 @@ def said(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str
     code = main(list(words))
     captured = capsys.readouterr()
     return code, captured.out, captured.err
+
+
+def test_stability_leaves_its_chart(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    """Central difference on L1: the limit is 2 / w of the fastest coupled mode, for every m."""
+    code, out, _ = said(
+        capsys,
+        "stability",
+        *MOTION,
+        "--scheme",
+        "coupled",
+        "--m",
+        "2",
+        "--m",
+        "5",
+        "--states",
+        "1",
+        "--points",
+        "6",
+        "--set",
+        "k_L=0",
+        "--set",
+        "zeta=0",
+        "--out",
+        str(tmp_path),
+        "--json",
+    )
+    assert code == 0
+    limits = json.loads(out)["limits"]
+    assert [row["m"] for row in limits] == [[2], [5]]
+    with (tmp_path / "stability.csv").open() as lines:
+        rows = list(csv.DictReader(lines))
+    assert len(rows) == 12
+    assert all(float(row["spectral_radius"]) > 0 for row in rows)
+    assert (tmp_path / "stability.png").stat().st_size > 1000
+    fine = [row["dt_S_limit"] for row in limits]
+    assert fine[0] == pytest.approx(fine[1], rel=0.01)
 
 
 CRANK = ["periodic", "flexible_slider_crank", "--speed", "omega", "--tolerance", "1e-3"]
@@ -74,6 +110,23 @@ def test_periodic_goes_on_after_ctrl_c(
     assert max(found["errors"]) < 1e-3
 
 
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["--dt-from", "1e-3"], "belong together"),
+        (["--dt-from", "1", "--dt-to", "0.1"], "below --dt-to"),
+        (["--points", "1"], "--points must be"),
+        (["--scheme", "nothing"], "no scheme 'nothing'"),
+        (["--scheme", "coupled", "--m", "2,2"], "m must hold one number"),
+        (["--option", "guess=x", "--scheme", "rk4"], "rk4 has no option"),
+    ],
+)
+def test_stability_refuses(capsys: pytest.CaptureFixture[str], words: list[str], message: str) -> None:
+    code, _, err = said(capsys, "stability", *MOTION, *words)
+    assert code == 2
+    assert message in err
+
+
 def test_advise_ends_with_a_command(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = said(capsys, "advise", *MOTION, "--tolerance", "1e-2", "--graded", "x_L")
     assert code == 0
@@ -113,3 +166,17 @@ def test_advice_leaves_a_picture(capsys: pytest.CaptureFixture[str], tmp_path: P
     code, out, _ = said(capsys, "advise", *MOTION, "--tolerance", "1e-2", "--out", str(tmp_path / "advice.png"))
     assert code == 0 and "advice.png" in out
     assert (tmp_path / "advice.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_report_leaves_true_errors_and_times(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    """The advised step errs by less than the tolerance, by a reference that has no part in the advice."""
+    code, out, _ = said(capsys, "report", *MOTION, "--tolerance", "1e-2", "--out", str(tmp_path), "--json")
+    assert code == 0
+    assert (tmp_path / "error_time.png").read_bytes().startswith(b"\x89PNG")
+    advice = json.loads(out)["advice"]
+    with (tmp_path / "methods.csv").open() as lines:
+        rows = list(csv.DictReader(lines))
+    best = next(one["method"] for one in advice["candidates"] if one["operations"] == advice["operations"])
+    made = [row for row in rows if row["method"] == best and float(row["dt [s]"]) <= 1.01 * advice["dt"]]
+    assert made and all(float(row["error"]) < 1e-2 and float(row["seconds [s]"]) > 0 for row in made)
+    assert f"| {best} |" in (tmp_path / "methods.md").read_text()

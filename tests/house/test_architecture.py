@@ -40,7 +40,7 @@ RUNTIME_ROOMS = {
     "export": "contract engine schemes start baselines running",
     "gradients": "contract engine schemes start results operating running",
     "orbits": "contract schemes results operating running gradients",
-    "studies": "contract engine schemes start results operating running",
+    "studies": "baselines contract engine schemes start results operating running",
     "views": "contract results operating orbits",
     "": "contract schemes results operating baselines running gradients orbits studies views",
 }

@@ -75,7 +75,7 @@ def test_judge_the_schemes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     orders = known["orders"]
     assert orders["printed"] == pytest.approx(1.0, abs=0.25) and orders["rk4"] == pytest.approx(4.0, abs=0.3)
     assert not known["run"].status.ok
-    assert shown == 4
+    assert shown == 5
 
 
 def test_design_study(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

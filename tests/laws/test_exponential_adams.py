@@ -15,6 +15,7 @@ from runtime.contract.model import Model
 from runtime.contract.tape import arithmetic
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
+from runtime.studies.stability.spectra import TangentStep
 from symgen.scene import Scene, SceneRecord
 from symgen.scenes import SCENES
 from symgen.scenes.chain import chain
@@ -23,7 +24,6 @@ from tests.hand_derived.twin_oscillators import Params
 from tests.hand_derived.twin_subcycling import matrices, radius
 from tests.support.model_values import Array
 from tests.support.prepared_runs import PreparedRuns
-from tests.support.stability import TangentStep
 
 pytestmark = pytest.mark.long
 

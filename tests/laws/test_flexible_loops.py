@@ -15,12 +15,13 @@ import pytest
 from runtime import simulate
 from runtime.contract.coordinates import independent
 from runtime.contract.model import Model
+from runtime.studies.stability.chart import StabilityStudy, states_along
+from runtime.studies.stability.spectra import ExactMotion
 from symgen.scene import Scene, SceneRecord
 from tests.laws.test_orientations_in_loops import mechanism
 from tests.laws.test_random_spatial import turned_place
 from tests.support.model_values import Array, evaluate, make_state, relative_error
 from tests.support.prepared_runs import PreparedRuns
-from tests.support.stability import ExactMotion, StabilityStudy, states_along
 
 pytestmark = pytest.mark.long
 

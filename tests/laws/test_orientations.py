@@ -22,6 +22,7 @@ from runtime.gradients.differentiable_run import DifferentiableRun
 from runtime.operating.mode_solver import state_at
 from runtime.results.solution import Solution
 from runtime.schemes.catalogue import scheme_kind
+from runtime.studies.stability.spectra import StepSpectrum
 from symgen.pipeline import derive
 from symgen.scene import Scene, SceneError, SceneRecord
 from symgen.scenes.heavy_top import heavy_top
@@ -36,7 +37,6 @@ from tests.support.model_values import (
     reactions,
     relative_error,
 )
-from tests.support.stability import StepSpectrum
 
 pytestmark = pytest.mark.long
 

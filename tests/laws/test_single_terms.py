@@ -17,6 +17,7 @@ from runtime.operating.mode_solver import State
 from runtime.results.stream import StreamFile
 from runtime.running.singular.exchange import best_exchange
 from runtime.schemes.catalogue import scheme_kind
+from runtime.studies.stability.spectra import StepSpectrum
 from symgen.joints import JOINTS
 from symgen.modes import axial_modes, lateral_modes
 from symgen.modes.integrals import beam_integrals
@@ -26,7 +27,6 @@ from symgen.system.joint_templates import PlanarMarkers, r_a, r_b, t_a
 from tests.hand_derived.spatial import spatial_scenes
 from tests.hand_derived.spatial.twin_flexible_nodes import scattered
 from tests.support.model_values import evaluate, make_state, random_states, relative_error
-from tests.support.stability import StepSpectrum
 
 pytestmark = pytest.mark.long
 

@@ -10,11 +10,12 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
+from runtime.studies.stability import chart as limits
+from runtime.studies.stability.chart import StabilityStudy, states_along
+from runtime.studies.stability.spectra import ExactMotion
 from symgen.scene import Scene, SceneRecord
-from tests.support import stability as limits
 from tests.support.modes import modes_of
 from tests.support.prepared_runs import PreparedRuns
-from tests.support.stability import ExactMotion, StabilityStudy, states_along
 
 pytestmark = pytest.mark.long
 

@@ -14,10 +14,11 @@ from runtime.contract.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.solution import Solution
 from runtime.schemes.catalogue import scheme_kind
-from tests.support import stability as limits
+from runtime.studies.stability import chart as limits
+from runtime.studies.stability.chart import StabilityStudy, states_along
+from runtime.studies.stability.spectra import ExactMotion, StepSpectrum
 from tests.support.model_values import Array
 from tests.support.modes import modes_of
-from tests.support.stability import ExactMotion, StabilityStudy, StepSpectrum, states_along
 
 pytestmark = pytest.mark.long
 

@@ -18,6 +18,7 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.step_limit import limit_beside_deflections
+from runtime.studies.stability.spectra import TangentStep
 from symgen.generate import model_of as on_demand
 from symgen.kernels import deflection_kernels
 from symgen.pipeline import derive
@@ -29,7 +30,6 @@ from tests.hand_derived.twin_oscillators import Params
 from tests.hand_derived.twin_subcycling import generator, matrices, pade_of_five, radius
 from tests.support.model_values import Array, evaluate, random_states
 from tests.support.prepared_runs import PreparedRuns
-from tests.support.stability import TangentStep
 
 pytestmark = pytest.mark.long
 

@@ -11,6 +11,8 @@ import pytest
 from runtime.contract.model import Model
 from runtime.operating.mode_solver import State
 from runtime.schemes.catalogue import scheme_kind
+from runtime.studies.stability.chart import SHARE_OF_FREQUENCY, StabilityStudy
+from runtime.studies.stability.spectra import ExactMotion, TangentStep
 from tests.hand_derived.twin_oscillators import Params
 from tests.hand_derived.twin_subcycling import (
     held_slow_matrix,
@@ -20,7 +22,6 @@ from tests.hand_derived.twin_subcycling import (
     runge_kutta_matrix,
 )
 from tests.support.model_values import Array
-from tests.support.stability import SHARE_OF_FREQUENCY, ExactMotion, StabilityStudy, TangentStep
 
 Load = Callable[[str], Model]
 REST = State(0.0, np.zeros(2), np.zeros(2), np.zeros(0))

@@ -11,6 +11,7 @@ import pytest
 from runtime import SchemeError, simulate
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
+from runtime.studies.stability.chart import stability_chart
 from symgen.cli import main
 from symgen.scene import Scene, SceneRecord
 from tests.support.scenes import on_rail
@@ -158,6 +159,8 @@ def test_wrong_requests(model_of: Build, built_in: Load) -> None:
         simulate(model_of(scotch_yoke()), outputs=["yoke.x"])
     with pytest.raises(SchemeError, match="dt must be a positive number"):
         simulate(model_of(scotch_yoke()), dt=-1.0)
+    with pytest.raises(ModelError, match="nothing is stepped"):
+        stability_chart(model_of(scotch_yoke()))
 
 
 @pytest.mark.long

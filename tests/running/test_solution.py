@@ -272,7 +272,7 @@ def test_matlab_files_hold_columns_names_and_units(tmp_path) -> None:
 
 
 def test_other_endings_are_refused(tmp_path) -> None:
-    with pytest.raises(ModelError, match=r"ends in no known format.*\.csv, \.mat"):
+    with pytest.raises(ModelError, match=r"ends in no known format.*\.csv, \.mat, \.parquet"):
         rod_solution().export(tmp_path / "run.xlsx")
 
 
@@ -284,6 +284,17 @@ def test_writing_is_all_or_nothing(tmp_path) -> None:
     assert (tmp_path / "a.txt").read_text() == "old" and len(list(tmp_path.iterdir())) == 1
     with pytest.raises(OutputError, match="cannot be written"):
         rod_solution().save(tmp_path / "a.txt" / "run.npz")
+
+
+def test_parquet_files_hold_columns_and_units(tmp_path) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet")
+    solution = rod_solution()
+    solution.export(tmp_path / "run.parquet")
+    found = parquet.read_table(tmp_path / "run.parquet")
+    assert found.schema.field("rod.theta_dot").metadata[b"unit"] == b"rad/s"
+    assert found.schema.metadata[b"model"] == solution.model.name.encode()
+    for name, column in solution.columns().items():
+        assert np.array_equal(found[name].to_numpy(), column)
 
 
 def test_report() -> None:

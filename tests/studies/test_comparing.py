@@ -11,18 +11,17 @@ from typing import Any
 import numpy as np
 import pytest
 
-from benchmarks.harness import trial
-from benchmarks.harness.reference import NoReference, Reference, independent_reference
-from benchmarks.harness.trial import seconds_of, trial_of
 from benchmarks.scenes.arm import arm
 from runtime import Model, SchemeError, simulate
 from runtime.contract.errors import ModelError
 from runtime.results.motion_error import amplitudes
 from runtime.running.ladder import Ladder, Method, affordable
 from runtime.running.singular.crossing import MOST_EVALUATIONS, BranchLost, TightIntegrator
-from runtime.studies.advice import methods
+from runtime.studies.advice import methods, trial
 from runtime.studies.advice.advise import Advice, NoAdvice, advice_data, advice_lines, advise, advised_command
 from runtime.studies.advice.methods import candidates, left_out
+from runtime.studies.advice.reference import NoReference, Reference, independent_reference
+from runtime.studies.advice.trial import seconds_of, trial_of
 from symgen.generate import model_of as derived
 from symgen.scene import SceneRecord
 

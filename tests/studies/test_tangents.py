@@ -13,9 +13,10 @@ from runtime.contract.model import Model
 from runtime.schemes.catalogue import SCHEMES, scheme_kind
 from runtime.schemes.stepper import Stepper
 from runtime.start.start_state import start_state
+from runtime.studies.stability.chart import StabilityStudy, stability_chart, states_along
+from runtime.studies.stability.spectra import ExactMotion, TangentStep
 from symgen.scene import SceneRecord
 from tests.support.model_values import Array
-from tests.support.stability import ExactMotion, StabilityStudy, TangentStep, states_along
 
 pytestmark = pytest.mark.long
 
@@ -205,3 +206,12 @@ def test_exact_motion_goes_on_from_shorter_times(built_in: Load, monkeypatch: py
     monkeypatch.setattr(TangentStep, "__call__", counted)
     np.testing.assert_allclose([exact(state, dt) for dt in times], alone, rtol=1e-6)
     assert len(steps) == 4 + 19
+
+
+def test_an_unstable_chart_says_how_fast_it_grows(built_in: Load) -> None:
+    """Steps far above the limit only: none is stable, and no growth is claimed to be zero."""
+    (row,) = stability_chart(
+        built_in("two_oscillators"), "printed", m=[[8]], states=2, points=3, dt_range=(0.05, 0.08)
+    ).table()
+    assert row["dt_limit"] is None and row["largest_growth_below_limit"] is None
+    assert row["growth_at_smallest_dt"] > 0

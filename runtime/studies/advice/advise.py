@@ -15,21 +15,25 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from runtime.contract.arguments import BY_NAME, NAMES, START, arguments
-from runtime.contract.coordinates import Initial, followed
+from runtime.contract.coordinates import Initial
 from runtime.contract.doors import opened
-from runtime.contract.errors import ModelError, NoResult, SymgenError
+from runtime.contract.errors import NoResult, SymgenError
 from runtime.contract.model import Model
 from runtime.contract.status import card, line, table
 from runtime.running.ladder import Ladder, Method, Rung, chosen_method
 from runtime.running.plan import AUTO, tolerance_of
 from runtime.running.problem import Problem
-from runtime.studies.advice.methods import candidates, left_out, multirate
+from runtime.studies.advice.methods import candidates, checked_grades, left_out, multirate
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from runtime.studies.advice.reference import Reference
+    from runtime.studies.advice.trial import Trial
+
 HOPELESS = 2.0  # times the operations of the best answer so far: a ladder that needs more is given up
 DIGITS = 3  # of an advised step, which is rounded down
+TRIAL = "runtime.studies.advice.trial:trial_of"
 Note = Callable[[str], None]
 
 
@@ -38,7 +42,8 @@ class Climbed:
     """What the ladder of a method came to: the coarsest rung that meets the tolerance, by the next finer one.
 
     answer: None where none met it in useful time; error: of it, as compared with the tolerance; operations: of its
-    steps. rungs (N, 2): operations and error of each rung whose error is known.
+    steps. rungs (N, 2): operations and error of each rung whose error is known. trials: all rungs by the independent
+    reference, of a report.
     """
 
     method: Method
@@ -47,6 +52,7 @@ class Climbed:
     operations: float = np.inf
     failure: str = ""
     rungs: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))
+    trials: list[Trial] = field(default_factory=list)
 
     @property
     def label(self) -> str:
@@ -69,7 +75,8 @@ class Advice:
 
     best: the ladder whose answer takes the fewest operations; climbed: all of them, the cheapest first; gain: how many
     times the operations of the best method with one step for all coordinates are those of the best (1 where it is such
-    a one, inf where none got there); automatic: the scheme that `auto` would take, and why.
+    a one, inf where none got there); automatic: the scheme that `auto` would take, and why. reference: what a report
+    measures errors by.
     """
 
     model: Model
@@ -79,6 +86,7 @@ class Advice:
     climbed: list[Climbed]
     gain: float
     automatic: tuple[str, str]
+    reference: Reference | None = None
 
     @property
     def best(self) -> Climbed:
@@ -107,10 +115,17 @@ class Advice:
         return f"{self.best.label} takes {few} the best method with one step for all coordinates ({step})"
 
     def picture(self, path: str | Path | None = None) -> Figure:
-        """Error against operations of every rung of every method. Raises OutputError."""
+        """Error of every rung of every method against operations, of a report against time. Raises OutputError."""
         draw = opened("runtime.views.plots:work_precision")
         title = f"{self.model.title or self.model.name}, {self.t_end:g} s"
-        found: Figure = draw(title, {one.label: one.rungs for one in self.climbed}, self.tolerance, path)
+        curves = {
+            one.label: np.array([(1e3 * trial.seconds, trial.error) for trial in one.trials]).reshape(-1, 2)
+            if self.reference
+            else one.rungs
+            for one in self.climbed
+        }
+        unit = "processor time of the steps [ms]" if self.reference else "operations"
+        found: Figure = draw(title, curves, self.tolerance, unit, path)
         return found
 
     def _repr_html_(self) -> str:
@@ -140,23 +155,26 @@ def advise(
     initial: Initial = None,
     start: str | None = None,
     note: Note = lambda text: None,
+    reference: Reference | None = None,
 ) -> Advice:
     """Find the method and step that compute a motion of t_end [s] to a tolerance with the fewest operations.
 
     tolerance: on the RMS error over the motion of every graded coordinate, relative to its amplitude. graded: names
     in q_i (all by default); of the others the motion is accurate to a tenth of an amplitude. note is told what is being
-    done. Raises SchemeError, ModelError, InitialStateError or NoAdvice.
+    done. reference: of a `report`.
+    Raises SchemeError, ModelError, InitialStateError or NoAdvice.
     """
     tolerance_of(model, AUTO, tolerance)
     names = checked_grades(model, graded)
-    problem = Problem.of(model, t_end, parameters, initial, start)
+    problem = Problem.of(model, t_end, parameters, initial, start) if reference is None else reference.problem
     ladder = Ladder(problem, tolerance, graded=tuple(graded or ()))
     chosen, reason = chosen_method(problem)
     climbed: list[Climbed] = []
     tried = [chosen, *(one for one in candidates(model) if one.label != chosen.label)]
     for method in tried:
         note(f"trying {method.label}")
-        climbed.append(_climbed(ladder, method, min((one.operations for one in climbed), default=np.inf)))
+        least = min((one.operations for one in climbed), default=np.inf)
+        climbed.append(_climbed(ladder, method, least, reference))
     climbed.sort(key=lambda one: one.operations)
     best = climbed[0]
     if best.answer is None:
@@ -173,22 +191,11 @@ def advise(
         climbed,
         single / best.operations,
         (chosen.scheme, reason),
+        reference,
     )
 
 
-def checked_grades(model: Model, graded: Sequence[str] | None) -> list[str]:
-    """Names of what tells the motion, all by default. Raises ModelError."""
-    known = followed(model)[0]
-    for name in graded or ():
-        if name not in known:
-            raise ModelError(
-                f"{name!r} cannot be graded: it is not an independent coordinate of {model.name}; those "
-                f"are {', '.join(known)}"
-            )
-    return list(graded or known)
-
-
-def _climbed(ladder: Ladder, method: Method, best: float) -> Climbed:
+def _climbed(ladder: Ladder, method: Method, best: float, reference: Reference | None) -> Climbed:
     """The ladder of a method, given up where a rung is far dearer than the best answer so far."""
     rungs: list[Rung] = []
     try:
@@ -202,11 +209,12 @@ def _climbed(ladder: Ladder, method: Method, best: float) -> Climbed:
         return Climbed(method, failure=str(error).splitlines()[0])
     pairs = list(zip(rungs, rungs[1:], strict=False))
     seen = np.array([(_operations(rung), finer.differs) for rung, finer in pairs]).reshape(-1, 2)
-    found = Climbed(method, failure="not reached in useful time", rungs=seen)
+    trials = [] if reference is None else [opened(TRIAL)(method.label, rung, reference) for rung in rungs]
+    found = Climbed(method, failure="not reached in useful time", rungs=seen, trials=trials)
     for rung, finer in reversed(pairs):
         if not finer.differs <= ladder.tolerance:
             break
-        found = Climbed(method, rung, finer.differs, _operations(rung), rungs=seen)
+        found = Climbed(method, rung, finer.differs, _operations(rung), rungs=seen, trials=trials)
     return found
 
 

@@ -1,4 +1,4 @@
-"""Which methods are worth trying on a model.
+"""Which methods are worth trying on a model, and by which coordinates they are graded.
 
 A step with dense matrices takes about 12 n^3 operations with n independent coordinates (measured on arms of 20 and 40
 links), and some 60 us of the compiler for each of them. Beyond LARGE coordinates one such method of each kind stands
@@ -7,6 +7,10 @@ for the others, beyond what can be compiled there is none. Methods whose work is
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from runtime.contract.coordinates import followed
+from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.running.ladder import DENSE, Method, affordable
 from runtime.schemes.catalogue import SCHEMES
@@ -64,3 +68,15 @@ def left_out(model: Model) -> str:
         return f"not tried with {n} coordinates: dense methods beside {names}"
     price = f"{DENSE * n**3 / 1e6:.1f} million operations a step"
     return f"not tried with {n} coordinates: {names} and other dense methods, {price}"
+
+
+def checked_grades(model: Model, graded: Sequence[str] | None) -> list[str]:
+    """Names of what tells the motion, all by default. Raises ModelError."""
+    known = followed(model)[0]
+    for name in graded or ():
+        if name not in known:
+            raise ModelError(
+                f"{name!r} cannot be graded: it is not an independent coordinate of {model.name}; those "
+                f"are {', '.join(known)}"
+            )
+    return list(graded or known)

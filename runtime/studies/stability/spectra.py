@@ -1,9 +1,9 @@
-"""Stability of a scheme on a model, from the exact Jacobian of its step: matrices, growth, limits along a motion."""
+"""What steps do to small disturbances at a state: the exact Jacobian of a step of a scheme, its radius and growth."""
 
 from __future__ import annotations
 
 from bisect import bisect
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,15 +11,13 @@ import casadi as ca
 import numpy as np
 from scipy.sparse import csc_array
 
-from runtime.baselines.scipy_methods import reference_solution
 from runtime.contract.consistent_state import dense_eigenvalues
 from runtime.contract.model import Model
 from runtime.contract.orientations import angular_velocity, chart_rates, parameter_rates, rotation
 from runtime.engine.program import Repeat, Until
-from runtime.operating.mode_solver import ModeSolver, State, state_at
+from runtime.operating.mode_solver import ModeSolver, State
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
-from tests.support.modes import modes_of
 
 # The exact Jacobian of a major step, stage by stage: the amplification matrix of the scheme at a state.
 #
@@ -219,7 +217,7 @@ class ExactMotion:
 
     def _frozen(self, state: State) -> np.ndarray:
         if state.t not in self._eigenvalues:
-            values = modes_of(self.modes, state).eigenvalues
+            values = self.modes.eigenvalues(state)
             self._eigenvalues[state.t] = values[np.argsort(np.abs(values), kind="stable")]
         return self._eigenvalues[state.t]
 
@@ -279,109 +277,3 @@ class _TangentFrom:
         c = self.scheme.constants(self.c, dt)
         z = np.asarray(self.scheme.starter(state.t, state.q_i, state.q_i_dot, state.loop, c)).ravel()
         return self._tangent(z, c)[1]
-
-
-# The largest stable step, resonance windows, and maps of the spectral radius over (dt, m), along a trajectory.
-
-TENFOLD = float(np.log(10.0))
-SHARE_OF_FREQUENCY = 1e-4  # growth below this share of a mode's frequency is the change of the mechanism in a step
-BISECTIONS = 9
-
-
-@dataclass(frozen=True)
-class StabilityCurve:
-    """For one m, over major steps dt [s]: largest spectral radius and mean growth rate of the worst mode [1/s].
-
-    stable[k]: no mode grows tenfold over the motion. limit: the largest step up to which all are stable [s], None if
-    even the smallest is not; beyond is True if no unstable step was found at all. windows: unstable intervals of dt
-    below stable ones.
-    """
-
-    m: list[int]
-    dt: np.ndarray
-    radius: np.ndarray
-    growth: np.ndarray
-    stable: np.ndarray
-    limit: float | None
-    beyond: bool
-    windows: list[tuple[float, float]]
-
-
-class StabilityStudy:
-    """Stability of one scheme with one m at several states of a motion that lasts t_end [s]."""
-
-    def __init__(
-        self,
-        model: Model,
-        name: str,
-        m: list[int] | None,
-        options: Mapping[str, Any],
-        c: np.ndarray,
-        states: list[State],
-        t_end: float,
-        exact: ExactMotion | None = None,
-    ) -> None:
-        scheme = scheme_kind(name).build(name, model, 1.0, m, options)
-        self.m, self.states, self.t_end = list(scheme.grid.m), states, t_end
-        self._spectrum = StepSpectrum(model, scheme, c, exact)
-        modes = [modes_of(self._spectrum.exact.modes, state).frequencies for state in states]
-        self._allowed = np.maximum(TENFOLD / t_end, SHARE_OF_FREQUENCY * np.mean(modes, axis=0))
-
-    def at(self, dt: float) -> tuple[float, float, bool]:
-        """(largest radius, mean growth of the worst mode [1/s], stable?) for a major step."""
-        found = [self._spectrum(state, dt) for state in self.states]
-        growth = np.mean([one.growth for one in found], axis=0)
-        worst = float(growth.max(initial=0.0))
-        return max(one.radius for one in found), max(worst, 0.0), bool((growth <= self._allowed).all())
-
-    def curve(self, dts: np.ndarray) -> StabilityCurve:
-        """Radius and growth over major steps dts (N,) [s], ascending, with limit and windows found by bisection."""
-        rows = [self.at(float(dt)) for dt in dts]
-        radius, growth, stable = (np.array(column) for column in zip(*rows, strict=True))
-        edges = [k for k in range(len(dts) - 1) if stable[k] != stable[k + 1]]
-        places = [self._edge(float(dts[k]), float(dts[k + 1]), bool(stable[k])) for k in edges]
-        starts = [place for k, place in zip(edges, places, strict=True) if stable[k]]
-        ends = [place for k, place in zip(edges, places, strict=True) if not stable[k]]
-        limit = starts[0] if stable[0] and starts else (float(dts[-1]) if stable.all() else None)
-        if not stable[0]:
-            starts = [float(dts[0]), *starts]
-        windows = list(zip(starts, ends, strict=False))
-        return StabilityCurve(self.m, np.asarray(dts), radius, growth, stable, limit, bool(stable.all()), windows)
-
-    def _edge(self, low: float, high: float, stable_low: bool) -> float:
-        for _ in range(BISECTIONS):
-            middle = (low * high) ** 0.5
-            if self.at(middle)[2] == stable_low:
-                low = middle
-            else:
-                high = middle
-        return float((low * high) ** 0.5)
-
-
-# States along a trajectory, at which stability and frequencies are looked at.
-
-RTOL, ATOL = 1e-7, 1e-10
-
-
-def states_along(
-    model: Model,
-    *,
-    t_end: float,
-    count: int = 9,
-    parameters: Mapping[str, float] | None = None,
-    initial: Mapping[str, float] | None = None,
-    start: str | None = None,
-) -> list[State]:
-    """`count` states from 0 to t_end, evenly spaced but for a shift that keeps them off multiples of the motion."""
-    places = (np.arange(count) + 0.5 * np.sin(np.arange(count)) ** 2) / max(1, count - 0.5)
-    solution = reference_solution(
-        model,
-        t_end=t_end,
-        times=places * t_end,
-        rtol=RTOL,
-        atol=ATOL,
-        parameters=parameters,
-        initial=initial,
-        start=start,
-    )
-    return [state_at(solution, k) for k in range(len(solution.t))]

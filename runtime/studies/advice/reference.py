@@ -17,7 +17,7 @@ from runtime.contract.model import Model, refuse_events
 from runtime.engine.rows import evaluator
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.running.problem import Problem
-from runtime.studies.advice.advise import checked_grades
+from runtime.studies.advice.methods import checked_grades
 
 RTOL, ATOL = 1e-11, 1e-13
 LOOSER = 100.0  # its own error is estimated from a path with tolerances this much looser

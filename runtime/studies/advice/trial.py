@@ -8,12 +8,12 @@ from math import nan
 
 import numpy as np
 
-from benchmarks.harness.reference import Reference
 from runtime.contract.coordinates import followed
 from runtime.contract.model import Model
 from runtime.results.solution import Solution
 from runtime.running.ladder import Rung
 from runtime.running.outcome import statistics
+from runtime.studies.advice.reference import Reference
 
 REPEATS = (5, 100)  # at least, at most
 ENOUGH = 0.03  # s: repeats last this long together; a single run that does is timed once

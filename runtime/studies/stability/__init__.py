@@ -1,0 +1,1 @@
+"""Stability of a scheme on a model, computed from the exact Jacobian of its step."""
