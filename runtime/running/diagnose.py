@@ -9,6 +9,7 @@ from functools import partial
 import numpy as np
 
 from runtime.contract.status import Event, Status, StatusName
+from runtime.results.solution import Solution
 from runtime.running.monitor import Failure, Monitor
 from runtime.schemes.step_limit import eigenvalues
 
@@ -153,11 +154,16 @@ def _mass_left(monitor: Monitor) -> float | None:
     return None if left > NEARLY_LOST else left
 
 
-def laid_to_loads(status: Status, events: Sequence[Event], near: float) -> Status:
+def laid_to_loads(status: Status, solution: Solution, events: Sequence[Event], near: float) -> Status:
     """The same status, but a breakdown where a load has no finite value, or acts between the steps, is its doing.
 
-    near [s]: how far from it.
+    near [s]: how far from it. Where the ends of a spring or line meet, its force has no direction.
     """
+    if status.name in (*OF_LOADS, "step_too_long"):
+        names, last = solution.model.description.loads, solution.load_forces[-1]
+        if lost := [load.name for load, force in zip(names, last, strict=True) if not np.isfinite(force).all()]:
+            cause = f"load {lost[0]!r} has no finite force here: its ends meet, or its law has no value"
+            return Status("not_finite", status.time, None, cause, "Keep them apart, or write a law that has one there.")
     endless = [one for one in events if one.kind == "load_not_finite" and one.time <= status.time + near]
     missed = [one for one in events if one.kind == "load_missed" and abs(one.time - status.time) <= near]
     if status.name not in OF_LOADS or not endless + missed:

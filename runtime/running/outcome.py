@@ -42,10 +42,11 @@ def _ended(run: Run, measure: Measure) -> Solution:
     status = integrate(run)
     if status.ok:
         run.events += [one.told for one in passed_by(run, 1.0)[:1]]
-    else:
-        status = opened("runtime.running.diagnose:laid_to_loads")(status, run.events, 2 * run.plan.grid.dt_L)
     run.record.flush()
     solution = run.seen()
+    if not status.ok:
+        laid = opened("runtime.running.diagnose:laid_to_loads")
+        status = laid(status, solution, run.events, 2 * run.plan.grid.dt_L)
     stats = {**statistics(run.segment, run.z, run.set_up, run.seconds), **solution.stats, **_circumstances(run)}
     events = sorted((event for event in run.events if event.kind != "kink"), key=lambda event: event.time)
     if run.segment.model.description.kinks and run.segment.plan.scheme.options.kinks == "crossed":

@@ -242,3 +242,16 @@ def test_a_body_bent_by_too_long_a_step_names_the_step_first(
     run = simulate(model_of(scene.build()), scheme="single_rate", dt=1e-3, t_end=0.5, force=True)
     assert run.status.name == "deflection_too_large"
     assert run.status.advice.startswith("The step of 0.001 s is too long here.") and word in run.status.advice
+
+
+@pytest.mark.parametrize("scheme", ["rk4", "single_rate", "auto"])
+def test_a_spring_whose_ends_meet_is_named(model_of: Build, scheme: str) -> None:
+    """Its force has no direction there; a little turned, the same scene runs."""
+    scene = Scene("meet").ground(markers={"peg": {"position": (0.5, 0.0)}})
+    scene.rigid("bar", mass=1.0, inertia=0.1, markers={"tip": {"position": (0.5, 0.0)}})
+    scene.revolute("pin", "ground.origin", "bar.origin")
+    scene.spring_damper("spring", "ground.peg", "bar.tip", stiffness=100.0, free_length=0.2)
+    model = model_of(scene.simulation(t_end=0.1, dt=1e-3, scheme="rk4").build())
+    met = simulate(model, scheme=scheme)
+    assert met.status.name == "not_finite" and "'spring'" in met.status.cause and met.status.time == 0.0
+    assert simulate(model, scheme=scheme, initial={"bar.theta": 0.4}).status.ok
