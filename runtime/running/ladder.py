@@ -22,7 +22,7 @@ from runtime.contract.status import Status
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import MotionError, amplitudes, motion_error, with_rates
 from runtime.results.solution import Solution
-from runtime.running.companion import loads_missed, marks_of
+from runtime.running.companion import FINER, loads_missed, marks_of
 from runtime.running.monitor import known_slopes
 from runtime.running.outcome import LARGEST, finished, passed_by
 from runtime.running.plan import AUTO, DEFAULT, MAX_SAMPLES, Plan, make_plan, refuse_alike
@@ -41,6 +41,7 @@ SAFETY = 0.9  # of a tolerance, and of a stability limit
 MOST = 2.5  # times the steps of the rung before
 AFTER_LOST = 3.0  # the same, where the motion was lost
 SHOWN = 0.8  # of the order of a method: where three rungs show that much, the error is half of the difference
+EARLY = 0.05  # of a motion is made again with far shorter steps, of a method that damps
 SEEN = 1000  # samples of a rung that is kept
 MOST_STEPS = 10**8
 MOST_OPERATIONS = 10**12  # of all rungs: some minutes
@@ -192,6 +193,8 @@ class Ladder:
             order = plan.scheme.order
             if rungs and not rung.lost and not rungs[-1].lost:
                 self.judge(rungs, rung, order)
+                if plan.scheme.damps and rung.error <= self.tolerance:
+                    self.judge_early(rung)
             rungs.append(rung)
             yield rung
             spent += plan.steps * rung.run.segment.stepper.operations
@@ -243,6 +246,28 @@ class Ladder:
                 richer = max(2.0, (rung.steps / last.steps) ** min(shown, order) - 1)
                 rung.error *= min(0.5, RICHARDSON / richer)
                 rung.told = rung.told.scaled(1 / richer)
+
+    def judge_early(self, rung: Rung) -> None:
+        """The same of a method that damps: rungs that have lost a vibration agree, far shorter steps still have it.
+
+        The first part of the motion is made with them, and compared with the samples of the rung.
+        """
+        run, plan, model = rung.run, rung.run.record.segments[0].plan, self.problem.model
+        shown = min(plan.steps // plan.seen_steps, ceil(EARLY * plan.steps / plan.seen_steps))
+        steps = shown * plan.seen_steps * FINER
+        short = replace(plan.with_steps(model, plan.grid.dt_L / FINER, steps), seen_steps=FINER * plan.seen_steps)
+        other = begun(self.problem, replace(short, outputs=(), force=True), None, quiet=True, like=run)
+        if not integrate(other).ok:
+            return
+        at = [k * plan.seen_steps for k in range(1, shown + 1)]
+        (mine, v), (theirs, rates) = run.record.told(model, at), other.record.told(model, [FINER * k for k in at])
+        if mine.shape == theirs.shape:
+            sizes = np.array(list(rung.told.amplitude.values()))
+            early = with_rates(
+                motion_error(model, plan.t0 + np.array(at) * plan.grid.dt_L, mine, theirs, sizes), model, v, rates
+            )
+            if self._asked(early) > rung.error:
+                rung.error, rung.told = self._asked(early), early
 
     def _asked(self, error: MotionError) -> float:
         """What is compared with the tolerance; of rates, and of what is not graded, a run has to be accurate."""
