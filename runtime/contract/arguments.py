@@ -50,6 +50,8 @@ PLACE = Kind(lambda value: isinstance(value, str | PathLike) and value != "", "g
 NUMBER = Kind(_is_number, "give a finite number")
 NUMBERS = Kind(_are_numbers, "give a list of finite numbers")
 
+ENDS = ("duration", "time", "tend", "T")  # what others call t_end
+
 
 def arguments(**kinds: Kind) -> Callable[[Callable[P, R]], Callable[P, R]]:
     """Names the arguments of a function that are checked by kind; None is always taken.
@@ -78,6 +80,8 @@ def arguments(**kinds: Kind) -> Callable[[Callable[P, R]], Callable[P, R]]:
 
 
 def _near(name: str, known: Sequence[str]) -> str:
+    if name in ENDS and "t_end" in known:
+        return "did you mean t_end?"
     near = get_close_matches(name, known, n=1, cutoff=0.5)
     return f"did you mean {near[0]}?" if near else f"it has {', '.join(known)}"
 

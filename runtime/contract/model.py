@@ -190,6 +190,7 @@ class Model:
     quasi_static_motion. Motions that repeat: periodic, periodic_over. Derivatives: gradient, output_jacobian, fit.
     Methods: advise. Dynamics: mass_matrix, coriolis, gravity, inverse_dynamics, forward_dynamics, jacobian, ode.
     Names: q_i, q_d, coordinates, parameters, inputs, measures, joints, constraints. Functions: function, evaluate.
+    Handed on: export_c, export_fmu.
 
     description: all records; builders: function name -> what builds it. initial_q, initial_q_dot (n,) [m, rad, 1; per
     s]: the consistent initial state; initial_changes: {name: (given, used)} where the scene's start was corrected;
@@ -237,6 +238,8 @@ class Model:
     stability = Door("runtime.studies.stability.chart:stability_chart")
     stepper = Door("runtime.running.stepping:ModelStepper")
     ode = Door("runtime.baselines.ode:ode")
+    export_c = Door("runtime.export.c_bundle:export_c")
+    export_fmu = Door("runtime.export.fmu:export_fmu")
 
     def __post_init__(self) -> None:
         for name in ("initial_q", "initial_q_dot"):

@@ -137,7 +137,8 @@ def table_c(value: float, prefix: str = "") -> str:
         lines.append(f"  row = (long){places[2]}[row];")
     for level in reversed(range(table.levels)):
         lines.append(f"  if (inside >= knots[row + {1 << level}]) row += {1 << level};")
-    lines += ["  const double beyond = x - knots[row];", f"  powers += {degree} * row;"]
+    lines += ["  const double beyond = x - knots[row];"] if degree > 1 else []
+    lines += [f"  powers += {degree} * row;"]
     y = f"powers[{degree - 1}]"
     for power in reversed(range(degree - 1)):
         y = f"powers[{power}] + beyond * ({y})"

@@ -16,7 +16,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from runtime.contract.arguments import BY_NAME, NUMBER, arguments
+from runtime.contract.arguments import BY_NAME, NUMBER, PLACE, arguments
 from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.errors import ModelError
 from runtime.contract.files import write_text
@@ -120,6 +120,15 @@ def write_c(one: Exported, folder: str | Path) -> list[Path]:
         raise ModelError(f"model {one.name}", "has the name of the example, main.c", "give exported(..., name=...)")
     files = {**c_files(one), "main.c": _main(one), "CMakeLists.txt": _cmake(one.prefix[:-1])}
     return write_all(files, folder)
+
+
+@arguments(folder=PLACE)
+def export_c(model: Model, folder: str | Path, **steps: Any) -> list[Path]:
+    """Write the model with a scheme as plain C into a folder. steps: scheme, dt [s], m, options, parameters, name.
+
+    Returns the files. Raises ModelError or SchemeError for what cannot leave, OutputError.
+    """
+    return write_c(exported(model, **steps), folder)
 
 
 def write_all(files: Mapping[str, str], folder: str | Path) -> list[Path]:
@@ -437,12 +446,12 @@ def _parameters(model: Model, p: np.ndarray) -> list[Quantity]:
 
 
 def _main(one: Exported) -> str:
-    settings = one.model.simulation
-    blocks = max(1, round(float(settings["t_end"]) / one.scheme.grid.dt_L / 100))
-    return _MAIN.format(p=one.prefix, stem=one.prefix[:-1], blocks=blocks)
+    dt, t_end = one.scheme.grid.dt_L, float(one.model.simulation["t_end"])
+    blocks = max(1, round(t_end / dt / 100))
+    return _MAIN.format(p=one.prefix, stem=one.prefix[:-1], blocks=blocks, seconds=100 * blocks * dt)
 
 
-_MAIN = """/* Runs {stem} and writes what it shows as CSV. */
+_MAIN = """/* Runs {stem} for {seconds:g} s (simulation.t_end of the scene) and writes what it shows as CSV. */
 #include <stdio.h>
 
 #include "{stem}.h"

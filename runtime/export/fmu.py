@@ -14,11 +14,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
 
+from runtime.contract.arguments import PLACE, arguments
 from runtime.contract.errors import CompilerError, ModelError
 from runtime.contract.files import replacing
+from runtime.contract.model import Model
 from runtime.engine.c_source import find_compiler
-from runtime.export.c_bundle import Exported, c_files
+from runtime.export.c_bundle import Exported, c_files, exported
 from runtime.export.fmu_description import description
 from runtime.export.fmu_source import fmu_source
 
@@ -90,6 +93,14 @@ def write_fmu(one: Exported, path: str | Path, fmi: int = 2, platforms: Sequence
             for inside, content in contents.items():
                 archive.writestr(zipfile.ZipInfo(inside), content, zipfile.ZIP_DEFLATED)
     return Written(Path(path), done, missing)
+
+
+@arguments(path=PLACE)
+def export_fmu(
+    model: Model, path: str | Path, fmi: int = 2, platforms: Sequence[str] | None = None, **steps: Any
+) -> Written:
+    """Write the model with a scheme as an FMU. steps: scheme, dt [s], m, options, parameters, name; see `write_fmu`."""
+    return write_fmu(exported(model, **steps), path, fmi, platforms)
 
 
 def fmu_texts(one: Exported, fmi: int) -> dict[str, str]:

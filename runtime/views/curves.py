@@ -85,23 +85,30 @@ def motion(solution: Solution) -> list[Curves]:
     angles = [entry for entry in records if entry.kind == "angle"]
     travels = [entry for entry in records if entry.kind == "position"]
     travels = [entry for entry in travels if entry.owner in owners or entry.name in model.q_i]
-    groups = [_group(solution, "angles", angles), _group(solution, "travels", travels)]
-    rates = {f"{entry.name}_dot" for entry in model.description.measures}
-    measures = [entry for entry in model.description.measures if entry.name not in rates]
-    for unit in dict.fromkeys(entry.unit for entry in measures):
-        names = [entry.name for entry in measures if entry.unit == unit]
-        groups.append(Curves("measures", unit, names, np.array([solution[name] for name in names])))
+    groups = [_group(solution, "angles", angles), _group(solution, "travels", travels), *_measures(solution)]
     return [part for group in groups if group.names for part in group.by_span()]
 
 
-def every_coordinate(solution: Solution) -> list[Curves]:
-    """All coordinates that move: angles, positions, Euler parameters, then the modes of each body."""
+def _measures(solution: Solution) -> list[Curves]:
+    described = solution.model.description.measures
+    rates = {f"{entry.name}_dot" for entry in described}
+    measures = [entry for entry in described if entry.name not in rates]
+    groups = []
+    for unit in dict.fromkeys(entry.unit for entry in measures):
+        names = [entry.name for entry in measures if entry.unit == unit]
+        groups.append(Curves("measures", unit, names, np.array([solution[name] for name in names])))
+    return groups
+
+
+def every_motion(solution: Solution) -> list[Curves]:
+    """All coordinates that move, and measures: angles, positions, Euler parameters, measures, modes of each body."""
     records = [entry for entry in solution.model.description.coordinates if moves(solution[entry.name])]
     records = records or list(solution.model.description.coordinates)
     groups = [
         _group(solution, title, [entry for entry in records if entry.kind == kind])
         for title, kind in (("angles", "angle"), ("positions", "position"), ("Euler parameters", "euler_parameter"))
     ]
+    groups += [part for group in _measures(solution) for part in group.by_span()]
     return [group for group in groups if group.names] + _modes(solution, records, "deformation")
 
 

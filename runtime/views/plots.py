@@ -44,7 +44,7 @@ MOST_FORCES = 6  # joints in a panel, the largest first
 
 def motion(solution: Solution, path: str | Path | None = None) -> Figure:
     """Angles [deg], travels and measures; Euler parameters and dependent copies only by name (`coordinates`)."""
-    groups = curves.motion(solution) or curves.every_coordinate(solution)
+    groups = curves.motion(solution) or curves.every_motion(solution)
     return _panels(solution, groups, path)
 
 
@@ -70,14 +70,15 @@ def forces(solution: Solution, path: str | Path | None = None) -> Figure:
 def coordinates(
     solution: Solution,
     path: str | Path | None = None,
-    names: Sequence[str] | None = None,
+    names: str | Sequence[str] | None = None,
     ax: Axes | None = None,
 ) -> Figure:
-    """Coordinates against time: all that move, or those named (measures and rates too), a panel for each unit and body.
+    """Coordinates and measures against time: all that move, or those named (rates too), a panel for each unit and body.
 
     Raises ModelError for an unknown name, ArgumentError where `ax` is given for more than one unit.
     """
-    groups = curves.every_coordinate(solution) if names is None else _named(solution, names)
+    chosen = [names] if isinstance(names, str) else names
+    groups = curves.every_motion(solution) if chosen is None else _named(solution, chosen)
     if ax is None:
         return _panels(solution, groups, path)
     if len({group.unit for group in groups}) > 1:

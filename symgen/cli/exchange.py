@@ -11,9 +11,9 @@ from symgen.cli.sources import opened_model
 from symgen.cli.words import UsageError, settings
 
 if TYPE_CHECKING:
-    from runtime.export.c_bundle import Exported
     from symgen.urdf import Dropped
 
+STEPS = ("scheme", "dt", "m", "options", "parameters", "name")
 SHOWN = 6  # names of a kind that a line of the list has
 
 
@@ -60,15 +60,13 @@ def _results(arguments: argparse.Namespace) -> Outcome:
 
 
 def _c(arguments: argparse.Namespace) -> Outcome:
-    from runtime.export.c_bundle import write_c
-
-    return _written(write_c(_exported(arguments), arguments.out))
+    model = opened_model(arguments.source, arguments.made_with)
+    return _written(model.export_c(arguments.out, **settings(arguments, STEPS)))
 
 
 def _fmu(arguments: argparse.Namespace) -> Outcome:
-    from runtime.export.fmu import write_fmu
-
-    done = write_fmu(_exported(arguments), arguments.out, int(arguments.fmi), arguments.platforms)
+    model, steps = opened_model(arguments.source, arguments.made_with), settings(arguments, STEPS)
+    done = model.export_fmu(arguments.out, int(arguments.fmi), arguments.platforms, **steps)
     runs_on = f"for {', '.join(done.platforms)}" if done.platforms else "sources only"
     lines = [f"Wrote {done.path}, {runs_on}.", *(f"Nothing for {name}: {why}." for name, why in done.missing.items())]
     return Outcome({"file": str(done.path), "platforms": done.platforms, "missing": done.missing}, lines)
@@ -80,13 +78,6 @@ def _functions(arguments: argparse.Namespace) -> Outcome:
 
     model = opened_model(arguments.source, arguments.made_with)
     return _written(write_all(function_files(model, arguments.functions, arguments.name), arguments.out))
-
-
-def _exported(arguments: argparse.Namespace) -> Exported:
-    from runtime.export.c_bundle import exported
-
-    how = settings(arguments, ("scheme", "dt", "m", "options", "parameters", "name"))
-    return exported(opened_model(arguments.source, arguments.made_with), **how)
 
 
 def _written(files: list[Path]) -> Outcome:

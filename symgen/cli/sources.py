@@ -58,6 +58,9 @@ def find_source(word: str, made_with: Mapping[str, float] = NOTHING) -> Source:
         return Source(SceneRecord.from_toml(path / "scene.toml"), path)
     if folder:
         raise SceneError(f"folder '{word}'", "contains no scene.toml", "give a folder written by symgen generate")
+    if path.suffix == ".py":
+        remedy = "in it write scene.to_toml('NAME.toml') and give that file, or call what you want of scene.model()"
+        raise SceneError(f"scene '{word}'", "is a Python program, which is not run here", remedy)
     raise SceneError(
         f"scene '{word}'",
         "is neither a built-in scene nor a .toml file",

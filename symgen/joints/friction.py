@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar
 
 from symgen.schema.fields import Bound, Fault, Meaning, Quantity, StrictModel
 
@@ -17,6 +17,8 @@ class Friction(StrictModel):
     By the joint's own force R [N] instead: mu R of a slide, mu R radius of a hinge, and at rest `mu_static`, mu unless
     given, in place of mu; what falls is the coefficient.
     """
+
+    example: ClassVar[str] = "friction = {coulomb = 40}"
 
     coulomb: Annotated[Quantity | None, Meaning("friction of fast sliding", FORCE, Bound.NON_NEGATIVE)] = None
     breakaway: Annotated[Quantity | None, Meaning("friction that holds at most", FORCE, Bound.POSITIVE)] = None

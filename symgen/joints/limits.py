@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field
 
@@ -18,6 +18,8 @@ class Limits(StrictModel):
     Else, beyond one of them by d: the force k d^n max(0, 1 + D d') of Hunt and Crossley (1975) pushes back, and never
     pulls; stiffness k [N/m^n or N m/rad^n], damping D [s/m or s/rad], exponent n, from 1 to 5, 1 unless given.
     """
+
+    example: ClassVar[str] = "limits = {lower = -0.3, upper = 0.3, restitution = 0.5}"
 
     lower: Annotated[Quantity | None, Meaning("lower end of the way", "m or rad")] = None
     upper: Annotated[Quantity | None, Meaning("upper end of the way", "m or rad")] = None

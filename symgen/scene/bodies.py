@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, Strict
 
@@ -81,6 +81,8 @@ class MarkerDirections(StrictModel):
 
 class RigidMarker(MarkerDirections):
     """A point and directions on the ground or on a rigid body. position [m]."""
+
+    example: ClassVar[str] = "{position = [0.5, 0.0]}"
 
     position: Position = (0.0, 0.0)
 
@@ -187,6 +189,8 @@ class TorsionModes(StrictModel):
 
 class BeamMarker(MarkerDirections):
     """A point of a beam: ``at`` is the fraction of the length, 0 at the start, 1 at the end."""
+
+    example: ClassVar[str] = "{at = 0.5}"
 
     at: Number
 

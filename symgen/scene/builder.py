@@ -7,6 +7,7 @@ from inspect import Parameter, Signature, cleandoc
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
+from runtime.contract.doors import opened
 from symgen.couplings import COUPLINGS
 from symgen.joints import JOINTS
 from symgen.loads import LOADS
@@ -146,6 +147,13 @@ class Scene:
     def build(self) -> SceneRecord:
         """Check the scene and freeze it. Raises SceneError with the item, the problem and the remedy."""
         return SceneRecord.from_dict(self._data)
+
+    def to_toml(self, path: str | Path | None = None) -> str:
+        """The scene as TOML text, for `from_toml` and the command line; written where a path is given (OutputError)."""
+        text = self.build().to_toml()
+        if path is not None:
+            opened("runtime.contract.files:write_text")(Path(path), text)
+        return text
 
     def model(self) -> Model:
         """Derive the equations, ready to run; the generated code is kept in the cache. Raises SceneError.

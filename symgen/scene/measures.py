@@ -74,7 +74,7 @@ class CoordinateMeasure(_Measure):
         """A coordinate that is not there."""
         names = scene.coordinates()
         if self.of not in [*names, *scene.angles()]:
-            yield unknown_coordinate("of", self.of, names)
+            yield unknown_coordinate("of", self.of, names, scene.joints)
 
 
 class SectionForceMeasure(_Measure):

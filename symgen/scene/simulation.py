@@ -102,15 +102,23 @@ def _angle_fault(key: str, name: str) -> Fault:
     return Fault(key, problem, remedy)
 
 
-def unknown_coordinate(key: str, name: str, names: list[str]) -> Fault:
-    """A name or a pattern that stands for no coordinate."""
+def unknown_coordinate(key: str, name: str, names: list[str], joints: Sequence[Any] = ()) -> Fault:
+    """A name or a pattern that stands for no coordinate; joints: of which it may name one without coordinates."""
     problem = f"there is no coordinate '{name}'"
     if "*" in name or "?" in name:
         problem = f"the pattern '{name}' matches no coordinate"
     if name.endswith("_dot") and name.removesuffix("_dot") in names:
         own = name.removesuffix("_dot")
         return Fault(key, problem, f"a rate stands by its coordinate among the rates: [initial.rates] '{own}' = ...")
-    return Fault(key, problem, did_you_mean(name, names))
+    of, _, motion = name.partition(".")
+    joint = next((one for one in joints if one.name == of), None)
+    if joint is None or any(one.startswith(f"{of}.") for one in names):
+        return Fault(key, problem, did_you_mean(name, names))
+    body = joint.marker_b.partition(".")[0]
+    own = ", ".join(one for one in names if one.startswith(f"{body}.")) or "those of its bodies"
+    kind = "angle" if motion.startswith("angle") else "distance"
+    seen = f'measure(name, "{kind}", of="{joint.marker_b}", relative_to="{joint.marker_a}")'
+    return Fault(key, f"{problem}: joint '{of}' has none here", f"the coordinates are {own}; to see it write {seen}")
 
 
 class InitialValue(StrictModel):
@@ -144,7 +152,7 @@ class Initial(StrictModel):
         for section, names in known.items():
             for name in getattr(self, section):
                 if name not in names:
-                    yield unknown_coordinate(f"{section}['{name}']", name, names)
+                    yield unknown_coordinate(f"{section}['{name}']", name, names, scene.joints)
         for body in scene.euler_angles():
             yield from self._turned_twice(body)
 

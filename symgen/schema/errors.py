@@ -8,6 +8,8 @@ from collections.abc import Iterable
 
 from runtime.contract.errors import SymgenError
 
+MOST_LISTED = 24
+
 
 class SceneError(SymgenError, ValueError):
     """Something in a scene is wrong; says where, what, and what to do.
@@ -29,15 +31,17 @@ def raise_all(errors: Iterable[SceneError]) -> None:
 
 
 def did_you_mean(wrong: object, known: Iterable[str]) -> str:
-    """Say which known name is nearest to ``wrong``, or list the known names."""
-    names = list(known)
-    close = difflib.get_close_matches(str(wrong)[:80], names, n=1, cutoff=0.6)
-    if close:
-        return f"did you mean '{close[0]}'?"
+    """Say which known name is nearest to ``wrong``, whatever its case, or list the known names, of many the nearest."""
+    names, word = list(known), str(wrong)[:80]
+    by_case = {name.casefold(): name for name in names}
+    for asked, own in ((word, names), (word.casefold(), list(by_case))):
+        if close := difflib.get_close_matches(asked, own, n=1, cutoff=0.6):
+            return f"did you mean '{by_case.get(close[0], close[0])}'?"
     if not names:
         return "there is nothing to choose from here"
-    listed = ", ".join(names[:12]) + (", ..." if len(names) > 12 else "")
-    return f"known: {listed}"
+    if len(names) > MOST_LISTED:
+        names = [*difflib.get_close_matches(word, names, n=MOST_LISTED, cutoff=0.0), "..."]
+    return f"known: {', '.join(names)}"
 
 
 def show(value: object) -> str:

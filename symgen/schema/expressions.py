@@ -278,6 +278,9 @@ class _Reader:
                     f"'{_short(f'{item}.{name}')}' cannot be read in an expression",
                     "declare a measure of it, and use the measure's name and its rate <measure>_dot",
                 )
+            case ast.IfExp(test=test, body=body, orelse=orelse):
+                parts = ", ".join(_short(ast.unparse(part)) for part in (test, body, orelse))
+                raise self._error("if and else are not part of the language", f"write where({parts})")
             case ast.Compare():
                 raise self._error("a comparison stands outside of where()", "write where(condition, a, b)")
         kind = type(tree.value if isinstance(tree, ast.Constant) else tree).__name__
@@ -299,7 +302,9 @@ class _Reader:
         if function == "table":
             return self._table(arguments, keywords, depth)
         if function not in ARITY:
-            raise self._error(f"unknown function '{_short(function)}'", did_you_mean(function, sorted(ARITY)))
+            raise self._error(
+                f"unknown function '{_short(function)}'", did_you_mean(function, sorted([*ARITY, "table"]))
+            )
         low, high = ARITY[function]
         if keywords or not low <= len(arguments) <= high:
             count = str(low) if low == high else f"{low} to {high}"

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from enum import Enum
 from importlib import import_module
 from pathlib import Path
-from typing import Annotated, Any, Literal, NamedTuple, TypeVar
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, PlainValidator, Strict, model_validator
 from pydantic_core import PydanticCustomError
@@ -43,10 +43,13 @@ class StrictModel(BaseModel):
     """Base of every part of a scene: immutable, and an unknown key is an error with a suggestion."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+    example: ClassVar[str] = ""  # what one writes, where others are tempted to write a number or a list
 
     @model_validator(mode="before")
     @classmethod
     def _known_keys(cls, data: Any) -> Any:
+        if cls.example and not isinstance(data, dict | cls):
+            raise refuse(f"{show(data)} is not a table of entries", f"write {cls.example}")
         if isinstance(data, dict):
             for key, value in data.items():
                 if not isinstance(key, str) or key not in cls.model_fields:

@@ -26,6 +26,7 @@ SPRING = '[[loads]]\ntype = "force"\nname = "push"\nmarker = "box.origin"\ncompo
         ("simulate pendulum --t-end 1s", "'1s' is not a number"),
         ("simulate pendulm", "did you mean 'pendulum'?"),
         ("advise pendulum --start quasi_statc", "--start takes no 'quasi_statc'; did you mean 'quasi_static'?"),
+        ("simulate crane.py", "is a Python program, which is not run here; in it write scene.to_toml('NAME.toml')"),
         ("list further", "'further' is one word too many"),
     ],
 )

@@ -175,12 +175,17 @@ def test_names_are_prefixed_and_nothing_is_writable(built_in: Load, tmp_path: Pa
 @needs_compiler
 def test_the_example_runs_as_the_runtime_does(built_in: Load, tmp_path: Path) -> None:
     own = bundle(built_in("pendulum"), tmp_path)
+    files = built_in("pendulum").export_c(tmp_path / "again")
+    assert files and all(path.read_bytes() == (tmp_path / path.name).read_bytes() for path in files)
+    t_end = float(own.one.model.simulation["t_end"])
+    assert f"Runs pendulum for {t_end:g} s " in (tmp_path / "main.c").read_text(encoding="utf-8")
     command = [str(find_compiler()), *STRICT, "pendulum.c", "main.c", "-o", "example", "-lm"]
     subprocess.run(command, cwd=tmp_path, check=True)
     rows = subprocess.run(["./example"], cwd=tmp_path, check=True, capture_output=True, text=True).stdout.splitlines()
     assert rows[0].split(",") == ["t", *(one.name for one in own.one.outputs)]
     stepper = built_in("pendulum").stepper()
     last = [float(value) for value in rows[-1].split(",")]
+    assert last[0] == pytest.approx(t_end)
     stepper.step(round(last[0] / stepper.dt))
     assert last == [stepper.time, *stepper.reader([one.name for one in own.one.outputs])()]
 

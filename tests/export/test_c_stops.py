@@ -16,7 +16,7 @@ from runtime import ModelError, simulate
 from runtime.contract.model import Model
 from runtime.engine.c_source import find_compiler
 from runtime.export.c_bundle import exported, write_c
-from symgen.scene import Scene, SceneRecord
+from symgen.scene import Scene, SceneRecord, trapezoid
 from tests.export.bundles import STRICT, Bundle, bundle
 
 Load = Callable[[str], Model]
@@ -71,6 +71,15 @@ def humming() -> Scene:
     return cart("humming", "-20 * sign(way_dot) + 5 * sin(3 * t)", v=0.1)
 
 
+def travelling() -> Scene:
+    """A load on a cart whose velocity is a trapezoid from rest to rest: its acceleration jumps four times."""
+    builder = Scene("travelling").rigid("cart", mass=5.0, inertia=0.1)
+    builder.rigid("load", mass=2.0, inertia=0.1, markers={"top": {"position": [0.0, 1.0]}}).gravity(0, -9.81)
+    builder.prismatic("rail", "ground.origin", "cart.origin").revolute("hinge", "cart.origin", "load.top")
+    builder.table("move", **trapezoid(0.5, speed=0.5, acceleration=1.0))
+    return builder.prescribed_displacement("drive", "ground.origin", "cart.origin", motion="table('move', t)")
+
+
 CASES = [  # scene, scheme, step, steps, how it ends
     (jumping, "rk4", 1e-3, 1500, 0),
     (jumping, "single_rate", 1e-3, 1500, 0),
@@ -78,6 +87,7 @@ CASES = [  # scene, scheme, step, steps, how it ends
     (relay, "single_rate", 1e-3, 4000, 1),
     (kinks, "exponential", 1e-3, 2000, 0),
     (between, "rk4", 0.05, 60, 0),
+    (travelling, "rk4", 3e-3, 600, 0),
     (between, "single_rate", 0.05, 60, 0),
     (chattering, "rk4", 0.01, 100, 2),
     (humming, "single_rate", 0.01, 500, 0),
@@ -90,7 +100,7 @@ def same(own: Bundle, stepper: object) -> None:
     np.testing.assert_array_equal(own.z[: len(z)], z)
 
 
-@pytest.mark.every_push("relay-rk4-0.001-4000-1", "kinks-exponential-0.001-2000-0")
+@pytest.mark.every_push("relay-rk4-0.001-4000-1", "travelling-rk4-0.003-600-0", "kinks-exponential-0.001-2000-0")
 @pytest.mark.parametrize(("scene", "scheme", "dt", "steps", "end"), CASES)
 def test_steps_with_stops_have_the_bits_of_the_runtime(
     model_of: Build, tmp_path: Path, scene: Callable[[], Scene], scheme: str, dt: float, steps: int, end: int

@@ -24,6 +24,8 @@ SHORT: dict[str, Any] = {"t_end": 0.01, "dt": 1e-3, "scheme": "rk4"}
     "wrong, words",
     [
         ({"tend": 2}, ["tend", "did you mean t_end?"]),
+        ({"duration": 2}, ["duration", "did you mean t_end?"]),
+        ({"T": 2}, ["did you mean t_end?"]),
         ({"schem": "rk4"}, ["did you mean scheme?"]),
         ({"nonsense_of_mine": 1}, ["no such argument", "t_end"]),
         ({"progress": 5}, ["progress", "function"]),
@@ -71,6 +73,17 @@ DOORS = (
 def test_unknown_keywords_of_every_door_are_named(built_in: Callable[..., Model], name: str) -> None:
     with pytest.raises(ArgumentError, match="bogus.*no such argument"):
         getattr(built_in("hub_beam"), name)(bogus=3)
+
+
+@pytest.mark.parametrize("name", ["export_c", "export_fmu"])
+def test_what_hands_a_model_on_takes_a_path_and_names_unknown_keywords(
+    built_in: Callable[..., Model], name: str
+) -> None:
+    door = getattr(built_in("hub_beam"), name)
+    with pytest.raises(ArgumentError, match="bogus.*no such argument"):
+        door("there", bogus=3)
+    with pytest.raises(ArgumentError, match="give a path"):
+        door(5)
 
 
 @pytest.mark.parametrize(

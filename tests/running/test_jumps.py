@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,7 @@ from scipy.integrate import solve_ivp
 
 from runtime import Model, ModelError, ensemble, resume, simulate
 from runtime.schemes.catalogue import SCHEMES
-from symgen.scene import Scene, SceneRecord
+from symgen.scene import Scene, SceneRecord, s_curve, trapezoid
 from tests.support.scenes import driven_bob, on_hinge
 
 Build = Callable[[SceneRecord], Model]
@@ -227,3 +228,20 @@ def test_a_small_jump_of_a_slow_motion_is_a_jump(model_of: Build) -> None:
     model = model_of(builder.simulation(t_end=1.0, dt=0.05, scheme="printed").build())
     with pytest.raises(ModelError, match="velocity jumps"):
         simulate(model, scheme="rk4", engine="interpreted")
+
+
+@pytest.mark.parametrize("motion", ["table('move', t - 1)", "table('move', t - 1) + more"])
+@pytest.mark.parametrize("move", [trapezoid, partial(s_curve, jerk=2.0)])
+def test_rounding_of_a_velocity_is_no_jump(model_of: Build, motion: str, move: Callable[..., Any]) -> None:
+    """From rest at 1 s on and to rest again at the end; with an input nobody knows before which times may jump."""
+    profile = move(0.25, speed=0.5, acceleration=1.0)
+    builder = driven_bob("set_out", motion).table("move", **profile).input("more", rates=True)
+    for t_end in (1.25, 1.0 + profile["x"][-1] + 0.25):
+        run = simulate(model_of(builder.simulation(t_end=t_end).build()), scheme="rk4", dt=0.01)
+        assert run.status.ok and run.events == []
+    assert run["crank.theta"][-1] == pytest.approx(0.25, abs=1e-12)
+
+
+def test_a_velocity_that_jumps_by_little_is_told(model_of: Build) -> None:
+    run = simulate(model_of(kicked_crank("where(t < 0.4567, 0, 1e-9 * (t - 0.4567))")))
+    assert [event.kind for event in run.events] == ["velocity_jump"]

@@ -5,12 +5,15 @@ from __future__ import annotations
 import inspect
 import json
 import pickle
+import tomllib
 from pathlib import Path
 
 import numpy as np
 import pytest
 from pydantic import ValidationError
 
+from symgen.joints.friction import Friction
+from symgen.joints.limits import Limits
 from symgen.scene import BeamMarker, InitialValue, ModalBody, RigidMarker, Scene, SceneError, SceneRecord
 
 GOOD = sorted((Path(__file__).parents[1] / "bad_scenes" / "good").glob("*.toml"))
@@ -168,3 +171,40 @@ def test_a_value_too_many_by_place_is_refused() -> None:
         Scene("s").torque("twist", "arm.end", 30.0, 0.0, 0.0)
     with pytest.raises(SceneError, match="by place and by name"):
         Scene("s").torque("twist", "arm.end", 30.0, value=3.0)
+
+
+def held() -> Scene:
+    return Scene("held").rigid("arm", mass=1.0, inertia=0.1).revolute("hinge", "ground.origin", "arm.origin")
+
+
+@pytest.mark.parametrize(
+    ("scene", "words"),
+    [
+        (held().force("f", "arm.origin", "STEP(t)", 0), "unknown function 'STEP'; did you mean 'step'?"),
+        (held().force("f", "arm.origin", "heaviside(t)", 0), "sqrt, step, table, tan, tanh, where"),
+        (held().force("f", "arm.origin", "150 if t < 2 else 0", 0), "write where(t < 2, 150, 0)"),
+        (held().revolute("pin", "ground.origin", "arm.origin", friction=40.0), "write friction = {coulomb = 40}"),
+        (held().revolute("pin", "ground.origin", "arm.origin", limits=(-1, 1)), "write limits = {lower = -0.3, upper"),
+        (Scene("a").rigid("arm", mass=1, inertia=1, markers={"tip": [0.5, 0]}), "write {position = [0.5, 0.0]}"),
+        (held().measure("m", "coordinate", of="hinge.angle"), 'write measure(name, "angle", of="arm.origin"'),
+        (held().initial({"hinge.angle": 1.0}), "the coordinates are arm.x, arm.y, arm.theta; to see it write measure"),
+    ],
+)
+def test_refusals_say_what_to_write(scene: Scene, words: str) -> None:
+    with pytest.raises(SceneError) as refused:
+        scene.build()
+    assert words in str(refused.value)
+
+
+@pytest.mark.parametrize("example", [Friction.example, Limits.example])
+def test_examples_of_records_are_taken(example: str) -> None:
+    name, _, given = example.partition(" = ")
+    fields = tomllib.loads(f"{name} = {given}")
+    record = held().joint("prismatic", "rail", "ground.origin", "arm.origin", **fields)
+    assert getattr(record.build().joints[1], name) is not None
+
+
+def test_a_scene_is_written_as_a_file(tmp_path: Path) -> None:
+    text = held().to_toml(tmp_path / "held.toml")
+    assert (tmp_path / "held.toml").read_text(encoding="utf-8") == text
+    assert Scene.from_toml(tmp_path / "held.toml").build() == held().build()

@@ -44,9 +44,14 @@ def test_no_pyplot_state_is_touched(tmp_path) -> None:
 
 def test_panels_separate_rigid_from_elastic_and_leave_out_what_rests() -> None:
     figure = plots.coordinates(rod_solution())
-    assert [ax.get_title(loc="left") for ax in figure.axes] == ["angles: rod.theta", "rod: deformation: rod.q1"]
+    assert [ax.get_title(loc="left") for ax in figure.axes] == [
+        "angles: rod.theta",
+        "measures: tip",
+        "rod: deformation: rod.q1",
+    ]
     chosen = plots.coordinates(rod_solution(), names=["rod.q1", "tip"])
     assert len(chosen.axes) == 2
+    assert len(plots.coordinates(rod_solution(), names="tip").axes) == 1
     with pytest.raises(ModelError):
         plots.coordinates(rod_solution(), names=["rod.q7"])
 
@@ -68,7 +73,7 @@ def test_many_coordinates_and_bodies_stay_readable() -> None:
     assert len(figure.axes) == plots.MAX_PANELS
     legends = [ax.get_legend() for ax in figure.axes]
     assert len(legends[0].get_texts()) == 40  # complete, and a single curve is named in the title
-    assert legends[1] is None and "link0.q1" in figure.axes[1].get_title(loc="left")
+    assert legends[2] is None and "link0.q1" in figure.axes[2].get_title(loc="left")  # behind the measure
 
 
 @pytest.mark.every_push("motion")
@@ -97,7 +102,7 @@ def test_euler_parameters_never_share_an_axis_with_metres() -> None:
     q = np.stack([np.cos(run.t), np.sin(run.t), run.t, run.t**2], axis=1)
     moved = replace(run, model=replace(run.model, description=described), q=q, q_dot=q, q_ddot=q, q_i=q)
     shown = {ax.get_title(loc="left"): len(ax.lines) for ax in plots.coordinates(moved).axes}
-    assert shown == {"positions": 2, "Euler parameters": 2}
+    assert shown == {"positions": 2, "Euler parameters": 2, "measures: tip": 1}
     assert all("Euler" not in ax.get_title(loc="left") for ax in plots.motion(moved).axes)
 
 
