@@ -48,7 +48,7 @@ class Master:
     def __init__(self, model: Model, folder: Path, kind: int = CO_SIMULATION, **how: object) -> None:
         path = folder / "unit.fmu"
         if not path.exists():
-            write_fmu(exported(model, **how), path)  # type: ignore[arg-type]
+            model.export_fmu(path, **how)
             with zipfile.ZipFile(path) as archive:
                 archive.extractall(folder / "unit")
         self.xml = ElementTree.parse(folder / "unit" / "modelDescription.xml").getroot()
