@@ -63,11 +63,11 @@ def off_a_beam(solution: Solution) -> Status | None:
         return None
     (r, A), drawing = poses_of(model, solution.q), model.description.drawing
     places = model.geometry(solution.parameters)["positions"].T
-    positions = {(one.body, one.name): place for one, place in zip(drawing.points, places, strict=True)}
+    positions = {f"{one.body}.{one.name}": place for one, place in zip(drawing.points, places, strict=True)}
     for joint in rails:
         a, beam = drawing.poses.index(joint.body_a), joint.body_a
-        length = max(place[0] for (body, _), place in positions.items() if body == beam)
-        point = positions[joint.body_b, joint.marker_b.partition(".")[2]]
+        length = max(place[0] for one, place in zip(drawing.points, places, strict=True) if one.body == beam)
+        point = positions[joint.marker_b]
         if joint.body_b in drawing.poses:
             point = r[:, (b := drawing.poses.index(joint.body_b))] + A[:, b] @ point
         way = np.einsum("sj,sj->s", A[:, a, :, 0], point - r[:, a])

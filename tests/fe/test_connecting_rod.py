@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from examples.mesh_connecting_rod import BIG_EYE, LENGTH, THICKNESS, connecting_rod, connecting_rod_mesh
 from symgen.fe import STEEL, FlexibleBody
+from symgen.fe.connecting_rod import BIG_EYE, LENGTH, THICKNESS, connecting_rod, connecting_rod_mesh
 
 pytestmark = pytest.mark.long
 

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from examples.mesh_connecting_rod import connecting_rod
 from runtime import ensemble, plots, simulate
 from runtime.contract.errors import ArgumentError, ModelError
 from symgen.fe import FiniteElementError, FlexibleBody, LineMesh, Section
+from symgen.fe.connecting_rod import connecting_rod
 from symgen.fe.stresses import gauge_places
 from symgen.generate import model_of
 from symgen.scene import Scene, SceneError, SceneRecord

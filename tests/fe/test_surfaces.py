@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from examples.mesh_connecting_rod import BIG_EYE, connecting_rod
 from symgen.fe import FlexibleBody
+from symgen.fe.connecting_rod import BIG_EYE, connecting_rod
 from symgen.fe.stresses import boundary_triangles
 from symgen.fe.structure import FiniteElementError
 from tests.fe.test_solids import FACES, MATERIAL, SIZE, hexahedra, tetrahedra

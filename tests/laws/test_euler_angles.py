@@ -227,7 +227,7 @@ def test_loads_that_follow_coordinates(
 @pytest.mark.parametrize(
     "change, item, problem",
     [
-        (lambda b: b.independent("body.theta1"), "partition.independent[0]", "input and output only"),
+        (lambda b: b.independent("body.theta1"), "partition.independent[0]", "at the start and in results only"),
         (lambda b: b.initial({"body.theta1": 1.0, "body.e1": 0.5}), "initial.coordinates['body.theta1']", "body.e1"),
         (lambda b: b.rates({"body.theta1": 1.0, "body.omega_x": 1.0}), "initial.rates['body.theta1']", "omega_x"),
     ],

@@ -112,7 +112,7 @@ def test_where_steps_end_within_a_pulse() -> None:
         return 100 * np.exp(-(((t - at) / 3e-3) ** 2))
 
     def times(forces: Callable[[np.ndarray], np.ndarray], *known: SwitchTime) -> list[float]:
-        return [one.time for one in pulse_times(pulses(forces, 0.0, 5.0), 0.0, 5.0, known)]
+        return [one.time for one in pulse_times(pulses(lambda t: np.atleast_2d(forces(t)), 0.0, 5.0), 0.0, 5.0, known)]
 
     found = times(lambda t: slow(t) + pulse(t))
     assert len(found) == PARTS + 1 and found == sorted(found)

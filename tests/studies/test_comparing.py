@@ -68,7 +68,7 @@ def test_the_reference_is_the_exact_motion(reference: Reference) -> None:
 def test_errors_are_those_of_the_exact_motion(reference: Reference) -> None:
     """RMS over the motion relative to the amplitude about the mean, from an own formula."""
     ladder = Ladder(reference.problem, 1e-3)
-    made = trial_of("rk4", ladder.rung(ladder.plan(Method("rk4"), 160)), reference)
+    made = trial_of("rk4", ladder.rung(ladder.plan(Method("rk4"), 160), None), reference)
     how = {"scheme": "rk4", "dt": T_END / 160, "seen_every": 0.0}
     run = simulate(reference.problem.model, t_end=T_END, parameters=PLAIN, initial=START, **how)
     truth = exact(run.t)[:, 0]
@@ -79,7 +79,7 @@ def test_errors_are_those_of_the_exact_motion(reference: Reference) -> None:
 
 def test_unstable_runs_are_failures(reference: Reference) -> None:
     ladder = Ladder(reference.problem, 1e-3)
-    made = trial_of("single_rate", ladder.rung(ladder.plan(Method("single_rate"), 20)), reference)
+    made = trial_of("single_rate", ladder.rung(ladder.plan(Method("single_rate"), 20), None), reference)
     assert made.failure and not made.error < 1
 
 
@@ -182,7 +182,7 @@ def test_a_clock_that_misses_most_of_a_call_is_not_believed(
 ) -> None:
     """Calls of 2 ms of which it sees 1 us in one, as clocks of CPU time may where others run: 2 ms."""
     ladder = Ladder(reference.problem, 1e-3)
-    rung, seen, asked = ladder.rung(ladder.plan(Method("rk4"), 400)), 0.0, 0
+    rung, seen, asked = ladder.rung(ladder.plan(Method("rk4"), 400), None), 0.0, 0
 
     def clock() -> float:
         nonlocal seen, asked

@@ -21,9 +21,7 @@ WHEELS = 0.8  # of the distance between wheels that turn alike: both radii toget
 
 def ends_of(solution: Solution, shown: Scenery, joint: Mapping[str, Any]) -> list[float | None]:
     """[lower, upper] rigid stops, None where there is none: along marker a's axis [m], or about it from its x-axis."""
-    own = {
-        event.side: k for k, event in enumerate(_stops(solution)) if event.name.startswith(f"{joint['name']}.limits.")
-    }
+    own = {event.side: k for k, event in enumerate(_stops(solution)) if event.name in _limits(joint["name"])}
     if not own or not solution.model.has("elements"):
         return []
     gaps, axes = _gaps(solution), shown.axes(joint["marker_a"])[0]
@@ -92,6 +90,12 @@ def with_wheels(
 
 def _turn(solution: Solution, marker: str) -> int:
     """The coordinate by which the body of a marker turns: its own angle, or that of the joint that carries it there."""
-    model, body = solution.model, marker.partition(".")[0]
+    model = solution.model
+    body = next(one.body for one in model.description.drawing.points if f"{one.body}.{one.name}" == marker)
     of_joints = [f"{one.name}.angle" for one in model.description.joints if one.marker_b == marker]
     return next(model.coordinates.index(name) for name in (f"{body}.theta", *of_joints) if name in model.coordinates)
+
+
+def _limits(joint: str) -> tuple[str, str]:
+    """What the stops of a joint are called."""
+    return f"{joint}.limits.lower", f"{joint}.limits.upper"
