@@ -1,4 +1,4 @@
-"""Beyond a rigid stop: a start is refused by name, or moved to it where its scene says so; an equilibrium refused."""
+"""Beyond a rigid stop: a start is refused by name, or moved to it where its scene says so."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
 from runtime.contract.coordinates import parts, rate_parts
-from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 
 ON_IT = 1e-9  # m or rad: so far beyond a stop is on it
@@ -59,17 +58,3 @@ def gaps(model: Model, c: np.ndarray, t: float, q: np.ndarray, q_dot: np.ndarray
     (q_i, q_d), (v, v_d) = parts(model, q), rate_parts(model, q, q_dot)
     found = model.evaluate("elements", q_i=q_i, q_d=q_d, q_i_dot=v, q_d_dot=v_d, t=t, c=c)
     return np.asarray(found["gap"], dtype=float).ravel(), np.asarray(found["G"], dtype=float)
-
-
-def refuse_beyond(model: Model, c: np.ndarray, t: float, q: np.ndarray, q_dot: np.ndarray) -> None:
-    """Raises ModelError where an equilibrium that was found with all rigid stops open is beyond one of them."""
-    stops, (gap, _) = [one for one in model.mode_events if one.side], gaps(model, c, t, q, q_dot)
-    beyond = {stops[k].name: -float(gap[k]) for k in np.flatnonzero(gap < -ON_IT)}
-    if beyond:
-        found = ", ".join(f"{by:.4g} beyond {name}" for name, by in beyond.items())
-        remedy = "simulate with damping until it rests, or give the limits a stiffness in place of the restitution"
-        raise ModelError(
-            f"the equilibrium of model {model.name}",
-            f"lies {found}: what rests on a rigid stop is not searched",
-            remedy,
-        )

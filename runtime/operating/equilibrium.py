@@ -12,8 +12,6 @@ from runtime.contract.arguments import BY_NAME, NUMBER, START, arguments
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import (
     Initial,
-    at_home,
-    dependent_part,
     euler_angles,
     followed,
     independent_part,
@@ -21,7 +19,6 @@ from runtime.contract.coordinates import (
     loop_part,
     named_values,
     parameter_columns,
-    rate_parts,
 )
 from runtime.contract.doors import opened
 from runtime.contract.errors import ModelError, NoResult
@@ -56,7 +53,8 @@ class Equilibrium:
     small motions with the held coordinates clamped; steady: do the forces stay the same as the motion goes on? (If
     not, this is an instant of a motion that is not steady.) drives: are prescribed motions `held` where they are at t,
     or `moving` with the rates and accelerations that they have then; "" without any. friction: force [N, N m] of each
-    joint that friction holds at rest, by `joint.friction`; they stay locked in `eigenvalues`.
+    joint that friction or a rigid stop holds at rest, by `joint.friction`, `joint.limits.lower`, ...; they stay locked
+    in `eigenvalues`; locked (k, n_i): the directions of q_i in which they do.
     """
 
     model: Model
@@ -74,6 +72,7 @@ class Equilibrium:
     iterations: int
     drives: str = ""
     friction: dict[str, float] = field(default_factory=dict)
+    locked: np.ndarray = field(default_factory=lambda: np.zeros((0, 0)))
 
     def __getitem__(self, name: str) -> float:
         """A coordinate, rate (`_dot`) or state by name. Raises ModelError for an unknown name."""
@@ -125,7 +124,8 @@ def equilibrium(
     need no force. parameters, initial: changes by name. t [s]: time of loads and prescribed motions, which stand still
     there; at_time [s], in its place: prescribed motions have their rates and accelerations (also where `inputs` or
     `parameters` name a rate of an input). Joints with friction hold where they start, and slide where they turn.
-    Newton's method with exact derivatives, led away from unstable equilibria unless it starts in one.
+    What leans on a rigid stop rests on it. Newton's method with exact derivatives, led away from unstable equilibria
+    unless it starts in one.
     Raises NoEquilibrium, InitialStateError and ModelError.
     """
     inputs, initial = inputs or {}, _places(model, initial)
@@ -147,16 +147,21 @@ def equilibrium(
         found = _led_around(clamped, p, initial, held) or found
     if not found.converged:
         raise _failure(model, clamped, found)
+    stops = any(event.side for event in model.mode_events)
+    if stops:
+        found, p = opened("runtime.operating.resting:on_stops")(clamped, found, p)
+        if not found.converged:
+            raise _failure(model, clamped, found)
     q_i, iterations = found.x, found.iterations
     if trim:
         trim_found = trimmed(model, clamped, q_i, p, trim)
         if not trim_found.converged:
-            raise _no_trim(model, trim, fixed)
+            raise _no_trim(clamped, trim, fixed)
         q_i, p, iterations = trim_found.q_i, trim_found.p, iterations + trim_found.iterations
     values = dict(zip([parameter.name for parameter in model.parameters], p, strict=True))
     told = _told(clamped, q_i, p, tuple(held), tuple(rates), {name: float(values[name]) for name in trim}, iterations)
-    if any(event.side for event in model.mode_events):
-        opened("runtime.operating.at_stops:refuse_beyond")(model, model.constants(p), t, told.q, told.q_dot)
+    if stops:
+        opened("runtime.operating.resting:refuse_beyond")(model, model.constants(p), t, told.q, told.q_dot)
     return told
 
 
@@ -297,16 +302,8 @@ def _told(
         iterations=iterations,
         drives="" if not has_drives(model) else "moving" if clamped.functions.drives_move else "held",
         friction=friction,
+        locked=locked,
     )
-
-
-def _state_of(clamped: Clamped, at: PointValues, q_i: np.ndarray) -> tuple[dict[str, np.ndarray], np.ndarray]:
-    """Arguments of the functions of friction, and c: turns are zero, charts are where the bodies are."""
-    model = clamped.model
-    c, q_d = at_home(model, clamped.functions.c, dependent_part(model, at.q))
-    places = np.where(np.isin(np.arange(len(q_i)), independent_turns(model)), 0.0, q_i)
-    state = {"q_i": places, "q_d": q_d, "q_i_dot": clamped.rates(q_i), "q_d_dot": rate_parts(model, at.q, at.q_dot)[1]}
-    return {**state, "t": np.array(clamped.t)}, c
 
 
 def _sliding(clamped: Clamped, q_i: np.ndarray, p: np.ndarray) -> np.ndarray:
@@ -314,26 +311,29 @@ def _sliding(clamped: Clamped, q_i: np.ndarray, p: np.ndarray) -> np.ndarray:
     model, at = clamped.model, clamped.values(q_i)
     if at is None:
         return p
-    modes = opened("runtime.operating.held_by_friction:signs")(model, *_state_of(clamped, at, q_i))
+    state, c = opened("runtime.operating.held_by_friction:state_of")(clamped, at, q_i)
+    modes = opened("runtime.operating.held_by_friction:signs")(model, state, c)
     found: np.ndarray = opened("runtime.operating.held_by_friction:with_modes")(model, p, modes)
     clamped.functions.c = model.constants(found)
     return found
 
 
 def _held_by(clamped: Clamped, at: PointValues, q_i: np.ndarray) -> tuple[dict[str, float], np.ndarray]:
-    """Forces of friction that holds, and its rows G (k, n_i). Raises NoEquilibrium."""
-    model, (state, c) = clamped.model, _state_of(clamped, at, q_i)
+    """Forces of friction and stops that hold, and their rows G (k, n_i). Raises NoEquilibrium."""
+    model, (state, c) = clamped.model, opened("runtime.operating.held_by_friction:state_of")(clamped, at, q_i)
     modes = c[len(c) - model.signals.size + model.element_modes]
     forces, beyond = opened("runtime.operating.held_by_friction:held")(model, state, c)
-    if beyond or (opened("runtime.operating.held_by_friction:signs")(model, state, c) != modes).any():
+    rubs = np.array([not event.side for event in model.mode_events])
+    if beyond or (opened("runtime.operating.held_by_friction:signs")(model, state, c) != modes)[rubs].any():
         name, force = next(iter(beyond.items()), ("", 0.0))
         text = f"{name} would have to hold {force:.6g}, more than it can" if beyond else "one turns back on the way"
         raise NoEquilibrium(
             f"model {model.name} has no equilibrium where its joints with friction start: {text}. Begin elsewhere with "
-            "`initial`, or take a scene with more or without friction",
+            f"`initial`, or take a scene with more or without friction{_of_when(clamped)}",
             beyond,
         )
-    return forces, np.asarray(model.evaluate("elements", **state, c=c)["G"])[modes == 0]
+    rows = [event.row for event, mode in zip(model.mode_events, modes, strict=True) if mode == 0]
+    return forces, np.asarray(model.evaluate("elements", **state, c=c)["G"])[rows]
 
 
 def is_steady(at: PointValues, v: np.ndarray) -> bool:
@@ -342,6 +342,16 @@ def is_steady(at: PointValues, v: np.ndarray) -> bool:
     rows = np.abs(at.J_q).max(axis=1, initial=0.0)
     allowed = (UNSTEADY * rows + ROUNDING * rows.max(initial=0.0)) * float(np.abs(v).max(initial=0.0))
     return bool(np.all(change <= allowed))
+
+
+def _of_when(clamped: Clamped) -> str:
+    """Where forces depend on time, also by a condition whose derivative is zero: of which time they are."""
+    if not clamped.functions.depend_on_time:
+        return ""
+    return (
+        f". Loads and prescribed motions are those of t = {clamped.t:g} s: give `t`, or `at_time` with what is "
+        "prescribed in motion, for another time"
+    )
 
 
 def _failure(model: Model, clamped: Clamped, found: Found) -> NoEquilibrium:
@@ -361,15 +371,16 @@ def _failure(model: Model, clamped: Clamped, found: Found) -> NoEquilibrium:
         )
     return NoEquilibrium(
         f"model {model.name} has no equilibrium in reach of its initial state: a force of {residual[worst]:.6g} "
-        f"{force_unit(model, worst)} is left at {worst} after {found.iterations} iterations. {remedy}",
+        f"{force_unit(model, worst)} is left at {worst} after {found.iterations} iterations. {remedy}"
+        f"{_of_when(clamped)}",
         residual,
     )
 
 
-def _no_trim(model: Model, trim: list[str], fixed: list[str]) -> NoEquilibrium:
+def _no_trim(clamped: Clamped, trim: list[str], fixed: list[str]) -> NoEquilibrium:
     return NoEquilibrium(
-        f"model {model.name}: no value of {', '.join(trim)} in reach of the default keeps {', '.join(fixed)} without "
-        "a holding force. Do these inputs act on them?",
+        f"model {clamped.model.name}: no value of {', '.join(trim)} in reach of the default keeps {', '.join(fixed)} "
+        f"without a holding force. Do these inputs act on them?{_of_when(clamped)}",
         {},
     )
 

@@ -79,6 +79,11 @@ class PointFunctions:
         self._function = model.derived(name, lambda: _built(model, drives_move))
         self._pull = model.derived("pull_of_holding_forces", lambda: _pull(model)) if model.q_d else None
 
+    @property
+    def depend_on_time(self) -> bool:
+        """Do forces depend on t, if only by a condition?"""
+        return self._function.jac_sparsity(1, 0).nnz() > 0
+
     def __call__(self, state: State, a: np.ndarray | None = None) -> PointValues:
         """Everything at a state; a (n_i): the accelerations about which J_q is taken, zero by default."""
         a = np.zeros(len(self.model.q_i)) if a is None else a

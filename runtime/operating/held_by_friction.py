@@ -1,4 +1,4 @@
-"""Friction at a state that no run leads to: joints that move slide by the signs of their rates, the others hold."""
+"""Friction and stops at a state that no run leads to: what moves slides by the sign of its rate, the rest holds."""
 
 from __future__ import annotations
 
@@ -7,7 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from runtime.contract.coordinates import at_home, dependent_part, rate_parts
 from runtime.contract.model import Model, refuse_reactions
+from runtime.operating.balance import Clamped
+from runtime.operating.functions import PointValues, independent_turns
 from runtime.schemes.switching.complementarity import balancing, complementary
 from runtime.schemes.switching.settle import elements
 from runtime.schemes.switching.stops import AT_REST
@@ -42,6 +45,15 @@ def with_modes(model: Model, values: np.ndarray, modes: np.ndarray) -> np.ndarra
     return found
 
 
+def state_of(clamped: Clamped, at: PointValues, q_i: np.ndarray) -> tuple[dict[str, np.ndarray], np.ndarray]:
+    """Arguments of the functions of friction, and c: turns are zero, charts are where the bodies are."""
+    model = clamped.model
+    c, q_d = at_home(model, clamped.functions.c, dependent_part(model, at.q))
+    places = np.where(np.isin(np.arange(len(q_i)), independent_turns(model)), 0.0, q_i)
+    state = {"q_i": places, "q_d": q_d, "q_i_dot": clamped.rates(q_i), "q_d_dot": rate_parts(model, at.q, at.q_dot)[1]}
+    return {**state, "t": np.array(clamped.t)}, c
+
+
 def signs(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:
     """(n_m,) of the rates of joints with friction, zero at rest, one of stops; at: q_i, q_d, q_i_dot, q_d_dot, t."""
     refuse_reactions(model, "is open at a state by itself", "give coulomb, or step it")
@@ -60,7 +72,7 @@ def unlocked(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> Unloc
 
 
 def held(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> tuple[dict[str, float], dict[str, float]]:
-    """(forces of joints that friction holds at rest, those of them that are beyond what it can), by name.
+    """(forces of what friction or a closed stop holds at rest, those of them that are beyond what it can), by name.
 
     c: with their modes; nothing accelerates.
     """
@@ -68,10 +80,11 @@ def held(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> tuple[dic
     still = {**at, "q_i_ddot": np.zeros(len(model.q_i))}
     found = np.asarray(model.evaluate("element_forces", **still, c=c)["f_rel"]).ravel()
     holds = elements(model, at, c)["holds"]
-    rest = {
-        one.name: (float(found[one.row]), float(holds[one.row]))
-        for one, mode in zip(model.mode_events, modes, strict=True)
-        if not mode
-    }
-    forces = {name: f for name, (f, _) in rest.items()}
-    return forces, {name: f for name, (f, most) in rest.items() if abs(f) > most * (1 + BEYOND)}
+    rest = [one for one, mode in zip(model.mode_events, modes, strict=True) if not mode]
+    pushes = {(one.row, one.side) for one in rest}
+    forces, beyond = {one.name: float(found[one.row]) for one in rest}, dict[str, float]()
+    for one in rest:
+        f, most = forces[one.name], float(holds[one.row]) * (1 + BEYOND)
+        if f < -most and (one.row, -1) not in pushes or f > most and (one.row, 1) not in pushes:
+            beyond[one.name] = f
+    return forces, beyond

@@ -69,8 +69,8 @@ def linearise(
     coordinates (a generalised force [N, N m]), inputs or parameters of the scene; all independent coordinates by
     default. outputs: measures, coordinates, or rates (`_dot`); the scene's measures by default, else the independent
     coordinates. parameters: changes by name, not with an equilibrium or a solution, which have their own. locked:
-    coordinates that stay as they are; those that the equilibrium holds by default; t [s]: the time, if `at` does not
-    say it. Raises ModelError, InitialStateError and NoEquilibrium.
+    coordinates that stay as they are; those that the equilibrium holds by default, and in any case what friction or a
+    stop holds there; t [s]: the time, if `at` does not say it. Raises ModelError, InitialStateError and NoEquilibrium.
     """
     point = _point(model, at, parameters, t)
     locked = tuple(turning_name(model, name) for name in (point.held if locked is None else locked))
@@ -83,7 +83,7 @@ def linearise(
     values = here if resting else functions(point.state, a)
     values = functions.in_moving_axes(values, point.state, a)
     rows = [row_names(model).index(name) for name in locked]
-    Z = clamped_directions(values.directions[rows], model.states)
+    Z = clamped_directions(np.vstack([values.directions[rows], *point.locked]), model.states)
     K = -(values.J_q + _held_slope(model, functions, point, values.S, here.Q) if resting else values.J_q)
     B = _inputs(model, point, a, input_names, values.S)
     C, through = _outputs(model, point, input_names, output_names)
@@ -114,7 +114,10 @@ def linearise(
 
 @dataclass(frozen=True)
 class _Point:
-    """State and parameters; held coordinates; holding forces on all coordinates; is it an equilibrium?"""
+    """State and parameters; held coordinates; holding forces on all coordinates; is it an equilibrium?
+
+    locked (n_i,) each: directions in which friction or a stop holds.
+    """
 
     state: State
     p: np.ndarray
@@ -122,6 +125,7 @@ class _Point:
     holding: np.ndarray | None = None
     at_rest: bool = False
     drives_move: bool = True
+    locked: tuple[np.ndarray, ...] = ()
 
 
 def _point(model: Model, at: Place, parameters: Mapping[str, float] | None, t: float) -> _Point:
@@ -134,7 +138,7 @@ def _point(model: Model, at: Place, parameters: Mapping[str, float] | None, t: f
         for name, value in at.holding.items():
             if name in model.coordinates:  # what holds an independent turn adds no stiffness
                 force[model.coordinates.index(name)] = value
-        return _Point(at.state, at.parameters, at.held, force, True, at.drives != "held")
+        return _Point(at.state, at.parameters, at.held, force, True, at.drives != "held", tuple(at.locked))
     p = model.parameter_vector(parameters)
     if isinstance(at, State):
         return _Point(at, p)

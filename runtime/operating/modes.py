@@ -90,8 +90,12 @@ class ModeTable:
         return np.array(self.eigenvalues, dtype=dtype)
 
     def __repr__(self) -> str:
-        listed = ", ".join(f"{name} {w:.6g}" for name, w in zip(self.names[:8], self.frequencies, strict=False))
-        return f"<{len(self)} modes of {self.system.model.name} [rad/s]: {listed}{', ...' if len(self) > 8 else ''}>"
+        listed = ", ".join(
+            f"{name} {w:.6g} rad/s ({w / (2 * np.pi):.4g} Hz)"
+            for name, w in zip(self.names[:8], self.frequencies, strict=False)
+        )
+        of = f"{len(self)} mode{'' if len(self) == 1 else 's'} of {self.system.model.name}"
+        return f"<{of}{': ' if listed else ''}{listed}{', ...' if len(self) > 8 else ''}>"
 
 
 @arguments(at=AT, parameters=BY_NAME, locked=NAMES, t=NUMBER)

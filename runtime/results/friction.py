@@ -15,7 +15,7 @@ from runtime.results.samples import Samples, integrals
 PARTS = ("force", "velocity", "power", "heat")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class JointFriction:
     """Over N samples: force (N,) on body b along the joint's coordinate [N or N m], against the sliding or what keeps
     the joint at rest, its closed stop too; mode (N,) 0 stuck, 1 or -1 sliding; velocity (N,) [m/s or rad/s]; power
@@ -28,16 +28,27 @@ class JointFriction:
     power: np.ndarray
     heat: np.ndarray
 
+    def __repr__(self) -> str:
+        largest, stuck = np.abs(self.force).max(initial=0.0), np.count_nonzero(self.mode == 0)
+        rest = f"stuck at {stuck} of {len(self.mode)} samples"
+        return f"<friction: largest force {largest:.6g}, {self.heat[-1]:.6g} J of heat, {rest}>"
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, repr=False)
 class JointStop:
     """Over N samples: force (N,) on body b along the joint's coordinate [N or N m] while a stop is closed, else zero;
     where friction holds there too, of both. impulses (k, 2): time of each impact [s], and what it gave to the body
-    along the coordinate [N s or N m s].
+    along the coordinate [N s or N m s]. at_rest: for how long a stop was closed, between samples [s].
     """
 
     force: np.ndarray
     impulses: np.ndarray
+    at_rest: float
+
+    def __repr__(self) -> str:
+        largest, n = np.abs(self.force).max(initial=0.0), len(self.impulses)
+        hits = f"{n} impulse{'' if n == 1 else 's'}"
+        return f"<stop: largest force {largest:.6g}, {hits}, at rest for {self.at_rest:.6g} s>"
 
 
 def joint_stop(solution: Samples, joint: str) -> JointStop:
@@ -52,7 +63,9 @@ def joint_stop(solution: Samples, joint: str) -> JointStop:
         for one in solution.events
         if one.kind == "impact" and one.name in sides
     ]
-    return JointStop(np.where(closed, solution.frictions[:, rows[joint], 0], 0.0), np.array(hits).reshape(-1, 2))
+    at_rest = float(np.diff(solution.t)[closed[1:] & closed[:-1]].sum())
+    force = np.where(closed, solution.frictions[:, rows[joint], 0], 0.0)
+    return JointStop(force, np.array(hits).reshape(-1, 2), at_rest)
 
 
 def joint_friction(solution: Samples, joint: str) -> JointFriction:

@@ -243,10 +243,10 @@ class EventActions:
             ends = [(at["q_i_dot"], at["q_d_dot"]), (at["q_i_dot"] + found.push, found.q_d_dot)]
             q, rates = whole(model, at["q_i"], at["q_d"]), [whole(model, *one) for one in ends]
             kinetic = [float(model.evaluate("energy", q=q, q_dot=v, t=t, c=c)["kinetic"]) for v in rates]
-            earlier = self.own.impulses.get(before)
-            taken = kinetic[1] - kinetic[0] + (0.0 if earlier is None else earlier.energy)
-            self.own.impulses[before] = Impulse(taken, rates[1] - rates[0])
-            lost = f", {kinetic[0] - kinetic[1]:.6g} J lost"
+            earlier, gained = self.own.impulses.get(before), kinetic[1] - kinetic[0]
+            jump = Impulse(gained + (0.0 if earlier is None else earlier.energy), rates[1] - rates[0])
+            self.own.impulses[before] = jump
+            lost = opened("runtime.schemes.switching.settle:losses")(model, at, c, found, gained)
         for hit in found.hits:
             name = model.mode_events[hit.k].name
             text = f"{name} is hit at {-hit.before:.6g} and left at {hit.after:.6g}{lost}"

@@ -144,7 +144,16 @@ def test_no_equilibrium_is_told(model_of: Build) -> None:
     )
     with pytest.raises(NoEquilibrium, match=r"2\.5 N m is left at rotor\.theta") as error:
         equilibrium(model_of(scene))
-    assert error.value.residual == {"rotor.theta": pytest.approx(2.5)}
+    assert error.value.residual == {"rotor.theta": pytest.approx(2.5)} and "t =" not in str(error.value)
+
+
+def test_no_equilibrium_tells_of_which_time_the_loads_are(model_of: Build) -> None:
+    """A pulse until 2 s on a free rotor: none while it acts, any angle after."""
+    scene = on_hinge("pulse", "rotor", "axle", mass=1.0, inertia=0.1).parameter("push", 2.5, "N m", "torque")
+    model = model_of(scene.torque("motor", "rotor.origin", "where(t < 2, push, 0)").build())
+    with pytest.raises(NoEquilibrium, match=r"those of t = 0 s: give `t`, or `at_time`"):
+        equilibrium(model)
+    assert equilibrium(model, t=2.5)["rotor.theta"] == 0.0
 
 
 def test_a_rotation_that_is_not_steady_is_told(model_of: Build) -> None:

@@ -38,6 +38,7 @@ def test_a_hinge_holds_its_arm_out_while_the_rest_hangs(model_of: Build) -> None
     assert found["l0.theta"] == 0.0 and found["l1.theta"] == pytest.approx(-np.pi / 2, abs=1e-12)
     assert found.stable and "held by j0.friction" in repr(found)
     assert sorted(found.eigenvalues.imag) == pytest.approx([-np.sqrt(2.943 / 0.19), np.sqrt(2.943 / 0.19)], rel=1e-9)
+    assert model.modes(found).frequencies == pytest.approx([np.sqrt(2.943 / 0.19)], rel=1e-9)
     run = simulate(model, initial=found)
     assert not run["l0.theta"].any() and run["j0.friction_force"][-1] == pytest.approx(8.829, rel=1e-9)
     with pytest.raises(NoEquilibrium, match=r"j0\.friction would have to hold 8\.829, more than it can"):

@@ -336,8 +336,11 @@ def test_steppers_ensembles_and_resumed_runs_bounce_alike(model_of: Build, tmp_p
     assert [str(one) for one in resumed.events] == [str(one) for one in run.events]
 
 
-def test_an_equilibrium_is_found_between_stops_and_refused_beyond(model_of: Build) -> None:
-    """On a spring: between its stops, with its frequency; below one of them it would rest on it."""
+def test_an_equilibrium_is_found_between_stops_and_on_them(model_of: Build) -> None:
+    """On a spring: between its stops, and below one of them at rest on it, with what the spring leaves of the weight.
+
+    What is held beyond a stop is refused.
+    """
 
     def sprung(at: float) -> Model:
         scene = ball(0.5).measure("y", "y", "ball.origin").force("spring", "ball.origin", 0.0, f"100 * ({at} - y)")
@@ -345,8 +348,92 @@ def test_an_equilibrium_is_found_between_stops_and_refused_beyond(model_of: Buil
 
     found = sprung(0.5).equilibrium()
     assert found["ball.y"] == pytest.approx(0.5 - 0.0981, abs=1e-9)
-    with pytest.raises(ModelError, match=r"lies 0\.0481 beyond rail\.limits\.lower"):
-        sprung(0.05).equilibrium()
+    found = sprung(0.05).equilibrium()
+    assert found["ball.y"] == pytest.approx(0.0, abs=1e-12)
+    assert found.friction == {"rail.limits.lower": pytest.approx(9.81 - 5.0, rel=1e-12)}
+    with pytest.raises(ModelError, match=r"lies 0\.1 beyond rail\.limits\.lower"):
+        sprung(0.05).equilibrium(held={"ball.y": -0.1})
+
+
+def pendulum(lower: float, upper: float, side: float = -1.0) -> Scene:
+    """1 kg at 1 m below (side -1) or above its hinge, between two stops."""
+    scene = Scene("pendulum").gravity(0.0, -9.81).rigid("rod", mass=1.0, inertia=1e-9, center_of_mass=(0.0, side))
+    limits = {"lower": lower, "upper": upper, "restitution": 0.2}
+    return scene.revolute("hinge", "ground.origin", "rod.origin", limits=limits)
+
+
+def test_a_joint_with_both_stops_has_equilibria(model_of: Build) -> None:
+    """It hangs between them with sqrt(g / l); outside it leans on one with m g l sin(angle), and a run rests there."""
+    between = model_of(pendulum(-0.3, 0.3).simulation(t_end=0.1, dt=0.01, scheme="rk4").build())
+    assert between.equilibrium(initial={"rod.theta": 0.1})["rod.theta"] == pytest.approx(0.0, abs=1e-12)
+    assert between.modes().frequencies == pytest.approx([sqrt(9.81)], rel=1e-8)
+    assert repr(between.modes()) == "<1 mode of pendulum: rod.theta 3.13209 rad/s (0.4985 Hz)>"
+    assert between.linearise().K == pytest.approx(9.81, rel=1e-12)
+    assert not simulate(between, start="equilibrium")["rod.theta"].any()
+    leaning = model_of(pendulum(0.2, 0.5).simulation(t_end=0.1, dt=0.01, scheme="rk4").build())
+    found = leaning.equilibrium()
+    assert found["rod.theta"] == pytest.approx(0.2, abs=1e-12) and found.stable and not len(found.eigenvalues)
+    assert found.friction == {"hinge.limits.lower": pytest.approx(9.81 * np.sin(0.2), rel=1e-10)}
+    run = simulate(leaning, initial={"rod.theta": 0.4}, start="equilibrium")
+    assert np.ptp(run["rod.theta"]) == 0 and run["hinge.stop_force"] == pytest.approx(9.81 * np.sin(0.2), rel=1e-10)
+    said = f"<stop: largest force {9.81 * np.sin(0.2):.6g}, 0 impulses, at rest for 0.1 s>"
+    assert str(run.stop("hinge")) == said
+    assert not len(leaning.modes()) and leaning.linearise().M.shape == (0, 0)
+    for start, side in ((0.1, -1), (-0.1, 1)):  # upright it falls to either side
+        found = model_of(pendulum(-0.3, 0.3, 1.0).build()).equilibrium(initial={"rod.theta": start})
+        assert found["rod.theta"] == pytest.approx(-0.3 * side, abs=1e-12)
+        assert list(found.friction.values()) == pytest.approx([side * 9.81 * np.sin(0.3)], rel=1e-10)
+
+
+def test_one_link_leans_while_the_other_hangs(model_of: Build) -> None:
+    """The upper link level on its stop by 9.81 (0.3 + 0.6) N m, the lower one swings by omega^2 = 9.81 * 0.3 / 0.19."""
+    scene, last = Scene("leaning").gravity(0.0, -9.81), "ground.origin"
+    for k, limits in enumerate(({"lower": 0.0, "upper": 1.0}, {"lower": -3.0, "upper": 3.0})):
+        tip = {"tip": {"position": (0.6, 0.0)}}
+        scene.rigid(f"l{k}", mass=1.0, inertia=0.1, center_of_mass=(0.3, 0.0), markers=tip)
+        scene.revolute(f"j{k}", last, f"l{k}.origin", limits={**limits, "restitution": 0.5})
+        last = f"l{k}.tip"
+    found = model_of(scene.build()).equilibrium(initial={"l0.theta": 0.5, "l1.theta": -1.0})
+    assert found["l0.theta"] == pytest.approx(0.0, abs=1e-12) and found["l1.theta"] == pytest.approx(-pi / 2, abs=1e-12)
+    assert found.friction == {"j0.limits.lower": pytest.approx(9.81 * 0.9, rel=1e-10)}
+    assert sorted(found.eigenvalues.imag) == pytest.approx([-sqrt(2.943 / 0.19), sqrt(2.943 / 0.19)], rel=1e-9)
+    assert found.model.modes(found).frequencies == pytest.approx([sqrt(2.943 / 0.19)], rel=1e-9)
+
+
+def test_a_four_bar_leans_on_a_stop_of_its_rocker(model_of: Build) -> None:
+    """Of a dependent joint: the force is what holds the rocker there without the stop; out of reach it is refused."""
+
+    def four_bar(**limits: float) -> Model:
+        scene = Scene("four_bar").gravity(0.0, -9.81).ground(markers={"b": {"position": (1.0, 0.0)}})
+        for name, length in (("a", 0.4), ("c", 1.0), ("r", 0.7)):
+            tip = {"tip": {"position": (length, 0.0)}}
+            scene.rigid(name, mass=1.0, inertia=0.05, center_of_mass=(length / 2, 0.0), markers=tip)
+        scene.revolute("j1", "ground.origin", "a.origin").revolute("j2", "a.tip", "c.origin")
+        scene.revolute("j3", "c.tip", "r.tip")
+        scene.revolute("j4", "ground.b", "r.origin", limits={**limits, "restitution": 0.3} if limits else None)
+        return model_of(scene.initial({"a.theta": 1.0, "c.theta": 0.3, "r.theta": 1.5}).build())
+
+    found, free = four_bar(lower=1.0, upper=2.2).equilibrium(), four_bar()
+    assert found["r.theta"] == pytest.approx(2.2, abs=1e-9) and not len(found.eigenvalues)
+    by_hand = free.equilibrium(held={"r.theta": found["r.theta"]}, initial=found.initial_values())
+    assert found.friction == {"j4.limits.upper": pytest.approx(by_hand.holding["r.theta"], rel=1e-8)}
+    with pytest.raises(ModelError, match=r"beyond j4\.limits\.lower"):
+        four_bar(lower=2.8).equilibrium()
+
+
+def test_an_impact_on_a_driven_cart_tells_apart_what_the_stop_took(model_of: Build) -> None:
+    """The cart goes on at V: the stop takes J w^2 (1 - e^2) / 2, the drive gives V times what momentum changes by."""
+    scene = Scene("cart").rigid("cart", mass=2.0, inertia=0.1)
+    scene.rigid("rod", mass=1.5, inertia=0.1, center_of_mass=(0.0, -0.4))
+    scene.prismatic("rail", "ground.origin", "cart.origin")
+    scene.prescribed_displacement("drive", "ground.origin", "cart.origin", "-3.0 * t")
+    scene.revolute("hinge", "cart.origin", "rod.origin", limits={"upper": 0.5, "restitution": 0.6})
+    run = simulate(model_of(scene.rates({"rod.theta": 2.0}).simulation(t_end=0.4, dt=0.01, scheme="rk4").build()))
+    took = 0.5 * (0.1 + 1.5 * 0.4**2) * 2.0**2 * (1 - 0.6**2)
+    gave = -3.0 * 1.5 * 0.4 * np.cos(0.5) * -(1 + 0.6) * 2.0
+    (text,) = [one.text for one in run.events if one.kind == "impact"]
+    assert text.endswith(f"2 and left at 1.2, {took:.6g} J lost, {gave:.6g} J given by what is prescribed")
+    assert run.balance.largest < 1e-8
 
 
 def test_what_cannot_cross_an_impact_says_so(model_of: Build) -> None:

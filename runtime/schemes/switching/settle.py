@@ -17,6 +17,7 @@ from runtime.contract.model import Model
 from runtime.contract.tape import shared
 from runtime.schemes.sparse_lu import Number, factor, solve
 from runtime.schemes.switching.complementarity import balancing, complementary
+from runtime.schemes.switching.impulse import moves_in_time
 from runtime.schemes.switching.small_systems import times
 from runtime.schemes.switching.stops import AT_REST, Hit, Stops
 
@@ -112,6 +113,15 @@ def _beyond(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray, modes: np
     c = c.copy()
     c[len(c) - model.signals.size + model.element_modes] = modes
     return np.asarray(elements(model, at, c)["margin"] < 0)
+
+
+def losses(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray, found: Settled, gained: float) -> str:
+    """What stops took, -sum p (v- + v+) / 2 [J]; what energy `gained` besides comes by the impulses of drives."""
+    own, hits = elements(model, at, c), [(model.mode_events[hit.k], hit.impulse) for hit in found.hits]
+    passing = own["v_rel"] + 0.5 * own["G"] @ found.push
+    lost = -sum(one.side * p * float(passing[one.row]) for one, p in hits)
+    given = f", {gained + lost:.6g} J given by what is prescribed" if moves_in_time(model) else ""
+    return f", {lost:.6g} J lost{given}"
 
 
 def no_mode(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> tuple[str, str]:
