@@ -212,12 +212,18 @@ def _cables() -> list[Entry]:
     return [Entry(cable.label, partial(cable.middle, T_END, period=PERIOD), partial(worker, cable)) for cable in CABLES]
 
 
+def _native(
+    model: Model, name: str, m: list[int] | None, initial: dict[str, float], steps: int
+) -> Callable[[int], None]:
+    return native_run(model, name, m, T_END, steps, initial, "given")
+
+
 def _schemes(model: Model, initial: dict[str, float]) -> list[Entry]:
     return [
         Entry(
             f"this project, {name}" + (f" m={m[0]}" if m else ""),
             partial(_ours, model, initial, name, m),
-            lambda steps, name=name, m=m: native_run(model, name, m, T_END, steps, initial, "given"),
+            partial(_native, model, name, m, initial),
         )
         for name, m in (
             ("single_rate", None),

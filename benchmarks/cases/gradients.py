@@ -13,6 +13,7 @@ from runtime.contract.model import Model
 from runtime.engine.derivatives import LaneArrays, Recorder, TangentCode, most_lanes
 from runtime.engine.native import NativeProgram
 from runtime.gradients.objectives import End
+from runtime.gradients.start_of_run import Beginning
 from symgen.scenes import generated_folder
 
 STEPS, ROUNDS = 250, 40
@@ -96,7 +97,7 @@ def _contenders(prepared: DifferentiableRun) -> dict[str, Callable[[int], None]]
     adjoint, seed = np.zeros(active.size), np.random.default_rng(0).normal(size=active.size)
     arrays = LaneArrays(len(z) + len(active.z), len(begun.ready) + len(active.c), most_lanes())
     arrays.c[: len(begun.ready)] = begun.ready[:, None]
-    directions = prepared._beginning.tangents(begun.x, begun.slopes)[:, -most_lanes() :]
+    directions = Beginning(program).tangents(prepared._place, begun.x, begun.slopes)[:, -most_lanes() :]
 
     def scalar(n: int) -> None:
         for _ in range(n):

@@ -200,7 +200,7 @@ def against_pinocchio(links: int, model: Model, theirs: ctypes.CDLL) -> tuple[di
         workers[name] = partial(_repeated, stepper.runner(start, rest, RIGID_END, count))
     calls = 12 * steps["Pinocchio, CasADi code"]
     aba_calls = tree.worker(np.concatenate([case.relative @ angles, rest, rest]))
-    workers["Pinocchio, aba calls alone"] = lambda repeats: aba_calls(calls * repeats)
+    workers["Pinocchio, aba calls alone"] = partial(_many, aba_calls, calls)
     timings = interleave(workers, 20)
     own, title = timings["this project"].best, f"rigid arm of {links}"
     note = f"dop853, {errors['this project']:.1e} in {steps['this project']} steps"
@@ -212,6 +212,10 @@ def against_pinocchio(links: int, model: Model, theirs: ctypes.CDLL) -> tuple[di
         figures["theirs"][name] = timings[name].best / own, told
         lines.append(Line(f"{title}: {name} / this project", timings[name].best / own, "", note=note))
     return figures, lines
+
+
+def _many(calls: Callable[[int], None], each: int, times: int) -> None:
+    calls(each * times)
 
 
 def _repeated(run: Callable[[], np.ndarray], times: int) -> None:

@@ -123,7 +123,7 @@ class Points:
 
         def place(at: float) -> ca.SX:
             values = np.array([float(one) for one in beam.shapes(np.array([at]))[0][:, 0]])
-            x, y = beam.length * at, ca.dot(ca.DM(values), w)
+            x, y = ca.SX(beam.length * at), ca.dot(ca.DM(values), w)
             if beam.along is not None:
                 x = x + ca.dot(ca.DM(beam.along[0](np.array([at]))[0][:, 0]), q_f[bends:])
             if beam.shortens:

@@ -11,7 +11,7 @@ from runtime.schemes.scheme import Scheme
 
 
 class PythonStepper:
-    """Two groups, one Newton step on velocities in the common update, predictor in sub-steps; no time dependence."""
+    """Two groups, one Newton step on loops and on common velocities, predictor in sub-steps; no time dependence."""
 
     def __init__(self, model: Model, scheme: Scheme, c: np.ndarray) -> None:
         self.model, self.scheme, self.c = model, scheme, c
@@ -44,8 +44,7 @@ class PythonStepper:
     def _close(self, q_i: np.ndarray) -> np.ndarray:
         q_d = np.zeros(len(self.model.q_d))
         q_d[self.loops] = self.loop_old + 2 * self.h[-1] * self.loop_dot
-        for _ in range(self.scheme.options.closure_iterations):
-            q_d = self._call("closure", q_i=q_i, q_d=q_d)["q_d_next"].ravel()
+        q_d = self._call("closure", q_i=q_i, q_d=q_d)["q_d_next"].ravel()
         self.loop_old, self.loop = self.loop, q_d[self.loops]
         return q_d
 

@@ -26,7 +26,7 @@ class Timed:
     def run(self, steps: int) -> Trial:
         """The whole motion in so many steps."""
         ladder = Ladder(self.reference.problem, 1e-12)
-        rung = ladder.rung(ladder.plan(self.method, steps), quiet=True)
+        rung = ladder.rung(ladder.plan(self.method, steps))
         self.operations = rung.run.segment.stepper.operations
         return trial_of(self.method.label, rung, self.reference)
 

@@ -45,8 +45,10 @@ def publish(written: Mapping[str, str], docs: Path | None = None) -> list[Path]:
     for name, content in written.items():
         block = f"<!-- figures: {name} -->\n{content.strip()}\n<!-- end -->"
         text = pages[name].read_text(encoding="utf-8")
-        changed = BLOCK.sub(lambda found, name=name, block=block: block if found[1] == name else found[0], text)
-        pages[name].write_text(changed, encoding="utf-8")
+        for found in BLOCK.finditer(text):
+            if found[1] == name:
+                text = text.replace(found[0], block)
+        pages[name].write_text(text, encoding="utf-8")
     return sorted({pages[name] for name in written})
 
 

@@ -63,7 +63,7 @@ class CoverageMap:
             near = next((k for k, room in enumerate(rooms) if self.tests[test].startswith(room)), len(rooms))
             return near, self.seconds[test]
 
-        chosen, spent = [], 0.0
+        chosen, spent = list[str](), 0.0
         for test in sorted(self._executing(site, path), key=order):
             if spent + self.seconds[test] <= budget and len(chosen) < MOST:
                 chosen.append(self.tests[test])
@@ -94,7 +94,7 @@ class CoverageMap:
 def _named(site: Site) -> str | None:
     """The constant of a module or class whose value the fault is in."""
     tree = ast.parse(site.path.read_text(encoding="utf-8"))
-    scopes = [tree, *(node for node in tree.body if isinstance(node, ast.ClassDef))]
+    scopes: list[ast.Module | ast.ClassDef] = [tree, *(node for node in tree.body if isinstance(node, ast.ClassDef))]
     for node in (node for scope in scopes for node in scope.body):
         if isinstance(node, ast.Assign | ast.AnnAssign) and node.lineno <= site.line <= (node.end_lineno or 0):
             target = node.targets[0] if isinstance(node, ast.Assign) else node.target

@@ -34,7 +34,12 @@ def compared(case: HardCase, by_points: bool) -> tuple[float, str, float]:
     with tempfile.TemporaryDirectory() as folder:
         model = load_model(generate(case.make(), folder))
     times = np.linspace(0.0, case.t_end, SAMPLES)
-    motion = {"t_end": case.t_end, "times": times, "parameters": case.parameters, "initial": case.initial}
+    motion: dict[str, Any] = {
+        "t_end": case.t_end,
+        "times": times,
+        "parameters": case.parameters,
+        "initial": case.initial,
+    }
     condensed = reference_solution(model, **motion, start=case.start)
     began = time.process_time()
     found = (points if by_points else augmented)(case, model, condensed, motion)

@@ -86,7 +86,7 @@ def difference(parts: list[Part], rng: np.random.Generator, folder: Path) -> flo
 
     model = load_model(generate(scene_of(parts), folder, FUNCTIONS))
     e, omega = [np.array([1.0, 0, 0, 0])], [np.zeros(3)]
-    q, v, position, rate = [], [], {}, {}
+    q, v, position, rate = [], [], dict[str, float](), dict[str, float]()
     for k, part in enumerate(parts):
         turned = product(e[part.parent], exponential(pin.log3(part.axes)))
         if part.ball:

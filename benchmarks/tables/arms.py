@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from benchmarks.harness.figures import method, milliseconds, table
 from benchmarks.harness.result import Result
 
@@ -23,4 +25,4 @@ def on_arms(result: Result) -> str:
     return table(("links", *map(method, SHOWN)), rows)
 
 
-FIGURES = {"arms": on_arms}
+FIGURES: dict[str, Callable[[Result], str]] = {"arms": on_arms}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from benchmarks.harness.figures import method, milliseconds, table
 from benchmarks.harness.result import Result
@@ -37,4 +37,4 @@ def _over(found: Found, scheme: str, best: str) -> str:
     return f"{seconds / found[best][1]:.2f}: {steps}{label.removeprefix(scheme)}"
 
 
-FIGURES = {"hard_steps": over_the_best}
+FIGURES: dict[str, Callable[[Result], str]] = {"hard_steps": over_the_best}

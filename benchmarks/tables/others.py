@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import inf, isfinite
 
 from benchmarks.harness.figures import method, milliseconds, short, table
@@ -38,4 +39,4 @@ def programs(result: Result) -> str:
     return table(("problem", "this project", "the other", "its time over ours"), rows)
 
 
-FIGURES = {"others": on_the_suite, "others.programs": programs}
+FIGURES: dict[str, Callable[[Result], str]] = {"others": on_the_suite, "others.programs": programs}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from benchmarks.harness.figures import table
@@ -28,4 +30,4 @@ def _percent(share: float) -> str:
     return f"{100 * share:.2g} %"
 
 
-FIGURES = {"tolerance": given}
+FIGURES: dict[str, Callable[[Result], str]] = {"tolerance": given}

@@ -216,7 +216,7 @@ class Ladder:
         shortest = min((one.end - one.start for one in passed_by(rung.run, SEES_SHORT)), default=inf)
         return ceil(SEES_SHORT * self.span / shortest / self.unit)
 
-    def rung(self, plan: Plan, like: Run | None) -> Rung:
+    def rung(self, plan: Plan, like: Run | None = None) -> Rung:
         """A whole motion, of which one is known with other steps; nobody looks whether steps see what loads do."""
         marks = Marks(plan.steps // self.unit * max(1, self.unit // FIRST))
         further = Further(progress=self.further.progress)
