@@ -85,8 +85,8 @@ def _put(target: Path, text: str) -> None:
     target.write_text(text, encoding="utf-8")
 
 
-def main() -> None:
-    """Draw sites, judge them, leave a table."""
+def command_line() -> argparse.ArgumentParser:
+    """What may be asked for."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.mutations", description=__doc__)
     parser.add_argument("--sites", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
@@ -95,9 +95,14 @@ def main() -> None:
     parser.add_argument("--map", type=Path, default=Path("mutations-map.json"), help="made where it is not there")
     parser.add_argument("--record", type=Path, default=Path(__file__).with_name("record.json"))
     parser.add_argument("--seconds", type=float, default=float("inf"), help="begin no other fault after so long")
-    parser.add_argument("--score", action="store_true", help=f"of the record; fails below {LEAST:.0%}")
+    parser.add_argument("--score", action="store_true", help=f"of the record; fails below {LEAST:.0%}%")
     parser.add_argument("--again", action="store_true", help="judge again what survived")
-    arguments = parser.parse_args()
+    return parser
+
+
+def main() -> None:
+    """Draw sites, judge them, leave a table."""
+    arguments = command_line().parse_args()
     if arguments.score:
         record = Record.read(arguments.record)
         seen, told, _ = record.seen()

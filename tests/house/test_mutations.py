@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from benchmarks.mutations import record
-from benchmarks.mutations.__main__ import LEAST, all_sites
+from benchmarks.mutations.__main__ import LEAST, all_sites, command_line
 from benchmarks.mutations.record import OPEN, Record, drawn
 from benchmarks.mutations.selection import CoverageMap, looking_at
 from benchmarks.mutations.sites import ROOT, sites
@@ -23,6 +23,10 @@ def f(x: int, y: float = 2) -> bool:
         raise ValueError(f"{x + 1} is wrong" if y > 2 else "")
     return -x * y > 0
 """
+
+
+def test_the_command_says_what_it_takes() -> None:
+    assert "fails below 95%" in command_line().format_help()
 
 
 def test_sites_are_what_runs(tmp_path: Path) -> None:
