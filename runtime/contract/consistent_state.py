@@ -129,47 +129,72 @@ class ConsistentState:
     told: tuple[tuple[EventKind, str], ...] = ()
 
 
-def consistent_state(
-    names: list[str],
-    elastic: frozenset[int],
-    owners: list[str],
-    position: Residual,
-    velocity: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]],
-    coordinates: GivenValues,
-    rates: GivenValues,
-    guess: np.ndarray | None = None,
-    reluctant: frozenset[int] = frozenset(),
-    first: Sequence[int] = (),
-    following: frozenset[int] = frozenset(),
-    origins: frozenset[int] = frozenset(),
-) -> ConsistentState:
-    """Solve C(q) = 0, then C_q q_dot = nu.
+@dataclass(frozen=True)
+class Assembly:
+    """What a start has to satisfy, and what may move for it: C(q) = 0, then C_q q_dot = nu.
 
     names: coordinates; owners: joint of each constraint row; position(q) -> (C, C_q); velocity(q) -> (C_q, nu);
     guess: where coordinates that were left open start (zero by default); reluctant: those of them that count as given;
     first: rows that place bodies, satisfied by what was left open before the others are looked at; following:
     coordinates that these rows give, whose rates cost nothing, so that those of all others change least; origins:
     columns of places of bodies, which move alone where that is enough, so that nothing turns without need.
+    sequences: of Euler angles by body, where these are given in place of the Euler parameters among the names.
+    """
+
+    names: list[str]
+    elastic: frozenset[int]
+    owners: list[str]
+    position: Residual
+    velocity: Residual
+    coordinates: GivenValues = GivenValues()
+    rates: GivenValues = GivenValues()
+    guess: np.ndarray | None = None
+    reluctant: frozenset[int] = frozenset()
+    first: Sequence[int] = ()
+    following: frozenset[int] = frozenset()
+    origins: frozenset[int] = frozenset()
+    sequences: Mapping[str, str] = field(default_factory=dict)
+
+    def stages(self, given: GivenValues, guess: np.ndarray | None) -> tuple[np.ndarray, list[np.ndarray]]:
+        """(starting values, what may move: first only what was left open, then what is reluctant, given, elastic)."""
+        start = np.zeros(len(self.names)) if guess is None else guess
+        value = np.array([given.values.get(name, start[k]) for k, name in enumerate(self.names)])
+        free = np.array([name not in given.fixed for name in self.names], dtype=bool)
+        rigid, willing = ~self.among(self.elastic), ~self.among(self.reluctant)
+        is_open = np.array([name not in given.values for name in self.names], dtype=bool) & rigid
+        return value, [is_open & willing & free, is_open & free, rigid & free, free]
+
+    def among(self, columns: Collection[int]) -> np.ndarray:
+        """(n,) which coordinates are among these columns."""
+        return np.array([k in columns for k in range(len(self.names))], dtype=bool)
+
+
+def consistent_state(task: Assembly) -> ConsistentState:
+    """The state of all coordinates next to what was given.
+
     Raises InitialStateError if no state within reach satisfies the constraints.
     """
-    q0, stages = _start(names, elastic, coordinates, guess, reluctant)
-    free, given = stages[-1], q0
-    stages.insert(0, stages[0] & np.array([k in origins for k in range(len(names))], dtype=bool))
-    open_ = np.array([k in reluctant and name not in coordinates.values for k, name in enumerate(names)], dtype=bool)
+    if task.sequences:
+        return _by_angles(task)
+    names, owners, position = task.names, task.owners, task.position
+    given, stages = task.stages(task.coordinates, task.guess)
+    free = stages[-1]
+    stages.insert(0, stages[0] & task.among(task.origins))
+    open_ = task.among(task.reluctant - {k for k, name in enumerate(names) if name in task.coordinates.values})
     q = None
-    rows = np.array(first, dtype=int)
-    for start in _starts(q0, open_):
-        if len(first):
+    rows = np.array(task.first, dtype=int)
+    for start in _starts(given, open_):
+        if len(rows):
             start = _nearest(start, stages[1], lambda q: tuple(part[rows] for part in position(q)))
         moving, q = _first_closed(start, stages, position)
         if q is not None:
             break
     if q is None:
-        _refuse(*position(_nearest(q0, free, position)), free, owners, names, "position")
-    v0, stages = _start(names, elastic, rates, None, reluctant)
+        _refuse(*position(_nearest(given, free, position)), free, owners, names, "position")
+    v0, stages = task.stages(task.rates, None)
     free = stages[-1]
-    C_q, nu = velocity(q)
-    cheap = np.array([k in following for k in range(len(names))], dtype=bool)
+    C_q, nu = task.velocity(q)
+    cheap = task.among(task.following)
     v = next((v for mask in stages if (v := _velocities(v0, mask, cheap, C_q, nu)) is not None), None)
     if v is None:
         nearest = v0 + _least_change(C_q, nu - C_q @ v0, free)
@@ -177,12 +202,12 @@ def consistent_state(
     changed = {
         name: (float(given[k]), float(q[k]))
         for k, name in enumerate(names)
-        if (name in coordinates.values or k in elastic) and q[k] != given[k]
+        if (name in task.coordinates.values or k in task.elastic) and q[k] != given[k]
     }
     changed |= {
-        f"{name}_dot": (rates.values[name], float(v[k]))
+        f"{name}_dot": (task.rates.values[name], float(v[k]))
         for k, name in enumerate(names)
-        if name in rates.values and v[k] != rates.values[name]
+        if name in task.rates.values and v[k] != task.rates.values[name]
     }
     return ConsistentState(q, v, changed, start, _other_branch(start, q, moving, position))
 
@@ -223,19 +248,6 @@ def less_turns(change: np.ndarray) -> np.ndarray:
     return np.asarray((change + np.pi) % (2 * np.pi) - np.pi)
 
 
-def _start(
-    names: list[str], elastic: frozenset[int], given: GivenValues, guess: np.ndarray | None, reluctant: frozenset[int]
-) -> tuple[np.ndarray, list[np.ndarray]]:
-    """(starting values, what may move: first only what was left open, then what is reluctant, given, elastic)."""
-    start = np.zeros(len(names)) if guess is None else guess
-    value = np.array([given.values.get(name, start[k]) for k, name in enumerate(names)])
-    is_elastic = np.array([k in elastic for k in range(len(names))], dtype=bool)
-    free = np.array([name not in given.fixed for name in names], dtype=bool)
-    is_open = np.array([name not in given.values for name in names], dtype=bool) & ~is_elastic
-    is_reluctant = np.array([k in reluctant for k in range(len(names))], dtype=bool)
-    return value, [is_open & ~is_reluctant & free, is_open & free, ~is_elastic & free, free]
-
-
 def _starts(q0: np.ndarray, open_: np.ndarray) -> Iterator[np.ndarray]:
     """q0, then starts with the open coordinates of joints turned a little: a straight chain knows no way to bend."""
     yield q0
@@ -247,8 +259,7 @@ def _starts(q0: np.ndarray, open_: np.ndarray) -> Iterator[np.ndarray]:
 def _positions(q0: np.ndarray, free: np.ndarray, position: Residual) -> np.ndarray | None:
     """Gauss-Newton on C(q) = 0 moving the free coordinates only; None if it does not get there."""
     q = _nearest(q0, free, position)
-    C, _ = position(q)
-    return q if C.size == 0 or np.abs(C).max() <= POSITION_TOLERANCE * _scale(q) else None
+    return q if _solves(q, position) else None
 
 
 def _nearest(q0: np.ndarray, free: np.ndarray, position: Residual) -> np.ndarray:
@@ -407,30 +418,9 @@ class AngleForm:
         return q, slope
 
 
-def consistent_state_by_angles(
-    sequences: Mapping[str, str],
-    names: list[str],
-    elastic: frozenset[int],
-    owners: list[str],
-    position: Residual,
-    velocity: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]],
-    coordinates: GivenValues,
-    rates: GivenValues,
-    guess: np.ndarray,
-    reluctant: frozenset[int] = frozenset(),
-    first: Sequence[int] = (),
-    following: frozenset[int] = frozenset(),
-    origins: frozenset[int] = frozenset(),
-) -> ConsistentState:
-    """`consistent_state` where angles of the bodies of `sequences` are given; columns are those of `names`.
-
-    Raises InitialStateError.
-    """
-    if not sequences:
-        return consistent_state(
-            names, elastic, owners, position, velocity, coordinates, rates, guess, reluctant, first, following, origins
-        )
-    form = AngleForm(names, sequences)
+def _by_angles(task: Assembly) -> ConsistentState:
+    """`consistent_state` where angles of bodies are given; columns are those of all coordinates."""
+    form, position = AngleForm(task.names, task.sequences), task.position
 
     def position_by(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         q, slope = form.fitting(x, position)
@@ -439,23 +429,15 @@ def consistent_state_by_angles(
 
     def velocity_by(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         q, slope = form.fitting(x, position)
-        C_q, nu = velocity(q)
+        C_q, nu = task.velocity(q)
         return C_q @ slope, nu
 
-    found = consistent_state(
-        form.own,
-        form.chosen(elastic),
-        owners,
-        position_by,
-        velocity_by,
-        coordinates,
-        rates,
-        form.seen(guess),
-        form.chosen(reluctant),
-        first,
-        form.chosen(following),
-        form.chosen(origins),
-    )
+    assert task.guess is not None
+    columns: dict[str, Any] = {
+        name: form.chosen(getattr(task, name)) for name in ("elastic", "reluctant", "following", "origins")
+    }
+    own = replace(task, names=form.own, position=position_by, velocity=velocity_by, sequences={}, **columns)
+    found = consistent_state(replace(own, guess=form.seen(task.guess)))
     q, slope = form.fitting(found.q, position)
     placed, other = (None if x is None else form.whole(x)[0] for x in (found.placed, found.other))
     return replace(found, q=q, q_dot=slope @ found.q_dot, placed=placed, other=other)

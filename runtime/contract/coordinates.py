@@ -5,17 +5,13 @@ angles; initial values by name.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
 import casadi as ca
 import numpy as np
 
 from runtime.contract.model import Model
 from runtime.contract.orientations import angular_velocity, chart_rates, exponential, product, rotation_vector
-
-if TYPE_CHECKING:
-    from runtime.contract.model import Model
-
 
 # Vectors of q_i and q_d from those of all coordinates and back; angular velocities stand for the rates of turns.
 

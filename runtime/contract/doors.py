@@ -1,13 +1,23 @@
-"""What is imported when it is asked for: by the path `module:name`, so that a run brings in what it needs and no more.
+"""Doors: methods that are functions of other rooms, imported when they are asked for; their arguments, checked by name.
 
-Rooms below open so what stands above them, and what many runs do without.
+What is opened is named by the path `module:name`, so that a run brings in what it needs and no more: rooms below open
+so what stands above them, and what many runs do without.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping, Sequence
+from difflib import get_close_matches
+from functools import wraps
 from importlib import import_module
+from inspect import Parameter, signature
+from os import PathLike
 from types import MethodType
-from typing import Any
+from typing import Any, NamedTuple, ParamSpec, TypeVar
+
+import numpy as np
+
+from runtime.contract.errors import ArgumentError
 
 
 def opened(path: str) -> Any:
@@ -28,3 +38,83 @@ class Door:
     def __get__(self, owner: Any, kind: type | None = None) -> Any:
         function = opened(self.path)
         return function if owner is None else MethodType(function, owner)
+
+
+# Arguments of doors: what is unknown or of another kind is refused by name, with what may be meant.
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+
+class Kind(NamedTuple):
+    """What an argument is, by a test; in words, what to give instead."""
+
+    holds: Callable[[Any], bool]
+    wanted: str
+
+
+def _are_names(value: Any) -> bool:
+    return isinstance(value, Sequence) and not isinstance(value, str) and all(isinstance(one, str) for one in value)
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float | np.number) and not isinstance(value, bool) and bool(np.isfinite(value))
+
+
+def _are_numbers(value: Any) -> bool:
+    return isinstance(value, Sequence | np.ndarray) and not isinstance(value, str) and all(map(_is_number, value))
+
+
+BY_NAME = Kind(lambda value: isinstance(value, Mapping), 'give a dictionary, such as {"rod.mass": 2.0}')
+START = Kind(
+    lambda value: isinstance(value, Mapping) or hasattr(value, "initial_values"),
+    'give a dictionary, such as {"rod.theta": 0.5}, an equilibrium or a solution',
+)
+NAMES = Kind(_are_names, 'give a list of names, such as ["rod.theta"]')
+CALLED = Kind(
+    lambda value: callable(value) or isinstance(value, bool), "give a function (t, t_end), or True for a line"
+)
+FLAG = Kind(lambda value: isinstance(value, bool), "give True or False")
+PLACE = Kind(lambda value: isinstance(value, str | PathLike) and value != "", "give a path")
+NUMBER = Kind(_is_number, "give a finite number")
+NUMBERS = Kind(_are_numbers, "give a list of finite numbers")
+
+ENDS = ("duration", "time", "tend", "T")  # what others call t_end
+
+
+def arguments(**kinds: Kind) -> Callable[[Callable[P, R]], Callable[P, R]]:
+    """Names the arguments of a function that are checked by kind; None is always taken.
+
+    The function raises ArgumentError for a value of another kind and for a keyword that it does not have.
+    """
+
+    def door(function: Callable[P, R]) -> Callable[P, R]:
+        given = signature(function).parameters
+        known = [*given]
+        closed = all(one.kind is not Parameter.VAR_KEYWORD for one in given.values())
+        title = "it" if function.__name__ == "__init__" else function.__name__
+
+        @wraps(function)
+        def called(*values: P.args, **named: P.kwargs) -> R:
+            for name, value in {**dict(zip(known, values, strict=False)), **named}.items():
+                if closed and name not in known:
+                    raise ArgumentError(name, f"{title} has no such argument", _near(name, known))
+                if name in kinds and value is not None and not kinds[name].holds(value):
+                    raise ArgumentError(name, f"cannot be {_short(value)}", kinds[name].wanted)
+            return function(*values, **named)
+
+        return called
+
+    return door
+
+
+def _near(name: str, known: Sequence[str]) -> str:
+    if name in ENDS and "t_end" in known:
+        return "did you mean t_end?"
+    near = get_close_matches(name, known, n=1, cutoff=0.5)
+    return f"did you mean {near[0]}?" if near else f"it has {', '.join(known)}"
+
+
+def _short(value: Any) -> str:
+    text = repr(value)
+    return f"a {type(value).__name__}" if len(text) > 40 else text

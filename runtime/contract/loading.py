@@ -22,7 +22,7 @@ import numpy as np
 from runtime.contract.errors import ModelError, SymgenError
 from runtime.contract.model import Model
 from runtime.contract.records import Description, as_plain, description
-from runtime.contract.tables import table_from
+from runtime.contract.tape import table_from
 
 # manifest.json: the description of a model with the hashes of its files, and what guards it against edits.
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from runtime.contract.doors import Door, opened
 from runtime.contract.errors import ModelError
-from runtime.contract.orientations import Places, places_of, with_charts
+from runtime.contract.orientations import Places, places_of
 from runtime.contract.records import (
     Bound,
     BoundedQuantity,
@@ -26,7 +26,7 @@ from runtime.contract.records import (
     InputRecord,
     Parameter,
 )
-from runtime.contract.signals import Signals, traced, with_signals
+from runtime.contract.signals import Signals, as_called, traced
 from runtime.contract.status import card, fold, table
 from runtime.contract.tape import arithmetic
 
@@ -119,18 +119,6 @@ class ParameterList(list[Parameter]):
         return "\n".join(
             [*lines, *([f"and {hidden} numbers of shapes, tables and meshes (kind data)"] if hidden else [])]
         )
-
-
-# The emitted functions as the runtime calls them: with [c, charts, numbers of inputs] for c, or with p.
-
-
-def as_called(kernel: ca.Function, charts: int, signals: Signals, c_size: int) -> ca.Function:
-    """An emitted Function with its charts and its inputs behind c (of c_size), where there are any."""
-    if charts:
-        kernel = with_charts(kernel, charts, c_size)
-    if signals.inputs:
-        kernel = with_signals(kernel, signals, c_size + 4 * charts)
-    return kernel
 
 
 def of_parameters(kernel: ca.Function, constants: ca.Function) -> ca.Function:

@@ -8,7 +8,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import casadi as ca
 import numpy as np
 
 # Unit quaternions e (scalar first) and angular velocities in body axes: omega = 2 conj(e) o e'.
@@ -265,24 +264,3 @@ def places_of(
         array([q_d.index(name) for name in loops], -1),
         len(q_i),
     )
-
-
-def with_charts(kernel: ca.Function, count: int, c_size: int) -> ca.Function:
-    """A kernel of the emitted code that takes charts, as one that takes [c, charts]; c_size: length of its c."""
-    names = kernel.name_in()
-    if kernel.name() == "constants":
-        p = ca.SX.sym("p", kernel.size1_in(0)) if names else ca.SX(0, 1)
-        found = ca.vertcat(kernel.call([p] if names else [])[0], ca.DM(IDENTITY * count))
-        return ca.Function("constants", [p], [ca.densify(found)], ["p"], kernel.name_out())
-    if "c" not in names and "chart" not in names:
-        return kernel
-    given = {name: ca.SX.sym(name, *kernel.size_in(name)) for name in names if name not in ("chart", "c")}
-    both = ca.SX.sym("c", c_size + 4 * count)
-    call: dict[str, Any] = dict(given)
-    if "c" in names:
-        call["c"] = both[:c_size]
-    if "chart" in names:
-        call["chart"] = both[c_size:]
-    values = kernel.call(call)
-    outputs = [ca.densify(values[name]) for name in kernel.name_out()]
-    return ca.Function(kernel.name(), [*given.values(), both], outputs, [*given, "c"], kernel.name_out())

@@ -44,54 +44,6 @@ SCHEME_NAMES: tuple[str, ...] = get_args(SchemeName)
 GROUPED_SCHEMES: tuple[SchemeName, ...] = ("printed", "coupled")
 
 
-# The fields of z of steps that follow from a tolerance: code, shape, unit, meaning; see symgen/notation/fields.py.
-
-FIELDS_OF_TOLERANCE = (
-    ("q_from", "n_i", "mixed", "q_i at the start of a step whose length follows from a tolerance"),
-    ("v_from", "n_i", "mixed", "q_i_dot there"),
-    ("loop_from", "loops", "mixed", "loop unknowns there"),
-    ("t_from", "1", "s", "time there"),
-    ("a_from", "n_i", "mixed", "q_i_ddot there"),
-    ("q_to", "n_i", "mixed", "q_i at its end"),
-    ("v_to", "n_i", "mixed", "q_i_dot there"),
-    ("loop_to", "loops", "mixed", "loop unknowns there"),
-    ("t_to", "1", "s", "time there"),
-    ("a_to", "n_i", "mixed", "q_i_ddot there"),
-    ("loop_dot_to", "loops", "mixed", "rates of the loop unknowns there"),
-    ("X", "n_i x n_s", "SI", "M_hat^-1 B at the start of the step"),
-    ("b1", "n_i", "mixed", "accelerations beside the stiff part: a_from + b1 tau + b2 tau^2 / 2"),
-    ("b2", "n_i", "mixed", "their second derivative"),
-    ("q_low", "n_i", "mixed", "smallest q_i so far, at the ends of steps"),
-    ("q_high", "n_i", "mixed", "largest q_i so far"),
-    ("q_seen", "n_i", "mixed", "q_i that ranges are told of, at the end of the last step, where turns have charts"),
-    ("weight", "n_i", "mixed", "what squares of estimated errors are multiplied by"),
-    ("width", "1", "1", "weighted squares of the ranges from which on weights are formed anew"),
-    ("wider", "1", "1", "positive where the ranges have come so far"),
-    ("q_error", "n_i", "mixed", "estimated error of q_to"),
-    ("v_error", "n_i", "mixed", "estimated error of v_to"),
-    ("h_next", "1", "s", "step that the error allows"),
-    ("h_try", "1", "s", "step to try, shorter before a time of `stops`"),
-    ("t_try", "1", "s", "time at its end"),
-    ("end", "1", "s", "time that it must not cross"),
-    ("peak", "1", "1", "square of the largest estimated error over the tolerance lately"),
-    ("odd", "1", "1", "positive where the last attempt has to be judged"),
-    ("before", "mixed", "mixed", "closure_error and determinants before the last attempt"),
-    ("fresh", "1", "1", "positive where the next step begins at the end of the last one"),
-    ("cold", "1", "1", "positive where its start is not evaluated yet"),
-    ("going", "1", "s", "way to the time that is to be seen, while steps can be made"),
-    ("stops", "4", "s", "next times that no step crosses"),
-    ("beside", "1", "s", "how far from them forces are evaluated"),
-    ("lands", "1", "1", "positive where states that are seen are ends of steps"),
-    ("stuck", "1", "1", "positive where the least step did not meet the tolerance"),
-    ("accepted", "1", "1", "accepted steps so far"),
-    ("counted", "1", "1", "those that h_least and h_largest tell of"),
-    ("rejected", "1", "1", "rejected steps so far"),
-    ("h_least", "1", "s", "shortest accepted step so far"),
-    ("h_largest", "1", "s", "longest accepted step so far"),
-    ("det_now", "loop blocks", "SI", "det_loop of the last accepted evaluation"),
-)
-
-
 # Places of a flexible body whose stress is known, with what it follows from; and loads under which it buckles.
 
 

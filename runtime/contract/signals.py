@@ -1,7 +1,7 @@
 """Inputs u as functions of time: held values, values with rates, values behind a filter, functions.
 
-A kernel of the emitted code takes u. What the runtime calls takes [c, w] instead of c, where w are the numbers that
-u(t) is made of; so whatever evaluates a model has u as well:
+A kernel of the emitted code takes u, and charts of orientations. What the runtime calls takes [c, charts, w] instead
+of c, where w are the numbers that u(t) is made of; so whatever evaluates a model has them as well:
 
     an input             its numbers in w                     u(t), s = t - since
     plain                value                                value
@@ -21,6 +21,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import ArgumentError
+from runtime.contract.orientations import IDENTITY
 from runtime.contract.records import InputRecord, Parameter
 
 SINCE = "inputs.since"
@@ -186,26 +187,28 @@ def _is_number(function: Callable[[Any], Any], time: float) -> bool:
         return False
 
 
-def with_signals(kernel: ca.Function, signals: Signals, c_size: int) -> ca.Function:
-    """A kernel of the emitted code that takes u, as one that takes t and [c, w]; c_size: length of c."""
-    names = kernel.name_in()
-    if "p" in names:
-        p, w = ca.SX.sym("p", kernel.size1_in("p")), ca.SX.sym("w", signals.size)
-        of_p = kernel.call([p])
-        if kernel.name() == "constants":
-            of_p = [ca.densify(ca.vertcat(of_p[0], w))]
-        return ca.Function(kernel.name(), [ca.vertcat(p, w)], of_p, ["p"], kernel.name_out())
-    if "c" not in names and "u" not in names:
+def as_called(kernel: ca.Function, charts: int, signals: Signals, c_size: int) -> ca.Function:
+    """A kernel of the emitted code as the runtime calls it: with [c, charts, w] for its c, with [p, w] for p.
+
+    charts: how many orientations have one; c_size: length of c. Without charts and inputs it is the kernel itself.
+    """
+    names, end = kernel.name_in(), c_size + 4 * charts
+    if not charts and not signals.inputs:
         return kernel
-    given = {name: ca.SX.sym(name, *kernel.size_in(name)) for name in names if name not in ("u", "c")}
-    if "u" in names:
-        given.setdefault("t", ca.SX.sym("t"))
-    both = ca.SX.sym("c", c_size + signals.size)
-    call: dict[str, Any] = {name: value for name, value in given.items() if name in names}
-    if "c" in names:
-        call["c"] = both[:c_size]
-    if "u" in names:
-        call["u"] = signals.u(given["t"], both[c_size:])
-    found = kernel.call(call)
+    if kernel.name() == "constants" or "p" in names:
+        p, w = ca.SX.sym("p", kernel.size1_in(0)) if names else ca.SX(0, 1), ca.SX.sym("w", signals.size)
+        of_p = kernel.call([p] if names else [])
+        if kernel.name() == "constants":
+            of_p = [ca.densify(ca.vertcat(of_p[0], ca.DM(IDENTITY * charts), w))]
+        return ca.Function(kernel.name(), [ca.vertcat(p, w)], of_p, ["p"], kernel.name_out())
+    behind_c = {"c", "chart", "u"} if signals.inputs else {"c", "chart"}
+    if behind_c.isdisjoint(names):
+        return kernel
+    given = {name: ca.SX.sym(name, *kernel.size_in(name)) for name in names if name not in behind_c}
+    both = ca.SX.sym("c", end + signals.size)
+    call: dict[str, Any] = {**given, "c": both[:c_size], "chart": both[c_size:end]}
+    if "u" in names and signals.inputs:
+        call["u"] = signals.u(given.setdefault("t", ca.SX.sym("t")), both[end:])
+    found = kernel.call({name: call[name] for name in names})
     outputs = [ca.densify(found[name]) for name in kernel.name_out()]
     return ca.Function(kernel.name(), [*given.values(), both], outputs, [*given, "c"], kernel.name_out())

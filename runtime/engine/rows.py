@@ -11,8 +11,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from runtime.contract.tables import marked
-from runtime.contract.tape import UNUSED, as_function, read_tape
+from runtime.contract.tape import UNUSED, as_function, marked, read_tape
 from runtime.engine.llvm_code import find_llvm
 from runtime.engine.native import NativeProgram
 from runtime.engine.program import Call

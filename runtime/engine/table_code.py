@@ -1,6 +1,6 @@
 """Tables in machine code: one function each, LLVM IR for any number of lanes or C.
 
-The same operations in the same order as runtime/contract/tables.py says. C has the numbers of its tables written out.
+The same operations in the same order as runtime/contract/tape.py says. C has the numbers of its tables written out.
 Code by LLVM holds no numbers but where to look, in arrays of this process; it lists the marks of its tables
 (`table_marks`) and has room for the addresses of their arrays
 (`table_arrays`: knots, powers, starts of each), which are filled in when it is loaded.
@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.tables import marked
+from runtime.contract.tape import marked
 from runtime.engine.mathematics import Lanes
 
 MARKS, COUNT, ARRAYS = "table_marks", "table_count", "table_arrays"  # what the code of a program exports

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from runtime.contract.arguments import BY_NAME, NAMES, NUMBER, NUMBERS, arguments
 from runtime.contract.coordinates import followed
+from runtime.contract.doors import BY_NAME, NAMES, NUMBER, NUMBERS, arguments
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.files import write_text
 from runtime.contract.model import Model

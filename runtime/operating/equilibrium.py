@@ -8,7 +8,6 @@ from dataclasses import dataclass, field
 import casadi as ca
 import numpy as np
 
-from runtime.contract.arguments import BY_NAME, NUMBER, START, arguments
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import (
     Initial,
@@ -20,7 +19,7 @@ from runtime.contract.coordinates import (
     named_values,
     parameter_columns,
 )
-from runtime.contract.doors import opened
+from runtime.contract.doors import BY_NAME, NUMBER, START, arguments, opened
 from runtime.contract.errors import ModelError, NoResult
 from runtime.contract.model import Model
 from runtime.contract.orientations import angle_names, angles

@@ -15,11 +15,12 @@ from runtime.contract.consistent_state import (
     POSITION_TOLERANCE,
     VELOCITY_TOLERANCE,
     AngleForm,
+    Assembly,
     ConsistentState,
     GivenValues,
     InitialStateError,
     angle_bodies,
-    consistent_state_by_angles,
+    consistent_state,
     with_words,
 )
 from runtime.contract.coordinates import (
@@ -268,8 +269,7 @@ def _assembled(
         for name, value in independent_rates.items()
         if not rates or set(rates) <= set(own) or name in model.elastic
     }
-    found = consistent_state_by_angles(
-        form.sequences,
+    task = Assembly(
         model.coordinates,
         elastic,
         [row.joint or row.label for row in model.description.constraints],
@@ -278,5 +278,7 @@ def _assembled(
         GivenValues({**keep, **coordinates}, frozenset(coordinates)),
         GivenValues({**keep_rates, **rates}, frozenset(rates)),
         model.initial_q,
+        sequences=form.sequences,
     )
+    found = consistent_state(task)
     return with_words(found, model.description.coordinates, coordinates)

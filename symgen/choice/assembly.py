@@ -9,11 +9,12 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.consistent_state import (
+    Assembly,
     ConsistentState,
     GivenValues,
     InitialStateError,
     angle_bodies,
-    consistent_state_by_angles,
+    consistent_state,
     with_words,
 )
 from runtime.contract.orientations import angle_names, parameter_rates
@@ -95,8 +96,7 @@ def assembled(system: System, numbers: ConstraintNumbers) -> ConsistentState:
     by_angles = angle_bodies({**requested.coordinates.values, **rates.values}, requested.euler_angles)
 
     def state_with(sequences: Mapping[str, str], coordinates: GivenValues, rates: GivenValues) -> ConsistentState:
-        return consistent_state_by_angles(
-            sequences,
+        task = Assembly(
             equations.names,
             equations.elastic_columns,
             [row.joint or row.label for row in equations.constraints],
@@ -109,7 +109,9 @@ def assembled(system: System, numbers: ConstraintNumbers) -> ConsistentState:
             [k for k, row in enumerate(equations.constraints) if row.joint in topology.placements],
             following,
             frozenset(k for k, coordinate in enumerate(equations.coordinates) if coordinate.kind == "position"),
+            sequences,
         )
+        return consistent_state(task)
 
     try:
         state = state_with(by_angles, requested.coordinates, rates)

@@ -19,8 +19,7 @@ import casadi as ca
 
 from runtime.contract import table_function
 from runtime.contract.records import FunctionSpec, Signal
-from runtime.contract.tables import marked
-from runtime.contract.tape import UNUSED, Node, Tape, uses
+from runtime.contract.tape import UNUSED, Node, Tape, marked, uses
 from symgen.notation.symbols import BY_NAME
 from symgen.pipeline import Derived
 

@@ -26,7 +26,7 @@ from pydantic import AfterValidator, Discriminator, Field, Tag
 
 from runtime.contract.orientations import angle_names, is_sequence
 from runtime.contract.records import UNITS, Coordinate, CoordinateKind
-from runtime.contract.tables import Table
+from runtime.contract.tape import Table
 from symgen.couplings import COUPLINGS, Coupling
 from symgen.joints import JOINTS, Joint
 from symgen.joints.joint import Slide, Turn

@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 from pydantic import model_validator
 
-from runtime.contract.tables import Table, table_of
+from runtime.contract.tape import Table, table_of
 from symgen.scene.tables import along, kinks_of
 from symgen.schema.fields import Number, StrictModel, Text, refuse
 

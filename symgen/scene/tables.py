@@ -16,7 +16,7 @@ import casadi as ca
 import numpy as np
 from pydantic import Field, Strict, model_validator
 
-from runtime.contract.tables import Table, table_of
+from runtime.contract.tape import Table, table_of
 from symgen.schema.errors import SceneError, show
 from symgen.schema.fields import Number, StrictModel, Text, refuse
 

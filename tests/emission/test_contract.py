@@ -31,7 +31,7 @@ READERS_OF_TEXT = {
     "runtime/export/fmu.py",  # names of files, commands
     "runtime/export/fmu_description.py",  # units, as XML says them; rates by their ending
     "runtime/export/fmu_source.py",  # rates by their ending
-    "runtime/contract/tables.py",  # names of functions in emitted code
+    "runtime/contract/tape.py",  # names of functions in emitted code
     "runtime/results/stream.py",
     "runtime/results/export.py",
     "runtime/results/samples.py",  # columns of the CSV

@@ -15,8 +15,7 @@ import pytest
 from benchmarks.contenders.by_c_compiler import CompiledProgram
 from runtime import DifferentiableRun, ensemble, load_model, resume, simulate
 from runtime.contract.model import Model
-from runtime.contract.tables import Table, mark
-from runtime.contract.tape import as_function, read_tape, shared
+from runtime.contract.tape import Table, as_function, mark, read_tape, shared
 from runtime.engine.c_source import find_compiler
 from runtime.engine.choose import choose_engine, operations_per_step
 from runtime.engine.ensemble_code import LaneCode, blocks_of

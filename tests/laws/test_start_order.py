@@ -12,7 +12,13 @@ import numpy as np
 import pytest
 
 from runtime import Model
-from runtime.contract.consistent_state import ConsistentState, GivenValues, InitialStateError, consistent_state
+from runtime.contract.consistent_state import (
+    Assembly,
+    ConsistentState,
+    GivenValues,
+    InitialStateError,
+    consistent_state,
+)
 from runtime.operating.given_state import given_state
 from symgen.scene import Scene, SceneRecord
 
@@ -23,7 +29,7 @@ def moved(*members: str) -> ConsistentState:
     """The state whose named coordinates, and rates, add up to 1."""
     row = np.array([[float(name in members) for name in NAMES]])
     given = GivenValues({"given": 0.0, "fixed": 0.0}, frozenset({"fixed"}))
-    return consistent_state(
+    task = Assembly(
         NAMES,
         frozenset({3}),
         ["sum"],
@@ -33,6 +39,7 @@ def moved(*members: str) -> ConsistentState:
         given,
         reluctant=frozenset({1}),
     )
+    return consistent_state(task)
 
 
 @pytest.mark.parametrize("first", range(4))
@@ -51,15 +58,14 @@ def test_what_is_fixed_stays() -> None:
 
 def test_alike_ones_share() -> None:
     """Two elastic coordinates, or two that were left open, move by half each: the least change."""
-    found = consistent_state(
+    task = Assembly(
         ["a", "b"],
         frozenset(),
         ["sum"],
         lambda q: (np.array([q.sum() - 1.0]), np.ones((1, 2))),
         lambda q: (np.ones((1, 2)), np.ones(1)),
-        GivenValues(),
-        GivenValues(),
     )
+    found = consistent_state(task)
     assert found.q == pytest.approx([0.5, 0.5]) and found.q_dot == pytest.approx([0.5, 0.5])
 
 

@@ -10,8 +10,7 @@ from collections.abc import Callable, Mapping
 import casadi as ca
 import numpy as np
 
-from runtime.contract.tables import marked
-from runtime.contract.tape import UNUSED, Tape, read_tape
+from runtime.contract.tape import UNUSED, Tape, marked, read_tape
 from runtime.engine.program import Call, Program, Repeat, Until
 from runtime.gradients.differentiable_run import DifferentiableRun
 

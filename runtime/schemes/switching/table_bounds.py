@@ -7,7 +7,7 @@ from math import comb
 
 import numpy as np
 
-from runtime.contract.tables import marked
+from runtime.contract.tape import marked
 
 SLACK = 32 * np.finfo(float).eps  # relative: rounding of a polynomial
 CONTINUOUS = 1e-10  # relative: what two rows may differ by at their knot
