@@ -39,7 +39,6 @@ SECTIONS = {
         "design_rod",
         "thin_coupler",
         "identify_hub_beam",
-        "ensemble_on_dask",
     ],
     "The paper: its figures and its schemes": [
         "partitioned_bar",

@@ -17,6 +17,7 @@ from runtime.contract.model import Model
 from runtime.engine.interpreted import InterpretedProgram, program_function
 from runtime.engine.llvm_code import host
 from runtime.engine.prepare import prepare
+from runtime.running.plan import make_plan
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import start_vector
 from runtime.studies.ensemble.question import Question
@@ -58,10 +59,8 @@ def _rows(model: Model, scheme: str, m: list[int], cases: int) -> Rows:
     """A study with its code made."""
     share = np.linspace(0.9, 1.1, cases)
     names, table = table_of(model, {"slider.mass": 0.0755 * share}, {"crank.theta_dot": 150.0 * share[::-1]})
-    question = Question.ask(
-        model, names, cases, scheme, DT, m or None, None, 0.0, STEPS * DT, None, None, OUTPUTS, None
-    )
-    rows = Rows(model, question, table)
+    plan = make_plan(model, STEPS * DT, DT, m or None, scheme, None, None, 0.0)
+    rows = Rows(Question.ask(model, names, plan, None, None, OUTPUTS), table)
     rows.lanes.programs.compile()
     return rows
 
@@ -70,8 +69,7 @@ def _scheme(model: Model, scheme: str, m: list[int], goal: float | None) -> list
     """Steps alone, a whole study, `simulate` and CasADi's map."""
     rows = _rows(model, scheme, m, FEW)
     lanes, job = rows.lanes, FEW - FEW % rows.lanes.programs.width
-    question = rows.question
-    starts = CaseStarts(model, question.parameters, question.initial, 0.0, "")
+    starts = CaseStarts(rows.question)
     blocks = lanes.begun(starts.of(rows.table[:job]))
     first = blocks.copy()
 
@@ -148,8 +146,9 @@ def _studies(model: Model) -> list[Line]:
 
 def _timed(rows: Rows, cases: int, threads: int) -> tuple[float, float]:
     """(wall, CPU) seconds."""
+    own = Rows(rows.question, rows.table[:cases])
     wall, cpu = time.perf_counter(), time.process_time()
-    done = sum(len(part) for _, part in rows.in_threads([(0, cases)], threads, lambda: False))
+    done = sum(len(part.time) for _, part in own.in_threads(threads, lambda: False))
     seconds = time.perf_counter() - wall, time.process_time() - cpu
     assert done == cases
     return seconds

@@ -9,10 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from runtime.contract.doors import opened
 from runtime.contract.files import replacing, write_text
 from runtime.contract.model import Model
-from runtime.orbits.controllers import remembering
 from runtime.orbits.floquet import UNSTABLE, Floquet
 from runtime.orbits.motion import PeriodicMotion
 from runtime.orbits.periodic import periodic
@@ -117,7 +115,7 @@ class PeriodicBranch:
             self.model,
             **length,
             parameters={**self.first.parameters, self.over: point.value},
-            inputs=remembering(self.first.inputs, point.x[0]),
+            inputs=self.first.inputs,
             start=self.first.states.by_name(point.x[0]),
             settle=None,
             scheme=self.first.scheme,
@@ -160,13 +158,6 @@ class PeriodicBranch:
     def picture(self, output: str, path: str | Path | None = None) -> Figure:
         """The largest magnitude of an output over the parameter: stable solid, unstable dashed, specials marked."""
         return _picture(self, output, path)
-
-    def view(self, path: str | Path | None = None, outputs: Sequence[str] = ()) -> Any:
-        """The picture as a page with a slider, which chooses the motion whose curves show; () stands for all q_i.
-
-        Written to `path` (.html), else shown in the notebook or opened. Raises ModelError and OutputError.
-        """
-        return opened("runtime.views.viewer.branch_page:show_branch")(self, path, list(outputs) or list(self.model.q_i))
 
     def __repr__(self) -> str:
         told = ", ".join(f"{one.kind} at {one.value:.6g}" for one in self.specials) or "no change of stability"

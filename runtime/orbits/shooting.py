@@ -150,18 +150,12 @@ class PeriodMap:
         return self._placed[key]
 
     def _first(self, period: float) -> DifferentiableRun:
-        return self._prepared(period, self.states.outputs, self.by, self.setting.inputs)
-
-    def _prepared(
-        self, period: float, outputs: Sequence[str], by: Sequence[str], inputs: Mapping[str, Any]
-    ) -> DifferentiableRun:
-        """by: besides the state."""
-        own, setting = self.setting.model, self.setting
+        setting = self.setting
         length = period / setting.parts
         return DifferentiableRun(
-            own,
-            outputs,
-            [*self.states.names, *by],
+            setting.model,
+            self.states.outputs,
+            [*self.states.names, *self.by],
             initial=self.states.upright,
             t_end=setting.t0 + length,
             dt=length / setting.steps,
@@ -169,7 +163,7 @@ class PeriodMap:
             options=setting.options,
             start="given",
             t0=setting.t0,
-            inputs=inputs or None,
+            inputs=setting.inputs or None,
             samples=1,
         )
 

@@ -23,17 +23,18 @@ LISTED = 12  # values in the summary of a sweep
 def sweep(arguments: argparse.Namespace) -> Outcome:
     """Run a scene for many values of parameters and starts at once.
 
-    Every combination of the values of --over is a case. With --out FILE.nc or FILE.csv it leaves the answer, and a
-    picture of the same name.
+    Every combination of the values of --over is a case. With --out FILE.csv it leaves the answer, and a picture
+    of the same name.
     """
     import numpy as np
 
     from runtime.contract.files import try_writing
-    from runtime.studies.ensemble.parts import check_suffix, variables, write_answer
+    from runtime.studies.ensemble.answer import variables, write_csv
     from runtime.views.plots import ensemble_picture
 
     if arguments.out:
-        check_suffix(arguments.out)
+        if Path(arguments.out).suffix != ".csv":
+            raise UsageError(f"--out {arguments.out}: the answer is a table, name it study.csv")
         try_writing(arguments.out)
     sampled = arguments.seen_every is not None or arguments.samples is not None
     if arguments.reduce and sampled:
@@ -49,7 +50,7 @@ def sweep(arguments: argparse.Namespace) -> Outcome:
     files = []
     if arguments.out:
         files = [str(arguments.out), str(Path(arguments.out).with_suffix(".png"))]
-        write_answer(answer, arguments.out)
+        write_csv(answer, arguments.out)
         units = {name: f"{name} [{unit}]" if unit else name for name, (_, _, unit) in written.items()}
         varied = {name: one for name, one in columns.items() if np.ptp(one) > 0} or columns
         axes = {units.get(name, units.get(f"initial.{name}", name)): one for name, one in varied.items()}
@@ -74,7 +75,7 @@ def _swept(model: Model, columns: dict[str, Any], hows: list[str], arguments: ar
     known = {parameter.name for parameter in model.parameters}
     starts = {name: values for name, values in columns.items() if name not in known}
     _refuse_unknown(model, starts)
-    how = ("scheme", "dt", "m", "options", "t_end", "start", "outputs", "seen_every", "samples", "workers", "folder")
+    how = ("scheme", "dt", "m", "options", "t_end", "start", "outputs", "seen_every", "samples", "workers")
     try:
         with Progress(f"symgen {model.name}", counted="cases") as progress:
             return ensemble(
@@ -154,7 +155,7 @@ def stability(arguments: argparse.Namespace) -> Outcome:
 def periodic(arguments: argparse.Namespace) -> Outcome:
     """Find the motion that repeats, whether it is stable, and how it changes over a parameter.
 
-    With --out it leaves motion.csv, one period of it; with --over branch.csv, branch.png and branch.html instead.
+    With --out it leaves motion.csv, one period of it; with --over branch.csv and branch.png instead.
     """
     from runtime.orbits.continuation import periodic_over
     from runtime.orbits.periodic import periodic
@@ -164,13 +165,10 @@ def periodic(arguments: argparse.Namespace) -> Outcome:
     how["start"] = arguments.initial or None
     if arguments.flips and not arguments.over:
         raise UsageError("--flips goes with --over")
-    if arguments.resume and not arguments.over:
-        raise UsageError("--resume goes with --over")
     if arguments.over:
         name, first, last = arguments.over
-        further = {"flips": arguments.flips, "resume": arguments.resume}
         with Progress(f"symgen {model.name}") as progress:
-            branch = periodic_over(model, name, (first, last), progress=progress, **further, **how)
+            branch = periodic_over(model, name, (first, last), progress=progress, flips=arguments.flips, **how)
         return _branch(branch, arguments.output or [model.q_i[0]], arguments.out)
     found = periodic(model, **how)
     files = []
@@ -202,10 +200,9 @@ def periodic(arguments: argparse.Namespace) -> Outcome:
 def _branch(branch: PeriodicBranch, outputs: list[str], out: str | None) -> Outcome:
     files = []
     if out:
-        files = [str(Path(out) / f"branch.{kind}") for kind in ("csv", "png", "html")]
+        files = [str(Path(out) / f"branch.{kind}") for kind in ("csv", "png")]
         branch.write_csv(files[0], outputs)
         branch.picture(outputs[0], files[1])
-        branch.view(files[2], outputs)
     kinds = [special for one in branch.all for special in one.specials]
     specials = [{"kind": one.kind, "value": one.value, "period": one.period} for one in kinds]
     data = {

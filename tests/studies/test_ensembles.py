@@ -13,6 +13,7 @@ from runtime import ensemble, load_model, simulate
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
 from runtime.engine.llvm_code import host
+from runtime.running.plan import make_plan
 from runtime.schemes.catalogue import SCHEMES
 from runtime.studies.ensemble import rows
 from runtime.studies.ensemble.lane_programs import LanePrograms, programs_of
@@ -72,11 +73,10 @@ def test_how_many_lanes_changes_no_bit(built_in: Load, width: int) -> None:
     """Nor which lane a case is in: 21 cases leave lanes over at every width above one."""
     model = built_in("pendulum")
     names, table = table_of(model, None, {"rod.theta_dot": np.linspace(0.0, 1.0, 21)})
-    asked = Question.ask(
-        model, names, 21, "printed", 1e-3, None, None, 0.0, 0.01, None, ["tip_y"], {"tip_y": ["max", "rms"]}, None
-    )
-    runs = LaneRuns(model, asked, width)
-    found = runs.run(CaseStarts(model, [], ["rod.theta_dot"], 0.0, "").of(table))
+    plan = make_plan(model, 0.01, 1e-3, None, "printed", None, None, 0.0)
+    asked = Question.ask(model, names, plan, None, ["tip_y"], {"tip_y": ["max", "rms"]})
+    runs = LaneRuns(asked, width)
+    found = runs.run(CaseStarts(asked).of(table))
     expected = ensemble(
         model,
         initial={"rod.theta_dot": table[:, 0]},
@@ -123,13 +123,9 @@ def test_jobs_are_as_long_as_what_python_does_for_them_asks(built_in: Load) -> N
 
     def job(cases: int, workers: int, t_end: float, seen_every: float | None = None) -> int:
         names, _ = table_of(model, None, {"rod.theta_dot": np.zeros(cases)})
-        kept = (
-            {"seen_every": seen_every, "reduce": None}
-            if seen_every is not None
-            else {"seen_every": None, "reduce": {"tip_y": ["end"]}}
-        )
-        asked = Question.ask(model, names, cases, "rk4", 1e-3, None, None, 0.0, t_end, None, ["tip_y"], **kept)
-        runs = LaneRuns(model, asked, 8)
+        plan = make_plan(model, t_end, 1e-3, None, "rk4", seen_every, None, 0.0)
+        reduce = {"tip_y": ["end"]} if seen_every is None else None
+        runs = LaneRuns(Question.ask(model, names, plan, None, ["tip_y"], reduce), 8)
         found = runs.job(cases, workers)
         assert found % 8 == 0
         return found
@@ -162,12 +158,13 @@ def test_a_lost_lane_is_not_iterated(built_in: Load, width: int) -> None:
     """Sweeps of `printed` stop where x is lost, and in the lane beside it are counted as ever."""
     model = built_in("pendulum")
     names, table = table_of(model, None, {"rod.theta_dot": np.array([0.5, 1e305])})
-    asked = Question.ask(model, names, 2, "printed", 1e-3, None, None, 0.0, 0.02, None, ["rod.theta"], None, 1)
+    plan = make_plan(model, 0.02, 1e-3, None, "printed", 1.0, None, 0.0)
+    asked = Question.ask(model, names, plan, None, ["rod.theta"], None)
     counted = []
     for cases in (table, table[:1]):
-        runs = LaneRuns(model, asked, width)
+        runs = LaneRuns(asked, width)
         sweeps = runs.programs.scheme.layout.slice("iterations").start
-        blocks = runs.begun(CaseStarts(model, [], ["rod.theta_dot"], 0.0, "").of(cases))
+        blocks = runs.begun(CaseStarts(asked).of(cases))
         runs.advance(blocks, 20)
         counted.append(runs.values(blocks, len(cases), "scheme")[:, sweeps])
     assert counted[0][1] < 20 * 3 and counted[0][0] == counted[1][0]
@@ -209,7 +206,7 @@ def test_cases_without_an_event_stay_in_their_lanes(model_of: Build, monkeypatch
     scene.event("caught", "angle", direction="rising", action={"brake": "5"})
     model = model_of(scene.simulation(t_end=1.0, dt=1e-3, scheme="rk4").build())
     speeds, alone = [1.0, 6.0, 2.0, 7.0, 1.5], []
-    monkeypatch.setattr(rows, "run_alone", lambda *given: alone.append(given[2].tolist()) or run_alone(*given))
+    monkeypatch.setattr(rows, "run_alone", lambda *given: alone.append(given[1].tolist()) or run_alone(*given))
     found = ensemble(model, initial={"rod.theta_dot": speeds}, outputs=["rod.theta"], seen_every=0.1)
     runs = [simulate(model, initial={"rod.theta_dot": speed}, seen_every=0.1) for speed in speeds]
     caught = [speed for speed, run in zip(speeds, runs, strict=True) if any(one.kind == "event" for one in run.events)]
@@ -232,7 +229,7 @@ def test_friction_and_rigid_stops_stay_in_lanes_until_something_changes(
     scene.force("pull", "block.origin", "more + 2*t", 0.0)
     model = model_of(scene.simulation(t_end=0.5, dt=0.01, scheme=scheme).build())
     pulls, leave = [-1.0, 2.5, 4.0, -9.0, 9.0], list[float]()
-    monkeypatch.setattr(rows, "run_alone", lambda *given: leave.extend(given[2].tolist()) or run_alone(*given))
+    monkeypatch.setattr(rows, "run_alone", lambda *given: leave.extend(given[1].tolist()) or run_alone(*given))
     found = ensemble(model, {"more": pulls}, outputs=["block.x"], seen_every=0.1)
     runs = [simulate(model, inputs={"more": pull}, seen_every=0.1) for pull in pulls]
     assert [any(event.time > 0 for event in run.events) for run in runs] == [False, True, False, False, True]
@@ -276,19 +273,21 @@ def test_a_loop_makes_programs_once(built_in: Load) -> None:
     """Other samples, names and numbers of cases need no other programs; another output does."""
     model = built_in("pendulum")
 
-    def asked(names: tuple[list[str], list[str]], cases: int, output: str) -> Question:
-        return Question.ask(model, names, cases, None, None, None, None, 0.0, None, None, [output], None, None)
+    def asked(names: tuple[list[str], list[str]], output: str, dt: float | None = None) -> Question:
+        plan = make_plan(model, None, dt, None, None, None, None, 0.0)
+        return Question.ask(model, names, plan, None, [output], None)
 
-    first = programs_of(model, asked(([], ["rod.theta"]), 2, "tip_y"))
-    assert programs_of(model, asked((["length"], []), 9, "tip_y")) is first
-    assert programs_of(model, asked((["length"], []), 9, "tip_x")) is not first
+    first = programs_of(asked(([], ["rod.theta"]), "tip_y"))
+    assert programs_of(asked((["length"], []), "tip_y")) is first
+    assert programs_of(asked((["length"], []), "tip_x")) is not first
+    assert programs_of(asked((["length"], []), "tip_y", 5e-4)) is not first
 
 
 def test_width_follows_the_processor(built_in: Load) -> None:
     """A short program takes two registers a value where they are 512 bits wide."""
     model = built_in("pendulum")
-    names, _ = table_of(model, None, {"rod.theta_dot": np.zeros(2)})
-    asked = Question.ask(model, names, 2, None, None, None, None, 0.0, None, None, ["tip_y"], None, None)
+    plan = make_plan(model, None, None, None, None, None, None, 0.0)
+    asked = Question.ask(model, ([], ["rod.theta_dot"]), plan, None, ["tip_y"], None)
     features = set(host().features.split(","))
     expected = 16 if "+avx512f" in features else 4 if "+avx" in features else 2
-    assert LanePrograms(model, asked).width == expected
+    assert LanePrograms(asked).width == expected

@@ -7,6 +7,7 @@ of two in the order of CAUSES; reached: steps that were good.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import get_args
 
 import casadi as ca
 import numpy as np
@@ -21,6 +22,7 @@ from runtime.running.stepped_model import HIGHEST, LOWEST
 from runtime.schemes.scheme import LARGEST, Scheme
 from runtime.schemes.switching.watched import NEVER, watches
 
+NAME = f"U{max(map(len, get_args(StatusName)))}"  # of a status, as NumPy keeps it
 ALONE = "alone"  # no end: a case that comes to a singular position or to an event is run by itself
 # in the order in which they are looked for
 CAUSES: tuple[StatusName | str, ...] = (
@@ -113,7 +115,7 @@ class LaneAccount:
 
 def cause_of(causes: np.ndarray) -> np.ndarray:
     """Names of the first of CAUSES in sums of their powers of two, "completed" for zero."""
-    found = np.full(causes.shape, "completed", dtype="U20")
+    found = np.full(causes.shape, "completed", dtype=NAME)
     for k in reversed(range(len(CAUSES))):
         found[(causes.astype(int) >> k) & 1 > 0] = CAUSES[k]
     return found

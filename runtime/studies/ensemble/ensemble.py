@@ -4,28 +4,30 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from concurrent.futures import Executor
-from pathlib import Path
+from contextlib import nullcontext
 from typing import Any
 
 import numpy as np
 
-from runtime.contract.doors import BY_NAME, CALLED, NAMES, PLACE, arguments
+from runtime.contract.doors import BY_NAME, CALLED, NAMES, arguments
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
 from runtime.results.meter import Meter
-from runtime.running.plan import whole_number
+from runtime.running.pace import Interrupts
+from runtime.running.plan import make_plan, whole_number
 from runtime.running.problem import seen_every_of, span_of
+from runtime.running.run import Progress
 from runtime.running.time_functions import check_time_functions
 from runtime.schemes.switching.times import switching_times
 from runtime.start.start_state import start_state
-from runtime.studies.ensemble.conduct import Means, Progress, answered
-from runtime.studies.ensemble.parts import dataset
+from runtime.studies.ensemble.answer import dataset
+from runtime.studies.ensemble.lane_runs import LaneResults
 from runtime.studies.ensemble.question import Question
+from runtime.studies.ensemble.rows import Rows
 from runtime.studies.ensemble.starts import columns_by_name, table_of, with_functions
 
 
-@arguments(inputs=BY_NAME, options=BY_NAME, outputs=NAMES, reduce=BY_NAME, progress=CALLED, folder=PLACE)
+@arguments(inputs=BY_NAME, options=BY_NAME, outputs=NAMES, reduce=BY_NAME, progress=CALLED)
 def ensemble(
     model: Model,
     parameters: Any = None,
@@ -44,9 +46,7 @@ def ensemble(
     seen_every: float | None = None,
     samples: int | None = None,
     workers: int | None = None,
-    executor: Executor | None = None,
     progress: Progress | bool | None = None,
-    folder: str | Path | None = None,
 ) -> Any:
     """Run many cases of a model side by side; each is, bit for bit, the run that `simulate` makes.
 
@@ -58,41 +58,39 @@ def ensemble(
     over all steps; an output without any is kept at its end. seen_every [s] or samples: histories instead, by the
     time between samples or their number.
 
-    workers: threads (None: as many as processors), or with an executor threads of each task. executor: any
-    concurrent.futures.Executor; its tasks get a folder and a hash. folder: where finished parts are kept, so that the
-    same call goes on after an interruption; workers on other machines must see it. progress(cases done, cases), or True
-    for a line on the terminal.
+    workers: threads (None: as many as processors). progress(cases done, cases), or True for a line on the terminal.
 
     The result is an xarray Dataset over `case` (and `time`), without xarray a dictionary of arrays: the outputs (values
     of whole runs as `<output>_<reduction>`), status and time_reached [s] of each case, and what was varied. A case that
     fails has its status and NaN. Ctrl-C leaves the cases that were not done with status `interrupted`. Raises
-    ArgumentError, ModelError, SchemeError, OutputError or CompilerError for what cannot be used, NoResult for an
-    executor that dies.
+    ArgumentError, ModelError, SchemeError or CompilerError for what cannot be used.
     """
     if not model.q_i:
         raise ModelError(f"every coordinate of model {model.name} is driven: use simulate, there is nothing to step")
-    model, constant = with_functions(model, inputs, executor is not None)
+    count = _processors() if workers is None else whole_number(workers)
+    if count is None or count < 1:
+        raise ArgumentError("workers", f"must be a whole number of threads of at least 1, not {workers!r}")
+    model, constant = with_functions(model, inputs)
     names, table = table_of(model, {**columns_by_name("parameters", parameters), **constant}, initial)
     seen = seen_every_of(seen_every, samples, *span_of(model, t0, t_end))
-    question = Question.ask(model, names, len(table), scheme, dt, m, options, t0, t_end, start, outputs, reduce, seen)
-    _check_names(model, question, table)
-    count = _count(workers, executor)
-    if progress is True:
-        with Meter(model.name, counted="cases") as meter:
-            rows = answered(model, question, table, Means(count, executor, meter, folder))
-    else:
-        rows = answered(model, question, table, Means(count, executor, progress or None, folder))
-    return dataset(model, question, table, rows)
+    if reduce is not None and seen is not None:
+        remedy = "give reduce for values of whole runs, or seen_every (or samples)"
+        raise ArgumentError("reduce and seen_every", "are two answers", remedy)
+    plan = make_plan(model, t_end, dt, m, scheme, seen, options, t0, bounded=True)
+    question = Question.ask(model, names, plan, start, outputs, reduce)
+    _check_names(question)
+    with Meter(model.name, counted="cases") if progress is True else nullcontext(progress or None) as told:
+        return dataset(question, table, _answered(question, table, count, told))
 
 
-def _count(workers: int | None, executor: Executor | None) -> int:
-    found = whole_number(1 if executor is not None else _processors()) if workers is None else whole_number(workers)
-    if found is None or found < 1:
-        raise ArgumentError("workers", f"must be a whole number of threads of at least 1, not {workers!r}")
-    if executor is not None and not callable(getattr(executor, "submit", None)):
-        raise ArgumentError(
-            "executor", f"{type(executor).__name__} has no submit", "give a concurrent.futures.Executor"
-        )
+def _answered(question: Question, table: np.ndarray, workers: int, progress: Progress | None) -> LaneResults:
+    """Of all cases; those that were not done are `interrupted`."""
+    found = LaneResults.none_yet(question, len(table))
+    with Interrupts() as interrupts:
+        for first, part in Rows(question, table).in_threads(workers, lambda: interrupts.asked):
+            found.put(first, part)
+            if progress is not None:
+                progress(first + len(part.time), len(table))
     return found
 
 
@@ -100,13 +98,14 @@ def _processors() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def _check_names(model: Model, question: Question, table: np.ndarray) -> None:
+def _check_names(question: Question) -> None:
     """Names of initial values, and prescribed motions that jump: by the model's own start. Raises what a run raises."""
-    p, plan = model.parameter_vector(), question.plan(model)
+    model, plan = question.model, question.plan
+    p = model.parameter_vector()
     coordinates = {f"{name}{end}": None for name in model.coordinates for end in ("", "_dot")}
     for name in question.initial:
         if name not in coordinates:
-            start_state(model, p, model.constants(p), question.t0, {name: 0.0}, question.start or None)  # says why
+            start_state(model, p, model.constants(p), plan.t0, {name: 0.0}, question.start or None)  # says why
     if model.constraints:
         c = model.constants(p)
         own = start_state(model, p, c, 0.0, None, "given")

@@ -6,7 +6,6 @@ import threading
 from collections import deque
 from collections.abc import Callable, Mapping
 from functools import cached_property
-from typing import NamedTuple
 
 import casadi as ca
 import numpy as np
@@ -46,10 +45,10 @@ class LanePrograms:
     Each of `steps`, `begin`, `observe` and `look` is code; steps works on a lane's z and constants, the others on rows.
     """
 
-    def __init__(self, model: Model, question: Question, width: int | None = None) -> None:
-        self.model, self.question = model, question
-        self.plan = question.plan(model)
-        scheme = self.scheme = self.plan.scheme
+    def __init__(self, question: Question, width: int | None = None) -> None:
+        model = self.model = question.model
+        self.question, scheme = question, question.plan.scheme
+        self.scheme = scheme
         scheme.of_one_length("an ensemble")
         self._prepared = prepare(with_events(scheme, scheme.program()), scheme.layout.size, scheme.c_size)
         reduced = [(question.outputs.index(name), reduction) for name, reduction in question.reduced]
@@ -135,27 +134,20 @@ class LanePrograms:
         return slice(first + inside.start, first + inside.stop)
 
 
-def programs_of(model: Model, question: Question, width: int | None = None) -> LanePrograms:
+def programs_of(question: Question) -> LanePrograms:
     """The programs of a question: those of an earlier one that differs in its samples only, if they are still there."""
-    key = f"{width} {question.programs_key}"
     with _LOCK:
         for kept in _KEPT:
-            if kept.model is model and kept.key == key:
-                return kept.programs
-    made = LanePrograms(model, question, width)
+            if kept.question.alike(question):
+                return kept
+    made = LanePrograms(question)
     with _LOCK:
-        _KEPT.append(_Kept(model, key, made))
+        _KEPT.append(made)
     return made
 
 
-class _Kept(NamedTuple):
-    model: Model
-    key: str
-    programs: LanePrograms
-
-
 _LOCK = threading.Lock()
-_KEPT: deque[_Kept] = deque(maxlen=4)  # a loop that asks again and again makes programs once
+_KEPT: deque[LanePrograms] = deque(maxlen=4)  # a loop that asks again and again makes programs once
 
 
 def _length(model: Model) -> float:

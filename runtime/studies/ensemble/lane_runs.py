@@ -2,19 +2,29 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import ceil
 
+import casadi as ca
 import numpy as np
 
+from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.doors import opened
 from runtime.contract.model import Model
+from runtime.contract.tape import read_tape
 from runtime.engine.ensemble_code import blocks_of
 from runtime.running.events import state_of
-from runtime.studies.ensemble.account import ALONE, FOUND, cause_of, judged
-from runtime.studies.ensemble.lane_programs import programs_of
-from runtime.studies.ensemble.lane_stops import LaneStops
+from runtime.running.plan import Plan
+from runtime.running.time_functions import all_stops
+from runtime.schemes.switching.breaks import Breaks
+from runtime.schemes.switching.impulse import may_give_impulses
+from runtime.schemes.switching.steps_with_stops import parts_of
+from runtime.schemes.switching.stop_program import KNOWN
+from runtime.schemes.switching.times import switching_times
+from runtime.studies.ensemble.account import ALONE, FOUND, NAME, cause_of, judged
+from runtime.studies.ensemble.lane_programs import LanePrograms, programs_of
 from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.starts import Starts
 
@@ -28,35 +38,45 @@ LONGEST_CALL = 0.2  # s, so that Ctrl-C and progress are heard
 
 @dataclass(frozen=True)
 class LaneResults:
-    """Of some cases: values (cases, width), names of how they ended, steps reached; alone: to be run by themselves."""
+    """Of some cases: values (cases, width), how they ended, times reached [s]; alone: to be run by themselves."""
 
     values: np.ndarray
     status: np.ndarray
-    reached: np.ndarray
+    time: np.ndarray
     alone: np.ndarray
+
+    @staticmethod
+    def none_yet(question: Question, cases: int) -> LaneResults:
+        """Of cases that were not run."""
+        values, time = np.full((cases, question.width), np.nan), np.full(cases, question.plan.t0)
+        return LaneResults(values, np.full(cases, "interrupted", dtype=NAME), time, np.zeros(cases, dtype=bool))
+
+    def put(self, first: int, part: LaneResults) -> None:
+        """Results of the cases from `first` on."""
+        for whole, piece in ((self.values, part.values), (self.status, part.status), (self.time, part.time)):
+            whole[first : first + len(piece)] = piece
 
 
 class LaneRuns:
     """Runs in lanes; width: how many go side by side (None: as this machine has it)."""
 
-    def __init__(self, model: Model, question: Question, width: int | None = None) -> None:
-        self.question = question
-        self.programs = programs_of(model, question, width)
-        self.steps = self.programs.plan.steps
+    def __init__(self, question: Question, width: int | None = None) -> None:
+        self.question, self.steps = question, question.plan.steps
+        self.programs = programs_of(question) if width is None else LanePrograms(question, width)
         self._z, self._c = self.programs.rows_of("lane").start, self.programs.rows_of("ready").start
 
     def job(self, cases: int, workers: int) -> int:
         """Cases of a job of a study: what one of so many threads runs at a time."""
-        programs, steps = self.programs, self.steps
-        by_time = JOB_SECONDS / (SECONDS_PER_OPERATION * programs.operations * steps)
-        by_room = JOB_BYTES / (8 * (programs.row.size + self.question.width(steps)))
+        programs = self.programs
+        by_time = JOB_SECONDS / (SECONDS_PER_OPERATION * programs.operations * self.steps)
+        by_room = JOB_BYTES / (8 * (programs.row.size + self.question.width))
         wanted = ceil(min(by_time, by_room, cases / (JOBS_A_WORKER * workers)))
         return max(LEAST_JOB, -(-wanted // programs.width) * programs.width)
 
     def run(self, starts: Starts, stopped: Callable[[], bool] = lambda: False) -> LaneResults | None:
         """All runs of these cases; None if `stopped` said so on the way."""
         program = self.programs.stops
-        stops, known = LaneStops(self.programs.plan, starts, () if program is None else program.part), 0
+        stops, known = LaneStops(self.question.plan, starts, () if program is None else program.part), 0
         blocks, cases = self.begun(starts, stops.clocks), len(starts.close)
         alone = starts.close & ~(self.values(blocks, cases, "fits")[:, 0] > 0)
         if "settled" in self.programs.row.sizes:
@@ -101,11 +121,11 @@ class LaneRuns:
         blocks = blocks_of(-(-cases // programs.width), programs.row.size, programs.width)
 
         blocks[:, programs.row.slice("p"), :] = starts.p[:, None]
-        blocks[:, programs.row.slice("t"), :] = programs.plan.t0
-        blocks[:, programs.row.slice("h"), :] = np.array(programs.plan.grid.h)[:, None]
+        blocks[:, programs.row.slice("t"), :] = self.question.plan.t0
+        blocks[:, programs.row.slice("h"), :] = np.array(self.question.plan.grid.h)[:, None]
         for position, values in starts.varied.items():
             self._put(blocks, "p", values, position)
-        self._put(blocks, "clock", np.full(cases, programs.plan.t0) if clocks is None else clocks)
+        self._put(blocks, "clock", np.full(cases, self.question.plan.t0) if clocks is None else clocks)
         given = {name: getattr(starts, name) for name in ("q_i", "q_i_dot", "q_d", "close", "settle", "q", "q_dot")}
         for name, table in {**given, "asked": starts.close}.items():
             if name in programs.row.sizes:
@@ -151,9 +171,8 @@ class LaneRuns:
 
     def _stations(self) -> list[tuple[int, bool, int]]:
         """(step, is it a look?, number of the sample, -1 for none), in order."""
-        looks = set(self.question.looks(self.steps))
-        marks = [] if self.question.reduced else self.question.marks(self.steps)
-        samples = {step: k for k, step in enumerate(marks) if step}
+        looks = set(self.question.looks)
+        samples = {step: k for k, step in enumerate(self.question.marks) if step}
         return [(step, step in looks, samples.get(step, -1)) for step in sorted(looks | samples.keys())]
 
     def _longest(self, blocks: int) -> int:
@@ -165,7 +184,7 @@ class LaneRuns:
         """Room for samples (cases, outputs, times), the first of them there; none where values are reduced."""
         if self.question.reduced:
             return np.zeros((cases, 0, 0))
-        samples = np.empty((cases, len(self.question.outputs), len(self.question.marks(self.steps))))
+        samples = np.empty((cases, len(self.question.outputs), len(self.question.marks)))
         samples[:, :, 0] = self.values(blocks, cases, "outputs")
         return samples
 
@@ -180,15 +199,15 @@ class LaneRuns:
         status[seen], reached[seen] = np.array(FOUND)[watch.wrong[seen]], watch.good[seen]
         status[impossible], reached[impossible] = "not_assembled", 0
         alone = (alone | (status == ALONE)) & ~impossible
-        failed = status != "completed"
+        failed, time = status != "completed", self.question.plan.t0 + reached * self.question.plan.grid.dt_L
         if self.question.reduced:
             kept = self._reduced(blocks, cases)
             kept[failed] = np.nan
-            return LaneResults(kept, status, reached, alone)
-        late = np.array(self.question.marks(self.steps))[None, :] > reached[:, None]
+            return LaneResults(kept, status, time, alone)
+        late = np.array(self.question.marks)[None, :] > reached[:, None]
         samples[np.broadcast_to((late & failed[:, None])[:, None, :], samples.shape)] = np.nan
         samples[impossible] = np.nan
-        return LaneResults(samples.reshape(cases, -1), status, reached, alone)
+        return LaneResults(samples.reshape(cases, -1), status, time, alone)
 
     def _reduced(self, blocks: np.ndarray, cases: int) -> np.ndarray:
         """(cases, values): sums as means, and values at the end as a run by itself shows them."""
@@ -218,3 +237,76 @@ def finished(reduction: str, kept: np.ndarray, samples: int) -> np.ndarray:
     """A sum over samples as a mean or root of the mean square."""
     mean = kept / samples
     return np.sqrt(mean) if reduction == "rms" else mean
+
+
+# Cases in which a load or a prescribed motion jumps in time: stops are data of their lanes, each at its own times.
+
+
+class LaneStops:
+    """Of some cases. alone (cases,): those that lanes do not bring to their end: within short pulses.
+
+    clocks (cases,): at which steps begin [s]. part: names of the fields of a part; none where nothing may jump.
+    """
+
+    def __init__(self, plan: Plan, starts: Starts, part: tuple[str, ...]) -> None:
+        model, cases = plan.scheme.model, len(starts.close)
+        self._plan, self.part = plan, part
+        self.alone = np.zeros(cases, dtype=bool)
+        self.clocks = np.full(cases, plan.t0)
+        self._parts, self._of = [np.zeros((len(part), 0))], np.zeros(cases, dtype=int)
+        if part:
+            self._find(model, starts)
+        self._steps = [parts[0].astype(int) if part else np.zeros(0, dtype=int) for parts in self._parts]
+
+    def _find(self, model: Model, starts: Starts) -> None:
+        plan, used, known = self._plan, _constants_of(model), dict[bytes, int]()
+        own = model.constants(starts.p)
+        state = ConsistentState(model.initial_q, model.initial_q_dot, {})
+        found = all_stops(model, own, plan.t0, plan.t_end, state, plan.grid.h[-1])
+        pulses = any(not one.owners for one in found)
+        clocks = [plan.t0]
+        for case in range(len(self.alone)):
+            p = starts.p.copy()
+            for position, values in starts.varied.items():
+                p[position] = values[case]
+            c = model.constants(p)
+            key = c[used].tobytes()
+            if key not in known:
+                known[key] = len(self._parts)
+                switches = switching_times(model, c, plan.t0, plan.t_end)
+                grid = Breaks(plan.t0, plan.grid.dt_L, switches, plan.steps)
+                jolts = np.array([one.time for one in may_give_impulses(model, c, switches)])
+                steps = np.array([step for step in grid.broken if step < plan.steps], dtype=int)
+                parts = np.zeros((len(self.part), 0))
+                if len(steps):
+                    parts = parts_of(grid, steps, plan.grid.m, jolts)
+                    parts = np.vstack([parts, np.zeros((len(self.part) - len(parts), parts.shape[1]))])
+                self._parts.append(parts)
+                clocks.append(grid.clock(0))
+            self._of[case], self.clocks[case] = known[key], clocks[known[key]]
+        counts = [int(np.unique(parts[0], return_counts=True)[1].max(initial=0)) for parts in self._parts]
+        jumps = np.array([parts.shape[1] > 0 for parts in self._parts])
+        self.alone |= (np.array(counts) > KNOWN)[self._of] | (pulses & jumps)[self._of]
+
+    def ahead(self, step: int) -> tuple[np.ndarray, np.ndarray, int]:
+        """(parts (cases, fields, KNOWN) from a step on, how many (cases,), the step that they suffice until)."""
+        tables, counts, until = [], [], sys.maxsize
+        for parts, steps in zip(self._parts, self._steps, strict=True):
+            first = int(np.searchsorted(steps, step))
+            known = parts[:, first : first + KNOWN]
+            counts.append(known.shape[1])
+            tables.append(np.pad(known, ((0, 0), (0, KNOWN - known.shape[1]))))
+        for k in np.unique(self._of[~self.alone]):
+            first = int(np.searchsorted(self._steps[k], step))
+            if first + KNOWN < len(self._steps[k]):
+                until = min(until, int(self._steps[k][first + KNOWN]))
+        return np.array(tables)[self._of], np.array(counts)[self._of], until
+
+
+def _constants_of(model: Model) -> list[int]:
+    """Entries of c that the conditions are made of."""
+    if not model.has("switching"):
+        return []
+    tape = read_tape(model.kernel("switching"))
+    inputs = (node for node in tape.nodes if node.op == ca.OP_INPUT)
+    return sorted({node.b for node in inputs if tape.input_names[node.a] == "c"})

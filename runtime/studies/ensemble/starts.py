@@ -16,6 +16,7 @@ from runtime.operating.given_state import angle_starts, closable, keeps_independ
 from runtime.running.inputs import Sampled, Schedule, bound, started
 from runtime.start.start_state import start_state
 from runtime.studies.ensemble.lane_programs import quasi_static
+from runtime.studies.ensemble.question import Question
 
 
 @dataclass(frozen=True)
@@ -40,10 +41,12 @@ class Starts:
 
 
 class CaseStarts:
-    """Starts of cases with these parameters and initial values; start: as in `simulate`, "" the scene's own."""
+    """Starts of the cases of a question."""
 
-    def __init__(self, model: Model, parameters: list[str], initial: list[str], t0: float, start: str) -> None:
-        self.model, self.parameters, self.initial, self.t0, self.start = model, parameters, initial, t0, start
+    def __init__(self, question: Question) -> None:
+        self.model, self.parameters, self.initial = question.model, question.parameters, question.initial
+        self.t0, self.start = question.plan.t0, question.start
+        model, parameters, initial, t0, start = self.model, self.parameters, self.initial, self.t0, self.start
         self._own = started(model, model.parameter_vector(), Schedule(model.signals), t0)
         self._defaults = np.array([parameter.default for parameter in model.parameters])
         index = {parameter.name: k for k, parameter in enumerate(model.parameters)}
@@ -145,10 +148,10 @@ def table_of(model: Model, parameters: Any, initial: Any) -> tuple[tuple[list[st
     return (list(groups[0]), list(groups[1])), table
 
 
-def with_functions(model: Model, inputs: Mapping[str, Any] | None, travels: bool) -> tuple[Model, dict[str, Any]]:
+def with_functions(model: Model, inputs: Mapping[str, Any] | None) -> tuple[Model, dict[str, Any]]:
     """(the model with functions of time among the inputs, {name: number or array} of the others).
 
-    travels: is the model loaded by others, whom a function does not reach? Raises ArgumentError or ModelError.
+    Raises ArgumentError or ModelError.
     """
     functions: dict[str, Any] = {}
     constant: dict[str, Any] = {}
@@ -160,10 +163,6 @@ def with_functions(model: Model, inputs: Mapping[str, Any] | None, travels: bool
                 f"inputs[{name!r}]", "samples and controllers belong to single runs", "give a constant or a function"
             )
         (functions if callable(value) else constant)[name] = value
-    if functions and travels:
-        raise ArgumentError(
-            f"inputs[{next(iter(functions))!r}]", "is a function, and workers load the model", "run it in threads"
-        )
     return bound(model, functions), constant
 
 

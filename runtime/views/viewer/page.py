@@ -8,7 +8,7 @@ import re
 import sys
 import tempfile
 import webbrowser
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
@@ -21,7 +21,7 @@ from runtime.views.viewer.record import view_record
 if TYPE_CHECKING:
     from runtime.results.solution import Solution
 
-SCRIPTS = ("numbers", "data", "motion", "stage", "bodies", "symbols", "curves", "controls")
+SCRIPTS = ("data", "motion", "stage", "bodies", "symbols", "curves", "controls")
 HEIGHT = 560  # pixels of the frame in a notebook
 
 
@@ -65,20 +65,15 @@ def view(
     Raises ModelError if the model has nothing to draw or a surface does not fit its body.
     """
     record = view_record(solution, surfaces or {}, beside)
-    return page("page.html", record, text_of("page.css"), SCRIPTS)
-
-
-def page(frame: str, record: Mapping[str, Any], styles: str, scripts: Sequence[str]) -> View:
-    """A page of its frame, its numbers, and what draws them."""
     parts = {
         "title": html.escape(str(record["title"])),
-        "styles": text_of("bundles/uplot.min.css") + styles,
+        "styles": text_of("bundles/uplot.min.css") + text_of("page.css"),
         "three": text_of("bundles/three.min.js"),
         "uplot": text_of("bundles/uplot.min.js"),
         "data": json.dumps(record, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c"),
-        "script": "\n".join(text_of(f"script/{name}.js") for name in scripts),
+        "script": "\n".join(text_of(f"script/{name}.js") for name in SCRIPTS),
     }
-    pieces = re.split("@@([a-z]+)@@", text_of(frame))
+    pieces = re.split("@@([a-z]+)@@", text_of("page.html"))
     return View(str(record["title"]), "".join(parts[piece] if k % 2 else piece for k, piece in enumerate(pieces)))
 
 
@@ -94,11 +89,7 @@ def show(
     von_mises (samples, n) [Pa] in it colours the body. beside: a second run, shown pale in the same page. Raises
     ModelError if there is nothing to draw or a surface does not fit, and OutputError.
     """
-    return shown(view(solution, surfaces, beside), path)
-
-
-def shown(made: View, path: str | Path | None) -> View:
-    """Written where a path is given; without one a notebook shows it, and elsewhere the browser opens it."""
+    made = view(solution, surfaces, beside)
     if path is not None:
         made.save(path)
     elif "ipykernel" not in sys.modules:

@@ -1,0 +1,86 @@
+"""The answer of an ensemble: an xarray Dataset, without xarray a dictionary of the same arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from runtime.contract.files import write_text
+from runtime.results.export import column_units
+from runtime.studies.ensemble.lane_runs import LaneResults
+from runtime.studies.ensemble.question import Question
+
+
+def dataset(question: Question, table: np.ndarray, results: LaneResults) -> Any:
+    """Of all cases: status(case), time_reached(case), what was varied, and the outputs."""
+    arrays, model, plan = columns(question, table, results), question.model, question.plan
+    if find_spec("xarray") is None:
+        return {name: values for name, (_, values, _) in arrays.items()}
+    import xarray
+
+    varied = [*question.parameters, *(f"initial.{name}" for name in question.initial)]
+    coordinates = {name: arrays.pop(name) for name in ("case", "time", *varied) if name in arrays}
+    attributes = {"model": model.name, "title": model.title, "scheme": plan.name, "dt": plan.grid.dt_L}
+    return xarray.Dataset(arrays, coords=coordinates, attrs=attributes)
+
+
+def columns(
+    question: Question, table: np.ndarray, results: LaneResults
+) -> dict[str, tuple[tuple[str, ...], np.ndarray, dict[str, str]]]:
+    """{name: (dimensions, values, {"units": unit})}."""
+    model, values = question.model, results.values
+    units = {**column_units(model), **{parameter.name: parameter.unit for parameter in model.parameters}}
+    found: dict[str, Any] = {"case": (("case",), np.arange(len(table)), {})}
+
+    def keep(name: str, dimensions: tuple[str, ...], column: np.ndarray, of: str = "") -> None:
+        unit = "s" if name in ("time", "time_reached") else units.get(of, "")
+        found[name] = (dimensions, column, {"units": unit} if unit else {})
+
+    for name, column in zip([*question.parameters, *question.initial], table.T, strict=True):
+        keep(name if name in question.parameters else f"initial.{name}", ("case",), column, name)
+    keep("status", ("case",), results.status)
+    keep("time_reached", ("case",), results.time)
+    for k, (output, reduction) in enumerate(question.reduced):
+        keep(f"{output}_{reduction}", ("case",), values[:, k], output)
+    if not question.reduced:
+        marks = np.array(question.marks)
+        keep("time", ("time",), question.plan.t0 + marks * question.plan.grid.dt_L)
+        for output, part in zip(question.outputs, np.split(values, len(question.outputs), axis=1), strict=True):
+            keep(output, ("case", "time"), part, output)
+    return found
+
+
+# As a table: a row a case, with samples a row a case and time.
+
+
+def write_csv(answer: Any, path: str | Path) -> None:
+    """Write a Dataset, or the dictionary that stands for one. Raises OutputError."""
+    found = variables(answer)
+    times = len(found["time"][1]) if "time" in found else 1
+    cases = len(found["case"][1])
+    columns: dict[str, list[str]] = {}
+    for name, (dimensions, values, unit) in found.items():
+        full = np.tile(values, cases) if dimensions == ("time",) else values
+        full = np.repeat(full, times) if dimensions == ("case",) else full.ravel()
+        head = f"{name} [{unit}]" if unit else name
+        columns[head] = [str(one) if full.dtype.kind in "Ui" else f"{one:.17g}" for one in full.tolist()]
+    lines = [",".join(columns), *(",".join(row) for row in zip(*columns.values(), strict=True))]
+    write_text(path, "\n".join(lines) + "\n")
+
+
+def variables(answer: Any) -> dict[str, tuple[tuple[str, ...], np.ndarray, str]]:
+    """{name: (dimensions, values, unit)}."""
+    if isinstance(answer, Mapping) and not hasattr(answer, "variables"):
+        shapes = {2: ("case", "time")}
+        return {
+            name: (shapes.get(values.ndim, ("time",) if name == "time" else ("case",)), values, "")
+            for name, values in answer.items()
+        }
+    return {
+        str(name): (tuple(map(str, answer[name].dims)), answer[name].values, str(answer[name].attrs.get("units", "")))
+        for name in (*answer.coords, *answer.data_vars)
+    }
