@@ -19,7 +19,7 @@ def build():
     builder = Scene("rotor", title="Rotor with two blades")
     builder.rigid("hub", mass=10.0, inertia=1.0, markers={"a": {"angle": 0.0}, "b": {"angle": "pi"}})
     for side in ("a", "b"):
-        builder.beam(f"{side}", **BLADE, lateral={"ends": "clamped-free", "modes": 4}, elements=100, stiffening=True)
+        builder.beam(f"{side}", **BLADE, lateral={"ends": "clamped-free", "modes": 4}, stiffening=True)
         builder.weld(f"root_{side}", f"hub.{side}", f"{side}.start")
     return builder.revolute("axle", "ground.origin", "hub.origin").build()
 

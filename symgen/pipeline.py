@@ -25,7 +25,7 @@ Scenes are written in, and come from, elsewhere:
 
 schema      names, quantities, expressions, errors
 
-modes       shapes of beams, exact or with lumped masses     (15)-(19)
+modes       shapes of beams and their integrals             (15)-(20)
 fe          bodies from finite elements                      (15)-(20)
 urdf        robots from URDF files
 scenes      the built-in scenes

@@ -15,7 +15,7 @@ from scipy.sparse import csr_matrix, diags
 
 from benchmarks.contenders.exudyn_arm import AREA, DENSITY, GRAVITY, MODULUS, SECOND_MOMENT, ExudynArm
 from benchmarks.scenes.arm import LENGTH
-from symgen.modes.exact import exact_bending
+from symgen.modes.beam import exact_bending
 
 OUT_OF_PLANE = (2, 3, 4)  # z and the first two angles of a frame at Rx Ry Rz
 NODE = "NodeType.RotationRxyz"

@@ -406,7 +406,7 @@ class Description:
 
     q_i, q_d, loop_unknowns: names of coordinates; redundant: labels of the rows that the others imply; gravity: its
     components [m/s^2] at default parameters; simulation: what runs use where nothing else is said; inputs: those of u;
-    beams: those with exact shapes; flexible: other bodies with modes in space that loads act on; gauges: where
+    beams: all of them; flexible: other bodies with modes in space that loads act on; gauges: where
     stresses are known; struts: between which markers bodies buckle;
     switching: the load, joint or state of each output of the function `switching`; events: those of `events`; kinks:
     the load, joint or state of each output of `events` behind those of the events.

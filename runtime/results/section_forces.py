@@ -89,14 +89,11 @@ class Beam:
 def beam_of(model: Model, name: str, p: np.ndarray) -> Beam:
     """The beam `name` for the parameters p (n_p,).
 
-    Raises ModelError if the model has no such beam with exact shapes, or no functions.
+    Raises ModelError if the model has no such beam, or no functions.
     """
     records = {record.body: record for record in model.description.beams}
     if name not in records:
-        raise ModelError(
-            f"model {model.name} has no beam {name!r} with exact shapes; it has {', '.join(records) or 'none'} "
-            '(a beam with mesh = "lumped" or elements has no shapes in closed form)'
-        )
+        raise ModelError(f"model {model.name} has no beam {name!r}; it has {', '.join(records) or 'none'}")
     if not (model.has("geometry") and model.has("augmented")):
         raise ModelError(f"model {model.name} has no functions geometry and augmented; generate it with all functions")
     described = model.description

@@ -12,11 +12,10 @@ from runtime.contract.flexible import ShapeFunctions, gauss_points, panels_for
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import ZERO, add, mul
 from symgen.algebra.vectors import Vector, zeros
-from symgen.bodies.beam_sets import mesh_name, mode_sets, set_choices
+from symgen.bodies.beam_sets import mode_sets, set_choices
 from symgen.bodies.shape_integrals import PointShape
 from symgen.bodies.spatial_moments import SpatialPoint
-from symgen.modes import ExactBarModes, ExactBeamModes
-from symgen.modes.integrals import TORSION, TURN
+from symgen.modes.beam import TORSION, TURN
 from symgen.scene import BeamBody
 
 Point = TypeVar("Point", covariant=True)
@@ -49,7 +48,7 @@ def mean_point(data: _Points[Any], xi: np.ndarray, weights: np.ndarray) -> Any:
 
 @dataclass(frozen=True)
 class MovingPlace:
-    """A place x = L xi on a beam with exact shapes, as SX: of each set of modes its axis and the values there.
+    """A place x = L xi on a beam, as SX: of each set of modes its axis and the values there.
 
     sets: (axis, first mode, phi, dphi/dxi, d2phi/dxi2).
     """
@@ -60,12 +59,11 @@ class MovingPlace:
 
 
 def moving_place(body: BeamBody, place: ca.SX, table: ParameterTable) -> MovingPlace:
-    """At `place` [m] from the start of a beam with exact shapes."""
+    """At `place` [m] from the start of a beam."""
     length = table.of(body, "length")
     xi, sets, first = place / length, [], 0
     for (axis, modes), choice in zip(mode_sets(body), set_choices(body), strict=True):
-        assert isinstance(modes, ExactBeamModes | ExactBarModes)
-        key = f"{mesh_name(body)}/{axis}-{choice.ends}{choice.modes}"
+        key = f"beam/{axis}-{choice.ends}{choice.modes}"
         value, rate, second = (_values(modes.functions, xi, order, key, table) for order in range(3))
         sets.append((axis, first, value, rate, second))
         first += modes.modes

@@ -1,4 +1,4 @@
-"""The mode sets of a beam of the scene: exact shapes, or those of the paper's lumped mesh (Eqs. 15-20).
+"""The mode sets of a beam of the scene (Eqs. 15-20).
 
 Forces and moments in a section of a beam by the strains of its shapes: E A u', -E I w''', E I w'', G J tau'.
 
@@ -19,20 +19,11 @@ import casadi as ca
 import numpy as np
 from scipy.linalg import eigh
 
+from runtime.contract.flexible import panels_for
 from runtime.contract.records import ModeSetRecord
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import add, mul
-from symgen.modes import (
-    BeamModes,
-    ExactBarModes,
-    ExactBeamModes,
-    axial_modes,
-    exact_bending,
-    exact_stretching,
-    lateral_modes,
-    panels_for,
-)
-from symgen.modes.integrals import BeamIntegrals, ModeSets, beam_integrals
+from symgen.modes.beam import BeamIntegrals, BeamModes, ModeSets, beam_integrals, exact_bending, exact_stretching
 from symgen.scene import BeamBody, SceneRecord, lateral_ends
 from symgen.scene.attachments import StaticResidual
 
@@ -58,42 +49,29 @@ def set_choices(body: BeamBody) -> tuple[SetChoice, ...]:
 
 
 def mode_sets(body: BeamBody) -> ModeSets:
-    """(axis, shapes) of each set; equal requests are computed once."""
-    return _sets(body.lumped_elements, set_choices(body))
-
-
-@lru_cache(maxsize=64)
-def _sets(elements: int | None, choices: tuple[SetChoice, ...]) -> ModeSets:
-    if elements is not None:
-        return tuple(
-            (one.axis, (lateral_modes if one.axis in BENDING_AXES else axial_modes)(elements, one.ends, one.modes))
-            for one in choices
-        )
-    panels = panels_for(max((one.modes for one in choices), default=0))
-    return tuple(
-        (one.axis, (exact_bending if one.axis in BENDING_AXES else exact_stretching)(one.ends, one.modes, panels))
-        for one in choices
-    )
+    """(axis, shapes) of each set."""
+    return beam_integrals_of(body).sets
 
 
 def beam_integrals_of(body: BeamBody) -> BeamIntegrals:
     """Dimensionless integrals of a beam's mode sets (numbers); equal sets are computed once."""
-    return _integrals(mode_sets(body))
+    return _integrals(set_choices(body))
 
 
 @lru_cache(maxsize=64)
-def _integrals(sets: ModeSets) -> BeamIntegrals:
-    return beam_integrals(sets)
+def _integrals(choices: tuple[SetChoice, ...]) -> BeamIntegrals:
+    panels = panels_for(max((one.modes for one in choices), default=0))
+    return beam_integrals(
+        tuple(
+            (one.axis, (exact_bending if one.axis in BENDING_AXES else exact_stretching)(one.ends, one.modes, panels))
+            for one in choices
+        )
+    )
 
 
 def set_records(body: BeamBody) -> list[ModeSetRecord]:
     """The sets as the runtime knows them: names from which it has the same shapes."""
     return [ModeSetRecord(*one) for one in set_choices(body)]
-
-
-def mesh_name(body: BeamBody) -> str:
-    """First part of the name of a beam's data in p: of the exact ones, or of its mesh."""
-    return "beam" if body.lumped_elements is None else f"beam{body.lumped_elements}"
 
 
 # kind -> axis of the shapes (x, y, z, 3 for torsion) and order of their derivative by xi
@@ -112,7 +90,7 @@ def section_force(body: BeamBody, mesh: str, kind: str, at: float, q_f: list[ca.
     wanted, order = KINDS[kind]
     first, value = 0, ca.SX(0)
     for axis, modes in mode_sets(body):
-        if axis == wanted and isinstance(modes, ExactBarModes | ExactBeamModes):
+        if axis == wanted:
             rates = modes.functions.at(np.array([at]), order)
             data = table.data(rates, f"{mesh}@{at!r}.{kind}", "1", "derivative of the shapes at a section")
             for a in range(modes.modes):
@@ -139,19 +117,20 @@ def static_residuals(scene: SceneRecord) -> list[StaticResidual]:
     for body in scene.moving_bodies:
         if not isinstance(body, BeamBody):
             continue
-        for plane, axis in (("lateral", 1), ("lateral_z", 2)):
-            modes = next((one for own, one in mode_sets(body) if own == axis), None)
+        for (axis, ends, count), (_, modes) in zip(set_choices(body), mode_sets(body), strict=True):
+            if axis not in BENDING_AXES:
+                continue
+            plane = "lateral" if axis == 1 else "lateral_z"
             asked = lateral_ends(scene, body, plane)
-            if isinstance(modes, BeamModes) and asked in LOADED:
-                share = missing_share(modes, LOADED[asked])
-                if share > WORTH_A_WORD:
-                    found.append(StaticResidual(body.name, plane, modes.ends, modes.modes, asked, share))
+            share = missing_share(modes, LOADED[asked]) if asked in LOADED else 0.0
+            if share > WORTH_A_WORD:
+                found.append(StaticResidual(body.name, plane, ends, count, asked, share))
     return found
 
 
 def missing_share(modes: BeamModes, moments: list[int]) -> float:
     """Part of the exact bending energy that the shapes miss, for the worst end moments of those in `moments`."""
-    start, end = modes.interpolate(0.0), modes.interpolate(1.0)
+    start, end = modes.at(0.0), modes.at(1.0)
     balance = start.phi - end.phi
     B = np.stack([start.slope + balance, end.slope + balance], axis=1)[:, moments]
     modal = B.T @ (B / np.diag(modes.kappa)[:, None])

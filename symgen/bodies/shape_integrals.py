@@ -13,8 +13,8 @@ import casadi as ca
 import numpy as np
 
 from symgen.algebra.parameters import ParameterTable
-from symgen.bodies.beam_sets import beam_integrals_of, mesh_name, set_choices
-from symgen.modes.integrals import BeamIntegrals, BeamPoint
+from symgen.bodies.beam_sets import beam_integrals_of, set_choices
+from symgen.modes.beam import BeamIntegrals, BeamPoint
 from symgen.scene import BeamBody, BeamMarker, ModalBody, ModalMarker, RigidBody, SceneRecord
 
 Table = Sequence[Sequence[float | str]]
@@ -125,8 +125,8 @@ def _mesh_point(data: BeamIntegrals, at: float) -> BeamPoint:
 
 
 def mesh_key(body: BeamBody) -> str:
-    """Name of a beam's mesh and mode set: beams that share it share their data in p."""
-    return "/".join([mesh_name(body), *(f"{'' if axis else 'axial-'}{ends}{n}" for axis, ends, n in set_choices(body))])
+    """Name of a beam's mode sets: beams that share them share their data in p."""
+    return "/".join(["beam", *(f"{'' if axis else 'axial-'}{ends}{n}" for axis, ends, n in set_choices(body))])
 
 
 def beam_shape_integrals(body: BeamBody, data: BeamIntegrals, table: ParameterTable) -> ShapeIntegrals:

@@ -21,10 +21,10 @@ from runtime.contract.records import Bound
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import ZERO, add, entries, mul, neg
 from symgen.algebra.vectors import Matrix, Vector, plus, scaled, zeros
-from symgen.bodies.beam_sets import beam_integrals_of, mesh_name, set_choices
+from symgen.bodies.beam_sets import beam_integrals_of, set_choices
 from symgen.bodies.shape_integrals import modal_impedance
 from symgen.bodies.spatial_moments import SpatialIntegrals, SpatialPoint
-from symgen.modes.integrals import TORSION, BeamIntegrals, BeamPoint
+from symgen.modes.beam import TORSION, BeamIntegrals, BeamPoint
 from symgen.scene import (
     BeamBody,
     BeamMarker,
@@ -137,9 +137,9 @@ def square(n: int) -> Matrix:
 
 
 def spatial_mesh_key(body: BeamBody) -> str:
-    """Name of a beam's mesh and mode sets: beams that share it share their data in p."""
+    """Name of a beam's mode sets: beams that share them share their data in p."""
     names = ("axial", "y", "z", "torsion")
-    return "/".join([mesh_name(body), *(f"{names[axis]}-{ends}{n}" for axis, ends, n in set_choices(body))])
+    return "/".join(["beam", *(f"{names[axis]}-{ends}{n}" for axis, ends, n in set_choices(body))])
 
 
 def beam_spatial_point(body: BeamBody, at: float, table: ParameterTable) -> SpatialPoint:

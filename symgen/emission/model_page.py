@@ -72,8 +72,7 @@ def _bodies(derived: Derived) -> str:
                 if (mode := getattr(body, kind))
             ]
             extra = "with geometric stiffening" if body.stiffening else "without geometric stiffening"
-            mesh = "exact shapes" if body.lumped_elements is None else f"{body.lumped_elements} elements, lumped mass"
-            lines.append(f"| {body.name} | beam, {mesh} | {', '.join(sets)}; {extra} |")
+            lines.append(f"| {body.name} | beam, exact shapes | {', '.join(sets)}; {extra} |")
         elif isinstance(body, ModalBody | SpatialModalBody):
             lines.append(f"| {body.name} | given modal matrices | {len(body.M_ff)} modes |")
     return "\n".join(lines)

@@ -286,5 +286,5 @@ def beam_faults(key: str, name: str, scene: Surroundings, moving: bool = False) 
     if body is None or body.type != "beam":
         what = "there is no body" if body is None else "is no beam: body"
         yield Fault(key, f"{what} '{name}'", did_you_mean(name, beams) if beams else "add a body of type beam")
-    elif moving and (body.lumped_elements is not None or body.stiffening):
-        yield Fault(key, f"the shapes of '{name}' are no functions along it", 'take mesh = "exact" and no stiffening')
+    elif moving and body.stiffening:
+        yield Fault(key, f"'{name}' shortens as it bends", "take no stiffening: it is not known along the beam")

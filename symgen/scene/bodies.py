@@ -28,7 +28,6 @@ LATERAL_ENDS = Literal[
     "free-pinned", "welded-welded", "welded-pinned", "pinned-welded", "welded-heavy",
 ]  # fmt: skip
 AXIAL_ENDS = Literal["fixed-free", "free-free", "fixed-fixed", "free-fixed", "fixed-loaded"]
-DEFAULT_ELEMENTS = 20
 LIGHT = "its modes need inertia: give a small density (1e-6 does no harm), or a link that is a rigid body with mass = 0"
 Modes = Annotated[int, Strict(), Field(ge=1, le=500)]
 Position = Annotated[tuple[Quantity, ...], Meaning("position in the body frame, (x, y) or (x, y, z)", "m")]
@@ -37,10 +36,6 @@ Direction = tuple[Number, Number, Number]
 TWISTING = {
     "shear_modulus": "give the shear modulus, E / (2 (1 + nu)) of an isotropic material",
     "torsion_constant": "give the torsion constant of the section",
-}
-MODES_LESS_ELEMENTS = {  # n elements leave n + this many: the nodes that can move, less the rigid motions
-    "lateral": {"pinned-pinned": -1, "clamped-free": 0, "free-free": -1, "clamped-pinned": -1, "clamped-clamped": -1},
-    "axial": {"fixed-free": 0, "free-free": 0, "fixed-fixed": -1},
 }
 Orientation = Literal[
     "euler_parameters", "xyz", "xzy", "yxz", "yzx", "zxy", "zyx", "xyx", "xzx", "yxy", "yzy", "zxz", "zyz"
@@ -204,8 +199,6 @@ class BeamMarker(MarkerDirections):
 class BeamBody(StrictModel):
     """A uniform beam (Eq. 15-20).
 
-    mesh "exact": shapes in closed form, integrals to rounding; "lumped": the paper's mesh of `elements` elements with
-    lumped nodal masses. Left out: "lumped" where elements are given, else "exact".
     length [m], density [kg/m^3], area [m^2], second_moment [m^4], youngs_modulus [Pa]; damping_ratio [1] of
     all modes; with damping_frequency [rad/s] it holds there, and damping is proportional to stiffness (Rayleigh), so
     that welded pieces have the ratio of the whole. The frame lies at the start with x along the undeformed beam. q_f
@@ -225,8 +218,6 @@ class BeamBody(StrictModel):
     area: Annotated[Quantity, Meaning("area of the cross-section", "m^2", Bound.POSITIVE)]
     second_moment: Annotated[Quantity, Meaning("second moment of area", "m^4", Bound.POSITIVE)]
     youngs_modulus: Annotated[Quantity, Meaning("Young's modulus", "Pa", Bound.POSITIVE)]
-    mesh: Literal["exact", "lumped"] | None = None
-    elements: Annotated[int, Strict(), Field(ge=2, le=500)] | None = None
     lateral: LateralModes | None = None
     second_moment_z: Annotated[
         Quantity, Meaning("second moment of area for the xz-plane", "m^4", Bound.NON_NEGATIVE)
@@ -260,10 +251,6 @@ class BeamBody(StrictModel):
             yield Fault("", "the beam has no modes", "give lateral or axial modes, or describe it as a rigid body")
         if self.stiffening and self.lateral is None and self.lateral_z is None:
             yield Fault("stiffening", "only bending shortens a beam", "give lateral modes, or remove it")
-        if self.elements is not None and self.mesh == "exact":
-            yield Fault("elements", "exact shapes have no elements", 'remove it, or take mesh = "lumped"')
-        if self.lumped_elements is not None:
-            yield from self._lumped(self.lumped_elements)
         yield from orientation_fault(self.orientation, scene)
         if not spatial and (self.lateral_z is not None or self.second_moment_z != 0):
             yield Fault("lateral_z", "a planar beam bends in its plane only", SPATIAL)
@@ -275,31 +262,11 @@ class BeamBody(StrictModel):
             if self.torsion is not None and spatial and getattr(self, key) == 0:
                 yield Fault(key, "is missing, which torsion needs", remedy)
 
-    def _lumped(self, elements: int) -> Iterator[Fault]:
-        """A lumped mesh has the modes of free vibration that its nodes allow, and no end shapes."""
-        for kind in ("lateral", "lateral_z", "axial", "torsion"):
-            chosen, known = getattr(self, kind), MODES_LESS_ELEMENTS["lateral" if "lateral" in kind else "axial"]
-            if chosen is None:
-                continue
-            if chosen.ends not in known:
-                problem = f"a lumped mesh has no shapes for {chosen.ends or 'ends that are left out'}"
-                remedy = f"name one of {', '.join(known)}, or take exact shapes: leave mesh and elements out"
-                yield Fault(f"{kind}.ends", problem, remedy)
-            elif chosen.modes > (most := elements + known[chosen.ends]):
-                problem = f"{elements} elements with {chosen.ends} ends have {most} modes, not {chosen.modes}"
-                remedy = "ask for fewer modes, give more elements, or leave elements out"
-                yield Fault(f"{kind}.modes", problem, remedy)
-
     @property
     def nf(self) -> int:
         """Number of elastic coordinates: lateral modes, axial modes and those of torsion."""
         sets = (self.lateral, self.lateral_z, self.axial, self.torsion)
         return sum(modes.modes for modes in sets if modes is not None)
-
-    @property
-    def lumped_elements(self) -> int | None:
-        """Number of elements of the lumped mesh; None for exact shapes."""
-        return (self.elements or DEFAULT_ELEMENTS) if self.mesh == "lumped" or self.elements else None
 
     def implicit_markers(self) -> dict[str, BeamMarker]:
         """The two ends of the beam."""

@@ -96,11 +96,10 @@ class SectionForceMeasure(_Measure):
         return {"of": self.of}
 
     def faults(self, scene: Any) -> Iterator[Fault]:
-        """A marker that is on no beam with exact shapes of the kind that is asked for."""
+        """A marker that is on no beam with shapes of the kind that is asked for."""
         body, kind = scene.marker(self.of)[0], KNOWN_BY[self.type]
-        if not isinstance(body, BeamBody) or body.lumped_elements is not None:
-            remedy = "name a marker of such a beam, without mesh and elements"
-            yield Fault("of", f"'{body.name}' is no beam with exact shapes", remedy)
+        if not isinstance(body, BeamBody):
+            yield Fault("of", f"'{body.name}' is no beam", "name a marker of a beam")
         elif getattr(body, kind) is None:
             problem = f"'{body.name}' has no {kind} shapes, which would know its {self.type.replace('_', ' ')}"
             yield Fault("type", problem, f"give it {kind} modes, or take Solution.section_forces")
@@ -145,8 +144,6 @@ class StressMeasure(_Measure):
 
     def _of_beam(self, beam: BeamBody) -> Iterator[Fault]:
         place, known = self.of.partition(".")[2], {**beam.implicit_markers(), **beam.markers}
-        if beam.lumped_elements is not None:
-            yield Fault("of", f"'{beam.name}' is no beam with exact shapes", "leave its mesh and elements out")
         if place not in (*known, ALL_GAUGES):
             yield Fault("of", f"beam '{beam.name}' has no marker '{place}'", did_you_mean(place, [*known, ALL_GAUGES]))
         if self.component != "von_mises":

@@ -123,6 +123,6 @@ def _blank(scene: SceneRecord) -> Equations:
     if beams:
         equations.static_residuals = opened("symgen.bodies.beam_sets:static_residuals")(scene)
         records = opened("symgen.bodies.beam_sets:set_records")
-        equations.beams = {body.name: records(body) for body in beams if body.lumped_elements is None}
+        equations.beams = {body.name: records(body) for body in beams}
     equations.flexible = [body.name for body in scene.bodies if isinstance(body, SpatialModalBody)]
     return equations

@@ -195,9 +195,9 @@ class Equations:
     rotors: of motors, which M and Q_v hold. elements: of friction, whose laws Q_F holds, and rigid stops.
     springs: loads that are linear springs, by name. joint_columns: coordinates of joints; gravity: its components
     [m/s^2]; measure_units: SI unit of each measure. u: the entries of the inputs by name, each a symbol.
-    load_forces: generalised force of each load and each joint's friction, by its name. beams: mode sets of the
-    beams with exact shapes; flexible: bodies in space with modes of their
-    own; static_residuals: beams whose shapes do not carry what is attached to them.
+    load_forces: generalised force of each load and each joint's friction, by its name. beams: their mode sets;
+    flexible: bodies in space with modes of their own; static_residuals: beams whose shapes do not carry what is
+    attached to them.
     load_actions: what each load does at its marker or marker b, see LoadEffect; load_spans: its `along`.
     events: by name what passes zero, and the values that inputs get then.
     switching: (load, joint or state, value) of what changes sign where an expression jumps or kinks in time; kinks: by

@@ -11,12 +11,19 @@ from scipy.integrate import quad_vec
 from scipy.linalg import block_diag, eigh, null_space
 from scipy.optimize import brentq
 
-from runtime.contract.flexible import gauss_points, panels_for
-from symgen.modes import BENDING, STRETCHING, exact_bending, exact_stretching, lateral_modes
-from symgen.modes.cleaning import Array
-from tests.derivation.test_modes import WAVE_NUMBERS
+from runtime.contract.flexible import BENDING, STRETCHING, gauss_points, panels_for
+from symgen.modes.beam import exact_bending, exact_stretching
+from symgen.modes.cleaning import Array, clean
 from tests.support.planar_beams import planar_beam
 
+# First three roots of the frequency equations, e.g. cos(b) cosh(b) = -1 for clamped-free.
+WAVE_NUMBERS = {
+    "pinned-pinned": np.pi * np.arange(1, 4),
+    "clamped-free": np.array([1.875104068711961, 4.694091132974175, 7.854757438237613]),
+    "clamped-pinned": np.array([3.926602312047919, 7.068582745628732, 10.210176122813031]),
+    "clamped-clamped": np.array([4.730040744862704, 7.853204624095838, 10.995607838001671]),
+    "free-free": np.array([4.730040744862704, 7.853204624095838, 10.995607838001671]),
+}
 HELD = {"welded": (0, 1), "clamped": (0, 1), "pinned": (0,), "free": ()}
 HELD_STATIC = {"welded-welded": ((0, 1), ()), "welded-pinned": ((0, 1), ()), "pinned-welded": ((0,), (0,))}
 HELD_STATIC["welded-heavy"] = HELD_STATIC["welded-welded"]
@@ -78,14 +85,80 @@ def test_integrals_are_those_of_the_shapes(ends: str, axial: str) -> None:
     assert integrals.i0 == pytest.approx(1 / 3, rel=1e-15)
 
 
-def test_a_lumped_mesh_converges_to_them() -> None:
-    """With the square of the element: the largest error of all integrals of three clamped-free modes."""
-    exact = planar_beam(exact_bending("clamped-free", 3), None)
-    errors = []
-    for elements in (40, 80):
-        lumped = planar_beam(lateral_modes(elements, "clamped-free", 3), None)
-        errors.append(max(np.abs(getattr(lumped, key) - getattr(exact, key)).max() for key in ("mass", "phi_y", "xH")))
-    assert errors[1] < 1e-2 and math.log2(errors[0] / errors[1]) == pytest.approx(2.0, abs=0.02)
+def _cantilever(x: float) -> tuple[Array, Array]:
+    """First two analytic clamped-free shapes (magnitude 1 at the tip, positive at the clamp) and slopes."""
+    b = WAVE_NUMBERS["clamped-free"][:2]
+    z = b * x
+    ratio = (np.cosh(b) + np.cos(b)) / (np.sinh(b) + np.sin(b))
+    tip = np.abs(np.cosh(b) - np.cos(b) - ratio * (np.sinh(b) - np.sin(b)))
+    shape = np.cosh(z) - np.cos(z) - ratio * (np.sinh(z) - np.sin(z))
+    return shape / tip, b * (np.sinh(z) + np.sin(z) - ratio * (np.cosh(z) - np.cos(z))) / tip
+
+
+def _slope_integral(weight: Callable[[float], float], end: float = 1.0) -> Array:
+    """Integral of weight(x) w'^T w' from 0 to `end` over the analytic cantilever slopes."""
+    return quad_vec(lambda x: weight(x) * np.outer(_cantilever(x)[1], _cantilever(x)[1]), 0.0, end)[0]
+
+
+def test_clamped_free_data_match_analytic_integrals() -> None:
+    at, integrals = 0.62, planar_beam(exact_bending("clamped-free", 2), None)
+    point = integrals.point(at)
+    expected = {
+        "phi_y": quad_vec(lambda x: _cantilever(x)[0], 0.0, 1.0)[0],
+        "xi_phi_y": quad_vec(lambda x: x * _cantilever(x)[0], 0.0, 1.0)[0],
+        "mass": 0.25 * np.eye(2),
+        "kappa_lateral": np.diag(0.25 * WAVE_NUMBERS["clamped-free"][:2] ** 4),
+        # By exchange of the integrals over x and over eta.
+        "H": _slope_integral(lambda x: 1.0 - x),
+        "xH": _slope_integral(lambda x: 0.5 * (1.0 - x * x)),
+    }
+    for name, value in expected.items():
+        np.testing.assert_allclose(getattr(integrals, name), value, rtol=1e-10, atol=1e-12, err_msg=name)
+    np.testing.assert_allclose(point.H, _slope_integral(lambda x: 1.0, at), rtol=1e-10)
+    np.testing.assert_allclose(point.shape_y, _cantilever(at)[0], rtol=1e-10)
+    np.testing.assert_allclose(point.slope, _cantilever(at)[1], rtol=1e-10)
+
+
+def test_twisted_fibres_shorten_by_the_square_of_the_twist() -> None:
+    """Of a shaft held at its start: int (u')^2 to x by adaptive quadrature, and its integrals over the mass."""
+    shaft = exact_stretching("fixed-free", 2)
+    b = np.pi * (np.arange(1, 3) - 0.5)
+
+    def bent(x: float) -> Array:
+        rate = b * np.cos(b * x)
+        return np.outer(rate, rate)
+
+    def shortened(x: float) -> Array:
+        return np.asarray(quad_vec(bent, 0.0, x)[0])
+
+    np.testing.assert_allclose(shaft.at(0.3).eta, shortened(0.3), rtol=1e-10)
+    np.testing.assert_allclose(shaft.H, quad_vec(shortened, 0.0, 1.0)[0], rtol=1e-9)
+    np.testing.assert_allclose(shaft.xH, quad_vec(lambda x: x * shortened(x), 0.0, 1.0)[0], rtol=1e-9)
+
+
+def test_spinning_cantilever_follows_the_geometric_stiffness_law() -> None:
+    """K + w^2 (G - M) in the plane of rotation, K + w^2 G out of it (flap); Southwell's G / M is 1.193.
+
+    Published first flap frequencies of the rotating uniform cantilever, hub radius 0, at w = 1, 5, 10 in
+    units of sqrt(EI / (rho A L^4)): Wright, Smith, Thresher and Wang, J. Appl. Mech. 49, 1982.
+    """
+    integrals = planar_beam(exact_bending("clamped-free", 6), None)
+    stiffness, mass, geometric = integrals.kappa_lateral, integrals.mass, integrals.xH
+    assert geometric[0, 0] / mass[0, 0] == pytest.approx(1.193, abs=1e-3)
+    for speed, published in ((1.0, 3.6816), (5.0, 6.4495), (10.0, 11.2023)):
+        in_plane = eigh(stiffness + speed**2 * (geometric - mass), mass, eigvals_only=True)[0]
+        assert in_plane > stiffness[0, 0] / mass[0, 0]  # spinning stiffens, in the plane too
+        assert math.sqrt(in_plane + speed**2) == pytest.approx(published, rel=5e-4)
+
+
+def test_arrays_are_read_only() -> None:
+    with pytest.raises(ValueError, match="read-only"):
+        planar_beam(exact_bending("free-free", 2), None).H[0, 0] = 1.0
+
+
+def test_clean_drops_round_off_only() -> None:
+    assert np.array_equal(clean(np.array([1.0, 1e-13, -2e-11])), [1.0, 0.0, -2e-11])
+    assert not np.any(clean(np.array([1e-16, -3e-17]), 1.0))
 
 
 def test_static_answers_of_loaded_ends_are_exact_with_the_fewest_shapes() -> None:
@@ -93,7 +166,7 @@ def test_static_answers_of_loaded_ends_are_exact_with_the_fewest_shapes() -> Non
 
     def answer(ends: str, modes: int, at: float, force: float, moment: float) -> tuple[float, float, float]:
         one = exact_bending(ends, modes)
-        end, start = one.interpolate(at), one.interpolate(0.0)
+        end, start = one.at(at), one.at(0.0)
         q = np.linalg.solve(one.kappa, force * end.phi + moment * end.slope)
         return float(end.phi @ q), float(end.slope @ q), float(start.slope @ q)
 
@@ -102,7 +175,7 @@ def test_static_answers_of_loaded_ends_are_exact_with_the_fewest_shapes() -> Non
     np.testing.assert_allclose(answer("welded-pinned", 2, 1.0, 1.0, 0.0), (1 / 3, 1 / 2, 0.0), rtol=1e-13)
     np.testing.assert_allclose(answer("pinned-welded", 2, 1.0, 0.0, 1.0), (0.0, 1 / 3, -1 / 6), rtol=1e-12, atol=1e-15)
     bar = exact_stretching("fixed-loaded", 1)
-    assert float(bar.interpolate(1.0) @ np.linalg.solve(bar.kappa, bar.interpolate(1.0))) == pytest.approx(1.0)
+    assert float(bar.at(1.0).phi @ np.linalg.solve(bar.kappa, bar.at(1.0).phi)) == pytest.approx(1.0)
     assert answer("clamped-free", 2, 1.0, 1.0, 0.0)[0] < 0.999 / 3  # and without end shapes they are not
 
 
@@ -110,7 +183,7 @@ def test_heavy_ends_are_static_to_a_thousandth() -> None:
     """Tip load and moment, deflection and slope, all within 0.1 %; the shapes are orthogonal with modes beside them."""
     for modes in (2, 4):
         one = exact_bending("welded-heavy", modes)
-        end = one.interpolate(1.0)
+        end = one.at(1.0)
         B = np.stack([end.phi, end.slope], axis=1)
         found = B.T @ np.linalg.solve(one.kappa, B)
         np.testing.assert_allclose(found, [[1 / 3, 1 / 2], [1 / 2, 1.0]], rtol=1e-3)
@@ -137,7 +210,7 @@ def test_first_frequency_with_a_tip_mass(share: float) -> None:
     sets = [("welded-pinned", 2, 3e-4), ("welded-welded", 2, cubics), ("welded-welded", 3, 2e-4)]
     for ends, shapes, worst in (*sets, ("welded-heavy", 2, 1e-3), ("welded-heavy", 3, 2e-4)):
         one = exact_bending(ends, shapes)
-        tip = one.interpolate(1.0).phi
+        tip = one.at(1.0).phi
         w = math.sqrt(eigh(one.kappa, one.mass + share * np.outer(tip, tip), eigvals_only=True)[0])
         assert 0 < w / root**2 - 1 < worst
 
@@ -174,7 +247,7 @@ def halves_errors(ends: tuple[str, str], modes: int) -> Array:
         masses.append(h * shapes.T @ (one.mu[:, None] * shapes))
         loads.append(h * shapes.T @ one.mu)
         for at in (0.0, 1.0):
-            end = one.interpolate(at)
+            end = one.at(at)
             points.append((np.r_[1.0, at * h, end.phi], np.r_[0.0, 1.0, end.slope / h]))
     start, joint_a, joint_b, end = points
     weld = [np.r_[a, -b] for a, b in zip(joint_a, joint_b, strict=True)]
@@ -192,7 +265,7 @@ def halves_errors(ends: tuple[str, str], modes: int) -> Array:
         (lambda: exact_bending("hinged", 1), "unknown ends 'hinged'.*use one of welded-welded"),
         (lambda: exact_bending("welded-welded", 1), "2 static shapes; ask for at least 2"),
         (lambda: exact_stretching("free-free", 0), "ask for at least 1"),
-        (lambda: exact_bending("free-free", 2).interpolate(1.1), r"in \[0, 1\]"),
+        (lambda: exact_bending("free-free", 2).at(1.1), r"in \[0, 1\]"),
     ],
 )
 def test_bad_requests_of_exact_shapes(attempt: Callable[[], object], message: str) -> None:

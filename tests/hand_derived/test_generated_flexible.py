@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from runtime.contract.model import Model
-from symgen.modes import lateral_modes
+from symgen.modes.beam import exact_bending
 from symgen.scene import Scene, SceneRecord
 from tests.hand_derived import twin_driven_slider_crank, twin_flexible_slider_crank, twin_hub_beam
 from tests.hand_derived import twin_rod_data as rod_data
@@ -97,12 +97,12 @@ def test_slider_crank_driven(model_of: Build, case: str) -> None:
 
 
 LENGTH, DENSITY, AREA, SECOND, MODULUS = 8.0, 2766.7, 7.2968e-5, 8.2189e-9, 6.8952e10  # case F2
-ELEMENTS, MODES, ZETA = 20, 3, 0.01
+MODES, ZETA = 3, 0.01
 
 
 def hub_params(stiffening: bool) -> twin_hub_beam.Params:
-    """The twin with the generator's own mesh: lumped masses, nodal shapes, stiffness and foreshortening."""
-    modes = lateral_modes(ELEMENTS, "clamped-free", MODES)
+    """The twin with the generator's own shapes: masses at Gauss points, shapes, stiffness and foreshortening there."""
+    modes = exact_bending("clamped-free", MODES)
     K_ff = MODULUS * SECOND / LENGTH**3 * modes.kappa
     M_ff = DENSITY * AREA * LENGTH * modes.mass
     return twin_hub_beam.Params(
@@ -111,7 +111,7 @@ def hub_params(stiffening: bool) -> twin_hub_beam.Params:
         shapes=modes.phi,
         K_ff=K_ff,
         D_ff=np.diag(2 * ZETA * np.sqrt(np.diag(K_ff) * np.diag(M_ff))),
-        foreshortening=modes.eta / LENGTH if stiffening else None,
+        foreshortening=np.array([modes.at(xi).eta for xi in modes.xi]) / LENGTH if stiffening else None,
         J_hub=10.0,
         m_hub=5.0,
         torque=lambda t: 10.0 * np.sin(np.pi * t),
@@ -130,7 +130,6 @@ def test_hub_beam(model_of: Build, stiffening: bool) -> None:
         area=AREA,
         second_moment=SECOND,
         youngs_modulus=MODULUS,
-        elements=ELEMENTS,
         lateral={"ends": "clamped-free", "modes": MODES},
         stiffening=stiffening,
         damping_ratio=ZETA,

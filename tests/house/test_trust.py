@@ -135,7 +135,7 @@ def test_sizes_have_limits_with_names() -> None:
     lateral = {"ends": "clamped-free", "modes": MAX_BODY_MODES + 1}
     sizes = {"length": 1, "density": 1, "area": 1, "second_moment": 1, "youngs_modulus": 1}
     with pytest.raises(SceneError, match=f"more than {MAX_BODY_MODES}"):
-        Scene("fine").beam("b", **sizes, elements=500, lateral=lateral, free=True).build()
+        Scene("fine").beam("b", **sizes, lateral=lateral, free=True).build()
 
 
 @pytest.mark.parametrize(

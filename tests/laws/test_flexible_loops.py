@@ -45,7 +45,7 @@ def linkage() -> SceneRecord:
     bending = {"ends": "pinned-pinned", "modes": 1}
     builder.beam(
         "rod", length=1.0, density=2700.0, area=4e-4, second_moment=8e-9, second_moment_z=5e-9,
-        youngs_modulus="E", elements=8, lateral=bending, lateral_z=bending, stiffening=True,
+        youngs_modulus="E", lateral=bending, lateral_z=bending, stiffening=True,
         markers={"near": {"at": 0.0}, "far": {"at": 1.0}},
     )  # fmt: skip
     builder.revolute("left", "ground.a", "crank.a").revolute("right", "ground.b", "rocker.b")

@@ -197,7 +197,6 @@ def test_momenta_of_a_flying_beam(model_of: Build) -> None:
         area=1e-4,
         second_moment=1e-9,
         youngs_modulus=7e10,
-        elements=12,
         free=True,
         lateral={"ends": "free-free", "modes": 2},
         axial={"ends": "free-free", "modes": 1},

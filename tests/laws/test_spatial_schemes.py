@@ -36,7 +36,6 @@ def skew_pendulum() -> SceneRecord:
         second_moment=3e-9,
         second_moment_z=9e-9,
         youngs_modulus=7e10,
-        elements=8,
         lateral={"ends": "clamped-free", "modes": 1},
         lateral_z={"ends": "clamped-free", "modes": 1},
         stiffening=True,

@@ -186,7 +186,7 @@ def buckled(end_force: float) -> SceneRecord:
     return (
         Scene("strut")
         .parameter("P", end_force, "N", "compression")
-        .beam("strut", length=2.0, density=2700.0, area=1e-4, second_moment=1e-9, youngs_modulus=7e10, elements=100,
+        .beam("strut", length=2.0, density=2700.0, area=1e-4, second_moment=1e-9, youngs_modulus=7e10,
               lateral={"ends": "pinned-pinned", "modes": 3}, stiffening=True)
         .revolute("left", "ground.origin", "strut.start")
         .point_on_line("right", "ground.origin", "strut.end")

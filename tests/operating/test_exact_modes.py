@@ -13,7 +13,8 @@ from runtime import equilibrium, linearise, modes
 from runtime.contract.model import Model
 from runtime.operating.modal import modal_analysis
 from symgen.scene import Scene, SceneRecord
-from tests.support.rotor_scenes import UNIT, gimbal, spinning
+from symgen.scenes.spin_up_beam import spin_up_beam
+from tests.support.rotor_scenes import UNIT, gimbal
 
 Build = Callable[[SceneRecord], Model]
 Load = Callable[[str], Model]
@@ -59,7 +60,7 @@ def rotating(model: Model, speed: float, clamped: float) -> np.ndarray:
 @pytest.mark.long
 def test_a_rotating_cantilever(model_of: Build) -> None:
     """Exact: in the plane of rotation w^2 is that out of plane less the speed squared; 16 modes in closed form."""
-    model = model_of(spinning(16))
+    model = model_of(spin_up_beam(modes=16))
     for speed, out_of_plane in ROTATING.items():
         error = rotating(model, speed, UNIT)[:3] / np.sqrt(np.array(out_of_plane) ** 2 - speed**2) - 1
         assert np.abs(error[:2]).max() < 1e-5 and abs(error[2]) < 1e-5, (speed, error)
@@ -67,13 +68,13 @@ def test_a_rotating_cantilever(model_of: Build) -> None:
 
 @pytest.mark.long
 def test_a_rotating_cantilever_out_of_plane(build: Callable[[SceneRecord, frozenset[str]], Model]) -> None:
-    """Exact: out of the plane of rotation and in it at once, in space; 8 modes each way on 400 elements."""
+    """Exact: out of the plane of rotation and in it at once, in space; 8 modes each way."""
     ends = {"ends": "clamped-free", "modes": 8}
     scene = (
         Scene("flap", space="spatial")
         .parameter("omega", 6.0, "rad/s", "speed")
         .beam("beam", length=1.0, density=1.0, area=1.0, second_moment=1.0, second_moment_z=1.0, youngs_modulus=1.0,
-              elements=400, lateral=ends, lateral_z=ends, stiffening=True)
+              lateral=ends, lateral_z=ends, stiffening=True)
         .revolute("pivot", "ground.origin", "beam.start")
         .prescribed_angle("drive", "ground.origin", "beam.start", motion="omega * t")
         .build()
@@ -89,7 +90,7 @@ def test_a_rotating_cantilever_out_of_plane(build: Callable[[SceneRecord, frozen
 def test_convergence_in_modes(model_of: Build) -> None:
     """From above, as Ritz has it: at speed 10 the first frequency in the plane is off by these parts."""
     exact = math.sqrt(ROTATING[10.0][0] ** 2 - 100.0)
-    errors = [rotating(model_of(spinning(count)), 10.0, UNIT)[0] / exact - 1 for count in (3, 5, 8, 12)]
+    errors = [rotating(model_of(spin_up_beam(modes=count)), 10.0, UNIT)[0] / exact - 1 for count in (3, 5, 8, 12)]
     np.testing.assert_allclose(errors, [8.2e-3, 1.2e-3, 1.62e-4, 2.53e-5], rtol=0.02)
 
 
@@ -99,7 +100,7 @@ def test_pinned_beam_under_an_axial_load(model_of: Build) -> None:
     scene = (
         Scene("column")
         .parameter("P", 1.0, "N", "compression")
-        .beam("column", length=L, density=rho, area=A, second_moment=second, youngs_modulus=E, elements=400,
+        .beam("column", length=L, density=rho, area=A, second_moment=second, youngs_modulus=E,
               lateral={"ends": "pinned-pinned", "modes": 2}, stiffening=True)
         .revolute("left", "ground.origin", "column.start")
         .point_on_line("right", "ground.origin", "column.end")

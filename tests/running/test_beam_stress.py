@@ -99,7 +99,6 @@ def test_what_the_shapes_leave_out_of_a_stress_is_told(model_of: Build) -> None:
     [
         ({"section_modulus": None}, "arm.all", "section_modulus"),
         ({}, "arm.tip", "no marker 'tip'"),
-        ({"elements": 8}, "arm.all", "exact shapes"),
     ],
 )
 def test_sections_that_are_not_known_are_refused(change: dict[str, object], of: str, word: str) -> None:

@@ -53,17 +53,6 @@ def test_a_cantilever_under_its_weight_and_a_mass(model_of: Build, space: str) -
     assert run.stats["buckling.mast"] == pytest.approx(expected, rel=1e-6) and expected < 1
 
 
-@pytest.mark.parametrize("fields", [{"elements": 4}, {"mesh": "lumped"}])
-def test_a_lumped_column(model_of: Build, fields: dict[str, Any]) -> None:
-    """Euler's load is that of the section, whatever the mesh; beyond it the status says so."""
-    builder = Scene("column").ground(markers={"guide": {"position": (L, 0.0)}})
-    builder.beam("column", **FIELDS, lateral={"modes": 1, "ends": "pinned-pinned"}, **fields)
-    builder.revolute("pin", "ground.origin", "column.start").point_on_line("roller", "ground.guide", "column.end")
-    run = at_rest(model_of, builder.force("push", "column.end", -1.1 * EULER, 0.0))
-    assert run.stats["buckling.column"] == pytest.approx(1.1, rel=1e-9)
-    assert "pushed with 1.1 of its buckling load" in str(run.status)
-
-
 def steel_column(**choices: Any) -> FlexibleBody:
     """Six elements along y, which bend about z more easily."""
     mesh = LineMesh([(0.0, L * k / 6, 0.0) for k in range(7)], [(k, k + 1) for k in range(6)], SECTION)

@@ -30,7 +30,6 @@ def strut(share: float) -> SceneRecord:
         area=WIDTH * HEIGHT,
         second_moment=second_moment,
         youngs_modulus=E,
-        elements=20,
         lateral={"ends": "pinned-pinned", "modes": 2},
         stiffening=True,
         damping_ratio=0.02,

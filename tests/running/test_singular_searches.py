@@ -41,7 +41,6 @@ def fast_rod() -> SceneRecord:
         area=side * height,
         second_moment=side * height**3 / 12,
         youngs_modulus=2e11,
-        elements=20,
         lateral={"ends": "clamped-free", "modes": 6},
         stiffening=True,
     )

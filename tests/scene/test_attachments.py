@@ -98,19 +98,9 @@ def test_universal_joint_frees_the_axis_of_its_own_fork() -> None:
     ("fields", "problem"),
     [
         ({"lateral": {"modes": 1}}, r"'b'.lateral.modes.*both ends carry moments, which takes 2 shapes, not 1"),
-        ({"elements": 10}, r"'b'.lateral.ends.*a lumped mesh has no shapes for ends that are left out"),
-        ({"mesh": "lumped", "lateral": {"ends": "welded-pinned", "modes": 1}}, "no shapes for welded-pinned"),
-        ({"mesh": "exact", "elements": 10}, r"'b'.elements.*exact shapes have no elements"),
+        ({"elements": 10}, r"'b'.elements: unknown key 'elements'"),
     ],
 )
 def test_sets_that_cannot_be(fields: dict[str, object], problem: str) -> None:
     with pytest.raises(SceneError, match=problem):
         planar("weld start", "weld end", **fields).build()
-
-
-def test_mesh_is_named_or_follows_from_its_elements() -> None:
-    pinned = {"lateral": {"ends": "pinned-pinned", "modes": 1}, "axial": None}
-    choices = [({}, None), ({"elements": 7}, 7), ({"mesh": "lumped"}, 20), ({"mesh": "exact"}, None)]
-    for fields, elements in choices:
-        beam = planar(**fields, **pinned).build().body("b")
-        assert isinstance(beam, BeamBody) and beam.lumped_elements == elements

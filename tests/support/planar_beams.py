@@ -6,10 +6,10 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from symgen.modes import BarModes, BeamModes, beam_integrals
+from symgen.modes.beam import BeamModes, beam_integrals
 
 
-def planar_beam(lateral: BeamModes, axial: BarModes | None) -> SimpleNamespace:
+def planar_beam(lateral: BeamModes, axial: BeamModes | None) -> SimpleNamespace:
     """phi_x, ... (nf,), mass, H, ... (nf, nf), and `point`, of lateral modes and axial ones behind them."""
     data = beam_integrals(((1, lateral),) if axial is None else ((1, lateral), (0, axial)))
     across = data.pairs[:, :, 0, 1]

@@ -42,7 +42,6 @@ def add_beam(builder: Scene, name: str, length: float, draw: Draw, ends: str = "
         area=side**2,
         second_moment=side**4 / 12,
         youngs_modulus=draw(st.floats(1e9, 1e11)),
-        elements=draw(st.integers(6, 10)),
         lateral={"ends": ends, "modes": draw(st.integers(1, 2))},
         axial=axial,
         stiffening=draw(st.booleans()),

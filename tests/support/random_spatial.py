@@ -58,7 +58,6 @@ class Assembly:
                 "density": 3000.0,
                 "area": side[0] * side[1],
                 "youngs_modulus": 1e10,
-                "elements": 8,
                 "second_moment": side[0] * side[1] ** 3 / 12,
                 "second_moment_z": side[1] * side[0] ** 3 / 12,
                 "lateral": {"ends": "clamped-free", "modes": 1},

@@ -5,16 +5,8 @@ from __future__ import annotations
 import math
 
 from symgen.scene import Scene, SceneRecord
-from symgen.scenes.spin_up_beam import spin_up_beam
 
 UNIT = math.sqrt(2.8e10 * 5e-7 / (1200.0 * 1e-3 * 10.0**4))  # rad/s, sqrt(EI / (rho A L^4)) of the beam of case F3
-
-
-def spinning(count: int) -> SceneRecord:
-    """The beam of case F3 on a drive, with `count` modes in closed form."""
-    scene = spin_up_beam(modes=count)
-    beam = scene.bodies[0].model_copy(update={"elements": None, "mesh": "exact"})
-    return scene.model_copy(update={"bodies": (beam, *scene.bodies[1:])})
 
 
 def gimbal(stiffness: float, spin: float) -> SceneRecord:
