@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from runtime import plots
 from symgen.scenes import SCENES
-from symgen.scenes.spin_up_beam import spin_up_beam
+from symgen.scenes.beams import spin_up_beam
 
 
 def lag(run) -> np.ndarray:

@@ -21,10 +21,8 @@ from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import Stepper
 from runtime.start.start_state import start_state
 from symgen.scene import SceneRecord
-from symgen.scenes.bricard import bricard
-from symgen.scenes.flyball_governor import flyball_governor
-from symgen.scenes.heavy_top import heavy_top
-from symgen.scenes.n_four_bar import n_four_bar
+from symgen.scenes.linkages import n_four_bar
+from symgen.scenes.spatial import bricard, flyball_governor, heavy_top
 
 FINE, COARSE = 1e-6, 1e-3  # m
 SAME_MOTION = 0.1  # m, where the coarse threshold is one of energy

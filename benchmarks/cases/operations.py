@@ -5,7 +5,7 @@ from __future__ import annotations
 from benchmarks.cases.scenes import general_rod, pinned_rod, slider_crank
 from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
-from symgen.scenes.chain import chain
+from symgen.scenes.pendulums import chain
 
 ONLY = frozenset({"condensed"})
 

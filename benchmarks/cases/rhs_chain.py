@@ -12,7 +12,7 @@ from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.timing import interleave
 from runtime.contract.model import Model
-from symgen.scenes.chain import chain
+from symgen.scenes.pendulums import chain
 
 LINKS = 10
 CASES = {"rigid": (0, 1.0), "2 modes a link": (2, 3.0)}  # modes, goal in microseconds

@@ -16,7 +16,7 @@ from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.timing import interleave, ratio
 from symgen.scene import Scene, SceneRecord
-from symgen.scenes.chain import chain
+from symgen.scenes.pendulums import chain
 
 LINKS, LENGTH, MASS = 10, 0.5, 0.078
 LONG = (20, 50)  # bodies of the chains in space

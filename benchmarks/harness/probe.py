@@ -24,7 +24,7 @@ from symgen.emission.emit import emit  # noqa: E402
 from symgen.emission.write import write_model  # noqa: E402
 from symgen.pipeline import derive  # noqa: E402
 from symgen.scene import SceneRecord  # noqa: E402
-from symgen.scenes.chain import chain  # noqa: E402
+from symgen.scenes.pendulums import chain  # noqa: E402
 
 IMPORTS = time.process_time() - STARTED
 STEPPING = frozenset({"condensed", "closure", "velocities", "accelerations", "energy", "constraints"})

@@ -12,7 +12,7 @@ import time
 from benchmarks.scenes.arm import arm
 from runtime import simulate
 from symgen.generate import model_of
-from symgen.scenes.chain import chain
+from symgen.scenes.pendulums import chain
 
 SCENES = {"chain": chain, "arm": arm}
 

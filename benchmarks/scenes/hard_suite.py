@@ -11,10 +11,7 @@ from benchmarks.scenes.arm import arm
 from benchmarks.scenes.spatial_arm import spatial_arm
 from benchmarks.scenes.vehicle import vehicle
 from symgen.scene import SceneRecord
-from symgen.scenes.bricard import bricard
-from symgen.scenes.chain import chain
-from symgen.scenes.flexible_four_bar import flexible_four_bar
-from symgen.scenes.flexible_joint_arm import flexible_joint_arm
+from symgen.scenes.beams import hub_beam, spin_up_beam
 from symgen.scenes.flexible_slider_crank import (
     flexible_slider_crank,
     flexible_slider_crank_free,
@@ -22,14 +19,9 @@ from symgen.scenes.flexible_slider_crank import (
     physical_slider_crank,
     stiff_slider_crank,
 )
-from symgen.scenes.flyball_governor import flyball_governor
-from symgen.scenes.hub_beam import hub_beam
-from symgen.scenes.near_singular_slider_crank import near_singular_slider_crank
-from symgen.scenes.overdamped_joint import overdamped_joint
-from symgen.scenes.spatial_chain import spatial_chain
-from symgen.scenes.spatial_slider_crank import spatial_slider_crank
-from symgen.scenes.spin_up_beam import spin_up_beam
-from symgen.scenes.two_oscillators import two_oscillators
+from symgen.scenes.linkages import flexible_four_bar, near_singular_slider_crank
+from symgen.scenes.pendulums import chain, flexible_joint_arm, overdamped_joint, two_oscillators
+from symgen.scenes.spatial import bricard, flyball_governor, spatial_chain, spatial_slider_crank
 
 LINKS = 10
 

@@ -76,7 +76,7 @@ class BeamModes:
 
 
 def exact_bending(ends: str, modes: int, panels: int | None = None) -> BeamModes:
-    """The first `modes` bending shapes of `ends` (end shapes among them), orthogonalised.
+    """The first `modes` bending shapes of `ends` (end shapes among them), orthogonalised (Eqs. 15-19).
 
     Raises ValueError for unknown ends or fewer modes than the ends have static shapes.
     """
@@ -84,7 +84,7 @@ def exact_bending(ends: str, modes: int, panels: int | None = None) -> BeamModes
 
 
 def exact_stretching(ends: str, modes: int, panels: int | None = None) -> BeamModes:
-    """The first `modes` longitudinal shapes of `ends`, which are those of torsion; errors as of `exact_bending`."""
+    """The first `modes` longitudinal shapes of `ends`, also of torsion (15)-(19); errors as of `exact_bending`."""
     return _modes(stretching_shapes(ends, modes), panels or panels_for(modes))
 
 

@@ -20,33 +20,22 @@ if TYPE_CHECKING:
 
 ROOT = Path(__file__).resolve().parents[2]
 GENERATOR = (ROOT / "symgen", ROOT / "runtime" / "contract")  # what the text and the code of a scene follow from
-MODULES = {  # of this package, with the function of the scene's name
-    "pendulum": "pendulum",
-    "double_pendulum": "double_pendulum",
-    "elastic_pendulum": "elastic_pendulum",
-    "four_bar": "four_bar",
-    "slider_crank": "slider_crank",
-    "flexible_slider_crank": "flexible_slider_crank",
-    "flexible_slider_crank_free": "flexible_slider_crank",
-    "flexible_slider_crank_torque": "flexible_slider_crank",
-    "hub_beam": "hub_beam",
-    "spin_up_beam": "spin_up_beam",
-    "chain": "chain",
-    "two_oscillators": "two_oscillators",
-    "physical_slider_crank": "flexible_slider_crank",
-    "stiff_slider_crank": "flexible_slider_crank",
-    "near_singular_slider_crank": "near_singular_slider_crank",
-    "flexible_four_bar": "flexible_four_bar",
-    "flexible_joint_arm": "flexible_joint_arm",
-    "overdamped_joint": "overdamped_joint",
-    "n_four_bar": "n_four_bar",
-    "heavy_top": "heavy_top",
-    "tumbling_body": "tumbling_body",
-    "bricard": "bricard",
-    "flyball_governor": "flyball_governor",
-    "spatial_chain": "spatial_chain",
-    "spatial_slider_crank": "spatial_slider_crank",
-}
+GROUPS = {  # modules of this package, and the scenes that each of them has a function for
+    "pendulums": (
+        "pendulum", "double_pendulum", "elastic_pendulum", "overdamped_joint", "flexible_joint_arm", "chain",
+        "two_oscillators",
+    ),
+    "linkages": ("four_bar", "n_four_bar", "flexible_four_bar", "slider_crank", "near_singular_slider_crank"),
+    "flexible_slider_crank": (
+        "flexible_slider_crank", "flexible_slider_crank_free", "flexible_slider_crank_torque", "physical_slider_crank",
+        "stiff_slider_crank",
+    ),
+    "beams": ("hub_beam", "spin_up_beam"),
+    "spatial": (
+        "heavy_top", "tumbling_body", "bricard", "flyball_governor", "spatial_chain", "spatial_slider_crank",
+    ),
+}  # fmt: skip
+MODULES = {name: module for module, names in GROUPS.items() for name in names}
 
 
 class Catalogue(Mapping[str, "Callable[..., SceneRecord]"]):

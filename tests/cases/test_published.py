@@ -10,7 +10,7 @@ import pytest
 from runtime import Model, Solution, load_model, reference_solution, simulate
 from symgen.generate import generate
 from symgen.scenes import generated_folder
-from symgen.scenes.spin_up_beam import spin_up_beam
+from symgen.scenes.beams import spin_up_beam
 
 F1_Q = np.array([1.893192899613509e-4, 2.375751249879174e-5, -5.323896770569702e-6, -8.363313279112129e-6])
 F1_PHI2, F1_X3, F1_PHI2_DOT = -0.3311734988256260, 0.1697373328427860, 60.25346755138369

@@ -11,8 +11,7 @@ from runtime import simulate
 from runtime.contract.model import Model
 from runtime.results.solution import Solution
 from symgen.scene import SceneRecord
-from symgen.scenes.heavy_top import heavy_top
-from symgen.scenes.tumbling_body import tumbling_body
+from symgen.scenes.spatial import heavy_top, tumbling_body
 
 pytestmark = pytest.mark.long
 

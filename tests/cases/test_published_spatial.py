@@ -10,8 +10,8 @@ import pytest
 from runtime import Model, load_model, reference_solution, simulate
 from symgen.generate import generate
 from symgen.scenes import generated_folder
-from symgen.scenes.heavy_top import heavy_top
-from symgen.scenes.spin_up_beam import spin_up_beam
+from symgen.scenes.beams import spin_up_beam
+from symgen.scenes.spatial import heavy_top
 from tests.support.planar_in_space import posed
 
 pytestmark = pytest.mark.long

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 import symgen.scenes as scenes
-from symgen.scenes.pendulum import pendulum
+from symgen.scenes.pendulums import pendulum
 
 HEAVY = {"sympy", "pydantic", "matplotlib", "scipy", "symgen.scene", "symgen.pipeline", "symgen.generate"}
 MOST = 135  # modules of this project that a run brings in

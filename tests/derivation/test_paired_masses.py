@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from symgen.scene import Scene, SceneRecord
-from symgen.scenes.chain import chain
+from symgen.scenes.pendulums import chain
 from tests.support.jacobian_forms import assert_equal_forms, values_of_forms
 
 

@@ -15,7 +15,7 @@ from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene, SceneError
 from symgen.scenes import generated_folder
-from symgen.scenes.n_four_bar import n_four_bar
+from symgen.scenes.linkages import n_four_bar
 from symgen.variants import generate_variant
 from tests.support.model_values import condensed_accelerations, join, make_state, relative_error
 

@@ -17,7 +17,7 @@ from symgen.cli.runs import results_of
 from symgen.cli.sources import opened_model
 from symgen.generate import check, generate, leave, model_of
 from symgen.scenes import SCENES
-from symgen.scenes.chain import chain
+from symgen.scenes.pendulums import chain
 
 QUADRATIC = {"condensed", "blocks", "augmented", "residual_jacobian", "dQ_hat_dq_i", "dQ_hat_dq_i_dot", "substep_2"}
 

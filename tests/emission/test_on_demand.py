@@ -17,7 +17,7 @@ from symgen.choice.assembly import ConstraintNumbers
 from symgen.generate import generate, model_of
 from symgen.scene import SceneRecord
 from symgen.scenes import SCENES, generated_folder
-from symgen.scenes.chain import chain
+from symgen.scenes.pendulums import chain
 
 QUADRATIC = ("condensed", "blocks", "augmented", "residual_jacobian", "dQ_hat_dq_i", "dQ_hat_dq_i_dot", "substep_2")
 LINKS = 20  # rigid ones: a long tree, quickly derived

@@ -16,8 +16,8 @@ from symgen.generate import generate
 from symgen.pipeline import derive
 from symgen.scene import Scene, SceneRecord
 from symgen.scenes import SCENES, generated_folder
-from symgen.scenes.chain import chain
-from symgen.scenes.spatial_chain import spatial_chain
+from symgen.scenes.pendulums import chain
+from symgen.scenes.spatial import spatial_chain
 from tests.hand_derived.spatial.spatial_scenes import flexible
 from tests.hand_derived.spatial.twin_flexible_nodes import scattered
 from tests.support.scenes import on_hinge

@@ -18,7 +18,7 @@ from symgen.generate import generate
 from symgen.scene import Scene, SceneError, SceneRecord
 from symgen.scene.checks import MAX_BODY_MODES, MAX_COORDINATES
 from symgen.scenes import generated_folder
-from symgen.scenes.pendulum import pendulum
+from symgen.scenes.pendulums import pendulum
 
 PENDULUM = pendulum().to_toml()
 ERRORS = 2  # exit code of wrong input

@@ -13,7 +13,7 @@ import pytest
 from runtime.contract.model import Model
 from symgen.bodies.spatial_moments import SpatialIntegrals, SpatialPoint
 from symgen.scene import Scene, SceneRecord
-from symgen.scenes.spatial_slider_crank import ROD
+from symgen.scenes.spatial import ROD
 from tests.hand_derived.spatial.spatial_scenes import flexible
 from tests.hand_derived.spatial.twin_flexible_nodes import Nodes, scattered
 from tests.support.model_values import (

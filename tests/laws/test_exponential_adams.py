@@ -18,8 +18,8 @@ from runtime.schemes.scheme import Scheme
 from runtime.studies.stability.spectra import TangentStep
 from symgen.scene import Scene, SceneRecord
 from symgen.scenes import SCENES
-from symgen.scenes.chain import chain
-from symgen.scenes.spatial_chain import spatial_chain
+from symgen.scenes.pendulums import chain
+from symgen.scenes.spatial import spatial_chain
 from tests.hand_derived.twin_oscillators import Params
 from tests.hand_derived.twin_subcycling import matrices, radius
 from tests.support.model_values import Array

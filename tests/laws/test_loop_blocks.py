@@ -15,7 +15,7 @@ from symgen.condensed.loops import order_blocks
 from symgen.generate import generate
 from symgen.pipeline import derive
 from symgen.scene import Scene, SceneRecord
-from symgen.scenes.n_four_bar import n_four_bar
+from symgen.scenes.linkages import n_four_bar
 from tests.support.model_values import (
     augmented_solution,
     condensed_accelerations,

@@ -25,9 +25,7 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.studies.stability.spectra import StepSpectrum
 from symgen.pipeline import derive
 from symgen.scene import Scene, SceneError, SceneRecord
-from symgen.scenes.heavy_top import heavy_top
-from symgen.scenes.spatial_chain import spatial_chain
-from symgen.scenes.tumbling_body import tumbling_body
+from symgen.scenes.spatial import heavy_top, spatial_chain, tumbling_body
 from tests.support.model_values import (
     Array,
     augmented_solution,

@@ -13,11 +13,8 @@ from scipy.linalg import eigh
 from runtime.contract.model import Model
 from symgen.pipeline import derive
 from symgen.scene import Scene, SceneRecord
-from symgen.scenes.chain import chain
-from symgen.scenes.double_pendulum import double_pendulum
-from symgen.scenes.four_bar import four_bar
-from symgen.scenes.pendulum import pendulum
-from symgen.scenes.slider_crank import slider_crank
+from symgen.scenes.linkages import four_bar, slider_crank
+from symgen.scenes.pendulums import chain, double_pendulum, pendulum
 from tests.support.model_values import (
     Array,
     State,

@@ -13,7 +13,7 @@ from runtime.running.simulate import make_plan
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import Stepper
 from symgen.scene import SceneRecord
-from symgen.scenes.chain import chain
+from symgen.scenes.pendulums import chain
 
 
 def errors(model: Model, steps: np.ndarray, t_end: float, **options: object) -> np.ndarray:

@@ -24,8 +24,8 @@ from symgen.kernels import deflection_kernels
 from symgen.pipeline import derive
 from symgen.scene import SceneError, SceneRecord
 from symgen.scenes import SCENES
-from symgen.scenes.chain import chain
-from symgen.scenes.spatial_chain import spatial_chain
+from symgen.scenes.pendulums import chain
+from symgen.scenes.spatial import spatial_chain
 from tests.hand_derived.twin_oscillators import Params
 from tests.hand_derived.twin_subcycling import generator, matrices, pade_of_five, radius
 from tests.support.model_values import Array, evaluate, random_states

@@ -13,7 +13,7 @@ from runtime import equilibrium, linearise, modes
 from runtime.contract.model import Model
 from runtime.operating.modal import modal_analysis
 from symgen.scene import Scene, SceneRecord
-from symgen.scenes.spin_up_beam import spin_up_beam
+from symgen.scenes.beams import spin_up_beam
 from tests.support.rotor_scenes import UNIT, gimbal
 
 Build = Callable[[SceneRecord], Model]

@@ -14,7 +14,7 @@ from runtime import Model, simulate
 from runtime.running.singular import over
 from runtime.running.singular.crossing import BranchLost
 from symgen.scene import SceneRecord
-from symgen.scenes.n_four_bar import n_four_bar
+from symgen.scenes.linkages import n_four_bar
 
 pytestmark = pytest.mark.long
 

@@ -18,7 +18,7 @@ from runtime.contract.model import Model
 from runtime.results.stream import ROWS, StreamFile, read_blocks
 from runtime.running.checkpoint import Checkpoint
 from runtime.schemes.options import SchemeError
-from symgen.scenes.pendulum import pendulum
+from symgen.scenes.pendulums import pendulum
 
 Load = Callable[[str], Model]
 
