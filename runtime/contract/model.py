@@ -399,7 +399,7 @@ class Model:
         )
 
     def _repr_html_(self) -> str:
-        return model_card(self.description, opened("runtime.views.model_sketch:model_sketch")(self))
+        return model_card(self.description, opened("runtime.views.film:model_sketch")(self))
 
     def kernel(self, name: str) -> ca.Function:
         """The Function `name` as runs call it, with c as its last argument. Raises ModelError if there is none."""

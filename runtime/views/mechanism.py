@@ -410,9 +410,9 @@ class Scenery:
                     found = max(found, float(np.linalg.norm(left, axis=2).max()))
         return found
 
-    def automatic(self) -> float:
-        """The factor, with two digits, that makes the largest deformation 5 % of the mechanism's size; at least 1."""
-        size, deformation = self.size(), self.deformation()
+    def automatic(self, size: float) -> float:
+        """The factor, with two digits, that makes the largest deformation 5 % of a size [m]; at least 1."""
+        deformation = self.deformation()
         if deformation <= 1e-12 * size:
             return 1.0
         factor = max(1.0, VISIBLE * size / deformation)

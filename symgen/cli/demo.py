@@ -63,10 +63,10 @@ def demo(arguments: argparse.Namespace) -> Outcome:
 def _moving(solution: Solution, folder: Path) -> dict[str, str]:
     """A film and a page; nothing for a scene without bodies to draw."""
     from runtime.views.animation import animate
-    from runtime.views.viewer.page import write_view
+    from runtime.views.viewer.page import show
 
     if not solution.model.has("geometry"):
         return {}
     animate(solution, folder / "motion.gif")
-    write_view(solution, folder / "view.html")
+    show(solution, folder / "view.html")
     return {name: str(folder / name) for name in ("motion.gif", "view.html")}

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import Any
 
 from symgen.cli.outcome import Outcome, left
 from symgen.cli.runs import exit_code, loaded_or_run, results_of
-from symgen.cli.words import UsageError
 
 
 def view(arguments: argparse.Namespace) -> Outcome:
@@ -17,46 +15,19 @@ def view(arguments: argparse.Namespace) -> Outcome:
     One HTML file that works from a double click, without network: turn, zoom, play, exaggerate, curves. RESULTS is
     a folder left by `simulate --out` or `demo`; a SCENE is simulated first.
     """
-    from runtime.views.viewer.page import write_view
+    from runtime.views.viewer.page import show
 
     solution, folder = loaded_or_run(arguments)
     default = folder / "view.html" if folder else Path(f"{solution.model.name}.html")
     path = Path(arguments.out) if arguments.out else default
     second = results_of(arguments.beside) if arguments.beside else None
-    page = write_view(solution, path, _surfaces(arguments.surface), second)
+    page = show(solution, path, second)
     if arguments.open:
         page.open()
     size = len(page.text.encode()) / 1e6
     lines = [f"{path}: {size:.2f} MB; open it in a browser"]
     data = {"file": str(path), "megabytes": size, "status": str(solution.status)}
     return Outcome(data, lines if solution.status.ok else [*lines, str(solution.status)], exit_code(solution))
-
-
-def _surfaces(given: list[str]) -> dict[str, dict[str, Any]]:
-    """The surfaces given, by body. Raises UsageError."""
-    from zipfile import BadZipFile
-
-    import numpy as np
-
-    # what numpy.load says of files that are cut, of another kind (an array alone), or not there
-    broken = (OSError, ValueError, TypeError, AttributeError, EOFError, BadZipFile)
-    found: dict[str, dict[str, Any]] = {}
-    for body, file in map(_named, given):
-        try:
-            with open(file, "rb") as stream, np.load(stream, allow_pickle=False) as arrays:
-                found[body] = {name: arrays[name] for name in arrays.files}
-        except broken as error:
-            raise UsageError(
-                f"--surface {body}={file} is not a whole .npz file of plain arrays; write it with numpy.savez"
-            ) from error
-    return found
-
-
-def _named(word: str) -> tuple[str, Path]:
-    body, equals, file = word.partition("=")
-    if not (body and equals and file):
-        raise UsageError(f"--surface {word!r} is not BODY=FILE.npz")
-    return body, Path(file)
 
 
 def plot(arguments: argparse.Namespace) -> Outcome:

@@ -297,12 +297,6 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
         (
             *RESULTS_OR_SCENE,
             opt("--out FILE", "the .html to write (default: RESULTS/view.html or SCENE.html)"),
-            opt(
-                "--surface BODY=FILE.npz",
-                "surface of a flexible body (FlexibleBody.surface written with numpy.savez); may be repeated",
-                action="append",
-                default=[],
-            ),
             opt("--beside RESULTS", "a second run, shown pale in the same page"),
             opt("--open", "open it in the browser"),
             *RUN,

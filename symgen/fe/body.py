@@ -441,12 +441,11 @@ class FlexibleBody:
         return struts(self.structure, self.modes.shapes, list(self.interfaces.values()))
 
     def surface(self, max_triangles: int = 20_000, triangles: ArrayLike | None = None) -> dict[str, Array]:
-        """The boundary for `solution.view(surfaces={...})`: vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf).
+        """The boundary as triangles: vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf).
 
         Of a solid also stresses (n, 6, nf) [Pa] there, xx yy zz yz xz xy.
 
-        triangles: places of three nodes each, where the body was not made from a solid mesh. Write it for the command
-        line with numpy.savez(path, **surface). Raises FiniteElementError.
+        triangles: places of three nodes each, where the body was not made from a solid mesh. Raises FiniteElementError.
         """
         body, faces = self.structure, self.structure.facets
         if triangles is not None:

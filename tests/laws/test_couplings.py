@@ -230,5 +230,5 @@ def test_every_coupling_from_a_file_holds_and_is_drawn(space: str) -> None:
     assert np.ptp(run["base.x" if space == "planar" else "guide.travel"]) > 1e-2
     drawn = {line.name for line in film(run).lines if line.kind == "rod"}
     assert drawn == {"gear", "belt", "teeth", "follow", "axle"}
-    joints = {joint["name"]: joint for joint in view_record(run, {})["joints"]}
+    joints = {joint["name"]: joint for joint in view_record(run)["joints"]}
     assert all(joints[name]["shown"] and (joints[name]["line"] or joints[name]["wheels"]) for name in drawn)

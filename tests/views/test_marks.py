@@ -44,7 +44,7 @@ def machine(space: str) -> SceneRecord:
 def test_marks_stand_where_the_scene_has_them(model_of: Build, space: str) -> None:
     """Bars at 0.6 m, marks at -2.2 and 0.5 rad, radii 0.2 and 0.4 m of wheels 0.6 m apart; held from its stick on."""
     run = simulate(model_of(machine(space)))
-    record = view_record(run, {})
+    record = view_record(run)
     joints = {joint["name"]: joint for joint in record["joints"]}
     assert joints["table"]["ends"] == [None, pytest.approx(0.6, abs=1e-12)]
     assert joints["table"]["rail"][1] > 0.6

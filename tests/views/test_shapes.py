@@ -78,7 +78,7 @@ def test_a_scene_keeps_its_shapes_and_pictures_show_them(tmp_path: Path) -> None
     ]
     expected = 0.3 * np.column_stack([np.cos(theta), np.sin(theta)])
     np.testing.assert_allclose((np.nanmax(wheel, axis=2) + np.nanmin(wheel, axis=2)) / 2, expected, atol=1e-3)
-    record = view_record(run, {})
+    record = view_record(run)
     assert [body["mesh"] is not None for body in record["bodies"]] == [True, True] and record["size"] > 0.79
 
 

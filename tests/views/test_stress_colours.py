@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 from runtime import load_model, simulate
-from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.views.viewer.page import view
 from runtime.views.viewer.record import torsion_factors, view_record
@@ -43,7 +42,7 @@ def test_a_cantilever_under_a_force(model_of: Callable[[SceneRecord], Model], as
     if aside:
         builder.torque("twist", "beam.key", twist)
     run = simulate(model_of(builder.simulation(t_end=2e-6, dt=1e-6, scheme="rk4", start="quasi_static").build()))
-    (beam,) = (body for body in view_record(run, {})["bodies"] if body["name"] == "beam")
+    (beam,) = (body for body in view_record(run)["bodies"] if body["name"] == "beam")
     places = np.frombuffer(base64.b64decode(beam["mesh"]["x"]), "<f4").reshape(-1, 8, 3)
     stresses = np.frombuffer(base64.b64decode(beam["stress"]["vertices"]), "<f4").reshape(-1, len(places), 8)
     x, y, z = np.moveaxis(places, 2, 0)
@@ -69,7 +68,7 @@ def test_torsion_of_a_square_and_a_strip() -> None:
 def test_the_page_computes_von_mises(tmp_path: Path) -> None:
     """sqrt(((s1 - s2)^2 + (s2 - s3)^2 + (s3 - s1)^2) / 2) of the principal stresses, at every vertex of the rod."""
     run = simulate(load_model(generated_folder("spatial_slider_crank")), t_end=0.02)
-    record = view_record(run, {})
+    record = view_record(run)
     place, rod = next((k, body) for k, body in enumerate(record["bodies"]) if body["name"] == "rod")
     t = np.frombuffer(base64.b64decode(record["t"]))[120]
     probe = f"symgenView.show({t}); document.documentElement.dataset.probe = JSON.stringify("
@@ -83,23 +82,6 @@ def test_the_page_computes_von_mises(tmp_path: Path) -> None:
     expected = np.sqrt(((one - two) ** 2 + (two - three) ** 2 + (three - one) ** 2) / 2)
     np.testing.assert_allclose(found["probe"], expected, rtol=1e-4, atol=1e-6 * expected.max())
     assert expected.max() <= record["stress"] * (1 + 1e-6)
-
-
-def test_stresses_from_elsewhere_colour_a_surface() -> None:
-    """von_mises of every sample and vertex, as `equilibrium_stresses(at=vertices)` gives them, linear in between."""
-    run = simulate(load_model(generated_folder("spatial_slider_crank")), t_end=2e-4)
-    corners = np.array([[0.0, 0.0, 0.0], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]])
-    surface = {"vertices": corners, "triangles": [[0, 1, 2], [0, 1, 3]], "shapes": np.zeros((4, 3, 6))}
-    mises = 1e6 * np.outer(run.t / run.t[-1], np.arange(4))
-    record = view_record(run, {"rod": {**surface, "von_mises": mises}})
-    rod = next(body for body in record["bodies"] if body["name"] == "rod")
-    found = np.frombuffer(base64.b64decode(rod["stress"]["vertices"]), "<f4").reshape(-1, 4)
-    t = np.frombuffer(base64.b64decode(record["t"]))
-    np.testing.assert_allclose(found, 1e6 * np.outer(t / run.t[-1], np.arange(4)), rtol=1e-5)
-    assert record["stress"] == pytest.approx(3e6)
-    for wrong, problem in ((mises[1:], "the run has"), (mises[:, 1:], r"\(samples, 4\)")):
-        with pytest.raises(ModelError, match=problem):
-            view_record(run, {"rod": {**surface, "von_mises": wrong}})
 
 
 def test_a_surface_that_does_not_fit_is_refused_with_the_scene() -> None:

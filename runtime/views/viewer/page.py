@@ -8,12 +8,11 @@ import re
 import sys
 import tempfile
 import webbrowser
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from runtime.contract.files import OutputError, write_text
 from runtime.views.viewer.record import view_record
@@ -57,14 +56,9 @@ class View:
         webbrowser.open(Path(file.name).as_uri())
 
 
-def view(
-    solution: Solution, surfaces: Mapping[str, Mapping[str, Any]] | None = None, beside: Solution | None = None
-) -> View:
-    """The page of a run, with a second one pale. surfaces: {body: {vertices (n, 3) [m], triangles, shapes (n, 3, nf)}}.
-
-    Raises ModelError if the model has nothing to draw or a surface does not fit its body.
-    """
-    record = view_record(solution, surfaces or {}, beside)
+def view(solution: Solution, beside: Solution | None = None) -> View:
+    """The page of a run, with a second one pale. Raises ModelError if the model has nothing to draw."""
+    record = view_record(solution, beside)
     parts = {
         "title": html.escape(str(record["title"])),
         "styles": text_of("bundles/uplot.min.css") + text_of("page.css"),
@@ -77,35 +71,16 @@ def view(
     return View(str(record["title"]), "".join(parts[piece] if k % 2 else piece for k, piece in enumerate(pieces)))
 
 
-def show(
-    solution: Solution,
-    path: str | Path | None = None,
-    surfaces: Mapping[str, Mapping[str, Any]] | None = None,
-    beside: Solution | None = None,
-) -> View:
+def show(solution: Solution, path: str | Path | None = None, beside: Solution | None = None) -> View:
     """The moving mechanism as one page: written to `path` (.html), else shown in the notebook or opened.
 
-    surfaces: {body: {vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf)}}, in place of a body's own surface;
-    von_mises (samples, n) [Pa] in it colours the body. beside: a second run, shown pale in the same page. Raises
-    ModelError if there is nothing to draw or a surface does not fit, and OutputError.
+    beside: a second run, shown pale in the same page. Raises ModelError if there is nothing to draw, and OutputError.
     """
-    made = view(solution, surfaces, beside)
+    made = view(solution, beside)
     if path is not None:
         made.save(path)
     elif "ipykernel" not in sys.modules:
         made.open()
-    return made
-
-
-def write_view(
-    solution: Solution,
-    path: str | Path,
-    surfaces: Mapping[str, Mapping[str, Any]] | None = None,
-    beside: Solution | None = None,
-) -> View:
-    """Write the page of a run, and return it. Raises ModelError and OutputError."""
-    made = view(solution, surfaces, beside)
-    made.save(path)
     return made
 
 

@@ -63,10 +63,7 @@ def torsion_factors(height: float, width: float) -> tuple[float, float]:
     return (of_short, of_long) if height >= width else (of_long, of_short)
 
 
-# ---- Surfaces that move with a body's modes: prisms along beams, and given triangles.
-
-MOST_TRIANGLES = 200_000
-KEYS = ("vertices", "triangles", "shapes")
+# ---- Surfaces that move with a body's modes: prisms along beams, and triangles.
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +77,6 @@ class SurfaceMesh:
     triangles: np.ndarray
     per: int = 1
     stresses: np.ndarray | None = None
-    von_mises: np.ndarray | None = None
 
 
 def beam_mesh(body: Body) -> SurfaceMesh:
@@ -112,38 +108,12 @@ def solid_mesh(solid: Solid) -> SurfaceMesh:
     )
 
 
-def surface_mesh(body: Body, surface: Mapping[str, Any]) -> SurfaceMesh:
-    """Given triangles: vertices (n, 3) [m] in the axes of the body, triangles (m, 3), shapes and stresses per mode.
-
-    von_mises, if given: (samples, n) [Pa] of the motion, which goes before the stresses of the modes.
-    Raises ModelError for other sizes, for numbers that are not finite, and for vertices that are not there.
-    """
-    missing = [key for key in KEYS if key not in surface]
-    if missing:
-        raise ModelError(f"the surface of {body.name} has no {missing[0]}; it needs {', '.join(KEYS)}")
-    position, shapes = (np.asarray(surface[key], dtype=float) for key in ("vertices", "shapes"))
-    triangles = np.asarray(surface["triangles"])
-    n, nf = len(position), len(body.elastic)
-    if position.shape != (n, 3) or shapes.shape != (n, 3, nf) or triangles.ndim != 2 or triangles.shape[1:] != (3,):
-        raise ModelError(
-            f"the surface of {body.name} must have vertices (n, 3), triangles (m, 3) and shapes (n, 3, {nf}), not "
-            f"{position.shape}, {triangles.shape} and {shapes.shape}"
-        )
-    if not (np.all(np.isfinite(position)) and np.all(np.isfinite(shapes))):
-        raise ModelError(f"the surface of {body.name} holds numbers that are not finite")
-    if triangles.dtype.kind not in "iu" or (triangles.size and not 0 <= triangles.min() <= triangles.max() < n):
-        raise ModelError(f"the triangles of {body.name} must be whole numbers from 0 to {n - 1}: places of vertices")
-    if len(triangles) > MOST_TRIANGLES:
-        raise ModelError(
-            f"the surface of {body.name} has {len(triangles)} triangles; at most {MOST_TRIANGLES} are shown"
-        )
-    stresses = np.asarray(surface["stresses"], dtype=float) if "stresses" in surface else None
-    if stresses is not None and (stresses.shape != (n, 6, nf) or not np.all(np.isfinite(stresses))):
-        raise ModelError(f"the stresses of {body.name} must be finite and (n, 6, nf) = {(n, 6, nf)}")
-    mises = np.asarray(surface["von_mises"], dtype=float) if "von_mises" in surface else None
-    if mises is not None and (mises.shape[1:] != (n,) or not np.all(np.isfinite(mises))):
-        raise ModelError(f"von_mises of {body.name} must be finite and (samples, {n}), not {mises.shape}")
-    return SurfaceMesh(_points(position, shapes, np.zeros((0, nf, nf))), triangles, stresses=stresses, von_mises=mises)
+def surface_mesh(body: Body) -> SurfaceMesh:
+    """The triangles that its scene gives a finite-element body, with the stresses of its modes where they are known."""
+    assert body.surface is not None
+    position, shapes = (np.asarray(body.surface[key], dtype=float) for key in ("vertices", "shapes"))
+    points = _points(position, shapes, np.zeros((0, shapes.shape[2], shapes.shape[2])))
+    return SurfaceMesh(points, body.surface["triangles"], stresses=body.surface.get("stresses"))
 
 
 def _points(position: np.ndarray, shapes: np.ndarray, H: np.ndarray) -> Points:
@@ -172,11 +142,7 @@ def stress_records(
         mesh = meshes[body.name]
         if mesh is None or not body.elastic:
             continue
-        if mesh.von_mises is not None:
-            values = _between(solution, body, mesh.von_mises, shown.t)
-            found[body.name] = {"vertices": packed(values)}
-            largest = max(largest, float(values.max(initial=0.0)))
-        elif mesh.stresses is not None:
+        if mesh.stresses is not None:
             found[body.name] = {"modes": packed(mesh.stresses)}
             largest = max(largest, _von_mises(mesh.stresses, shown.q_f(body)))
         elif body.section is not None and (rims := _rims(solution, body, shown.t)) is not None:
@@ -193,13 +159,6 @@ def _von_mises(stresses: np.ndarray, q_f: np.ndarray) -> float:
         square = ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * (yz**2 + xz**2 + xy**2)
         most = max(most, float(square.max()))
     return float(np.sqrt(most))
-
-
-def _between(solution: Solution, body: Body, values: np.ndarray, t: np.ndarray) -> np.ndarray:
-    """(frames, n) of values (samples, n). Raises ModelError for other samples than those of the run."""
-    if len(values) != len(solution.t):
-        raise ModelError(f"von_mises of {body.name} has {len(values)} samples; the run has {len(solution.t)}")
-    return np.stack([np.interp(t, solution.t, column) for column in values.T], axis=1)
 
 
 def _rims(solution: Solution, body: Body, t: np.ndarray) -> np.ndarray | None:
@@ -302,25 +261,19 @@ def _rail(shown: Scenery, joint: Mapping[str, Any], ends: list[float | None]) ->
 MOST_FRAMES, MOST_SAMPLES, MOST_CURVES = 500, 800, 8
 
 
-def view_record(
-    solution: Solution, surfaces: Mapping[str, Mapping[str, Any]], beside: Solution | None = None
-) -> dict[str, Any]:
+def view_record(solution: Solution, beside: Solution | None = None) -> dict[str, Any]:
     """Poses and modes at up to 500 times, joints, loads, curves; the bodies and curves of a second run, pale.
 
-    Raises ModelError (nothing to draw, bad surface).
+    Raises ModelError if there is nothing to draw.
     """
     few = np.linspace(solution.t[0], solution.t[-1], min(MOST_FRAMES, max(200, len(solution.t))))
     shown = scenery(solution, few if len(solution.t) > 1 else solution.t)
-    unknown = [name for name in surfaces if name not in [body.name for body in shown.bodies]]
-    if unknown:
-        raise ModelError(f"there is no body {unknown[0]!r}; there are {', '.join(body.name for body in shown.bodies)}")
-    meshes = {body.name: _mesh(body, surfaces) for body in shown.bodies}
-    second = _second(beside, shown, surfaces) if beside is not None else None
+    meshes = {body.name: _mesh(body) for body in shown.bodies}
+    second = _second(beside, shown) if beside is not None else None
     points = np.concatenate([_everything(*scene) for scene in ((shown, meshes), second) if scene is not None], axis=1)
     drawn = parts(solution, shown)
     low, high = with_wheels(shown, drawn["joints"], points.min(axis=(0, 1)), points.max(axis=(0, 1)))
     size = max(float((high - low).max()), 1e-9)
-    deformation = _deformation(shown, meshes)
     stresses, stress = stress_records(solution, shown, meshes)
     model, status, up = solution.model, solution.status, up_axis(solution.model)
     kept = np.unique(np.linspace(0, len(solution.t) - 1, min(len(solution.t), MOST_SAMPLES)).round().astype(int))
@@ -337,8 +290,8 @@ def view_record(
         "centre": ((low + high) / 2).tolist(),
         "box": [low.tolist(), high.tolist()],
         "lowest": float(low[up]),
-        "factor": _factor(size, deformation),
-        "deformation": max(deformation, 1e-300),
+        "factor": shown.automatic(size),
+        "deformation": max(shown.deformation(), 1e-300),
         "stress": stress,
         "colours": COLOURS,
         "t": packed(np.round(shown.t, 15), "<f8"),
@@ -356,12 +309,10 @@ def view_record(
     }
 
 
-def _second(
-    beside: Solution, shown: Scenery, surfaces: Mapping[str, Mapping[str, Any]]
-) -> tuple[Scenery, Mapping[str, SurfaceMesh | None]]:
+def _second(beside: Solution, shown: Scenery) -> tuple[Scenery, Mapping[str, SurfaceMesh | None]]:
     """The second run at the first one's times; before its start and after its end it stands still."""
     scene = scenery(beside, np.clip(shown.t, beside.t[0], beside.t[-1]))
-    return scene, {body.name: _mesh(body, surfaces) for body in scene.bodies}
+    return scene, {body.name: _mesh(body) for body in scene.bodies}
 
 
 def _group(group: Curves, t: np.ndarray, solution: Solution, beside: Solution | None) -> dict[str, Any]:
@@ -396,11 +347,9 @@ def _curves(solution: Solution) -> list[Curves]:
     return [group.largest(MOST_CURVES) for group in groups]
 
 
-def _mesh(body: Body, surfaces: Mapping[str, Mapping[str, Any]]) -> SurfaceMesh | None:
-    if body.name in surfaces:
-        return surface_mesh(body, surfaces[body.name])
+def _mesh(body: Body) -> SurfaceMesh | None:
     if body.surface is not None:
-        return surface_mesh(body, body.surface)
+        return surface_mesh(body)
     if body.solid is not None:
         return solid_mesh(body.solid)
     return beam_mesh(body) if body.section else None
@@ -419,32 +368,6 @@ def _everything(shown: Scenery, meshes: Mapping[str, SurfaceMesh | None]) -> np.
             )
             extra.append(shown.placed(body, np.repeat(box[None], len(shown.t), axis=0)))
     return np.concatenate(extra, axis=1)
-
-
-def _deformation(shown: Scenery, meshes: Mapping[str, SurfaceMesh | None]) -> float:
-    """The largest displacement that exaggeration multiplies, at the vertices too [m]."""
-    found = shown.deformation()
-    for body, follow in zip(shown.bodies, shown.follow, strict=True):
-        mesh = meshes[body.name]
-        if mesh is None or not body.elastic:
-            continue
-        few = slice(None, None, max(1, len(mesh.points.position) // 500))
-        part = Points(
-            [], mesh.points.position[few], mesh.points.axes, mesh.points.shapes[few], mesh.points.turns, mesh.points.H
-        )
-        q_f = shown.q_f(body)
-        own = part.linear(q_f) - follow.displacement(part.position, q_f)
-        found = max(found, float(np.linalg.norm(own, axis=2).max()))
-    return found
-
-
-def _factor(size: float, deformation: float) -> float:
-    """The exaggeration that shows the largest deformation as 5 % of the size, with two digits; at least 1."""
-    if deformation <= 1e-12 * size:
-        return 1.0
-    factor = max(1.0, 0.05 * size / deformation)
-    digits = 10.0 ** (np.floor(np.log10(factor)) - 1)
-    return float(max(1.0, np.floor(factor / digits) * digits))
 
 
 def _bodies(shown: Scenery, meshes: Mapping[str, SurfaceMesh | None]) -> list[dict[str, Any]]:
