@@ -16,8 +16,7 @@ from benchmarks.scenes.hard_suite import CASES, HardCase
 from runtime.contract.model import Model
 from runtime.running.ladder import Method
 from runtime.studies.advice.methods import stiff_methods
-from runtime.studies.advice.reference import Reference
-from runtime.studies.advice.trial import Trial
+from runtime.studies.advice.reference import Reference, Trial
 
 TOLERANCE, MOST = 1e-3, 200_000
 TURNS = 4  # further timings of each method's best run: another program's burst hits one of them

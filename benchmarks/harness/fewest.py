@@ -7,8 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from runtime.running.ladder import FIRST, Ladder, Method
-from runtime.studies.advice.reference import Reference
-from runtime.studies.advice.trial import Trial, trial_of
+from runtime.studies.advice.reference import Reference, Trial, trial_of
 
 REFINEMENTS = 4  # halvings of the interval (in logarithm) between too few steps and enough
 HOPELESSLY_SLOW = 2.0  # times what is to be beaten

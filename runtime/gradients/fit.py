@@ -12,9 +12,8 @@ import numpy as np
 from scipy import stats
 from scipy.optimize import least_squares
 
-from runtime.contract.doors import BY_NAME, NAMES, arguments
+from runtime.contract.doors import BY_NAME, NAMES, arguments, opened
 from runtime.contract.errors import ArgumentError, NoResult
-from runtime.contract.files import replacing
 from runtime.contract.model import Model
 from runtime.gradients.differentiable_run import DifferentiableRun, OutputJacobian
 
@@ -239,7 +238,8 @@ class Fit:
     def picture(self, path: str | Path | None = None) -> Figure:
         """Data, fitted outputs and residuals over time; with a path it also writes the file."""
         title = "\n".join(f"{name} = {value:.4g} ± {error:.1g}" for name, value, error in self._rows())
-        return fit_picture(self.t, self.data, self.fitted, title, path)
+        draw = opened("runtime.views.plots:fit_picture")
+        return draw(title, self.t, self.data, self.fitted, path)  # type: ignore[no-any-return]
 
     def __str__(self) -> str:
         rows = [f"{name} = {value:.6g} +- {error:.2g}" for name, value, error in self._rows()]
@@ -265,37 +265,6 @@ def _share(confidence: float) -> float:
     if not 0 < confidence < 1:
         raise ArgumentError("confidence", f"is {confidence}", "give a share between 0 and 1, such as 0.95")
     return confidence
-
-
-# The picture of a fit: data and fitted outputs over time, and what is left over.
-
-DATA, LINE = "#8fb9c9", "#8a1c3b"
-Columns = Mapping[str, np.ndarray]
-
-
-def fit_picture(t: np.ndarray, data: Columns, fitted: Columns, title: str, path: str | Path | None = None) -> Figure:
-    """Of each output (N,) over t (N,) [s] data (points), fit (line), residuals; with a path it also writes the file."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure  # when it is needed: importing it takes long
-
-    figure = Figure(figsize=(2.0 + 5.5 * len(data), 4.4), layout="constrained")
-    FigureCanvasAgg(figure)
-    axes = figure.subplots(2, len(data), sharex=True, squeeze=False, height_ratios=[3, 1])
-    for column, (name, values) in enumerate(data.items()):
-        above, below = axes[0, column], axes[1, column]
-        above.plot(t, values, ".", markersize=3, color=DATA, label="data")
-        above.plot(t, fitted[name], color=LINE, linewidth=1.2, label="fit")
-        above.set_ylabel(name)
-        above.legend(frameon=False)
-        below.plot(t, fitted[name] - values, ".", markersize=2, color=LINE)
-        below.axhline(0.0, color="#111827", linewidth=0.6)
-        below.set_ylabel("residual")
-        below.set_xlabel("t [s]")
-    figure.suptitle(title, fontsize="medium")
-    if path is not None:
-        with replacing(Path(path)) as temporary:
-            figure.savefig(temporary, dpi=130, format=Path(path).suffix[1:] or "png")
-    return figure
 
 
 # Measured outputs at the saved times of a run, checked, with their standard deviations.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -64,29 +65,28 @@ class ModeState:
         )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Followed:
-    """Modes at N values: eigenvalues, frequencies and damping_ratios (N, n), shapes (N, n_x, n), NaN where a mode is
-    not there; names: of each mode where it is met first."""
+    """Modes at N values, a column a mode, followed by modal assurance: frequencies (N, n) [rad/s], damping_ratios
+    (N, n), eigenvalues (N, n) [1/s], shapes (N, n_x, n); names: of each mode where it is met first.
 
-    eigenvalues: np.ndarray
+    Real modes of controllers come and go, two of them for an oscillating one: NaN where a mode is not there.
+    """
+
     frequencies: np.ndarray
     damping_ratios: np.ndarray
+    eigenvalues: np.ndarray
     shapes: np.ndarray
     names: list[str]
 
-    @staticmethod
-    def of(found: list[ModeState]) -> Followed:
-        """The modes of `tracked` at one value after the other: columns may have come on the way."""
-        n = len(found[-1].eigenvalues)
-        whole = [modes.ordered(np.r_[: len(modes.names), np.full(n - len(modes.names), -1)]) for modes in found]
-        return Followed(
-            np.array([modes.eigenvalues for modes in whole]),
-            np.array([modes.frequencies for modes in whole]),
-            np.array([modes.damping_ratios for modes in whole]),
-            np.array([modes.shapes for modes in whole]),
-            [next(modes.names[k] for modes in whole if modes.names[k]) for k in range(n)],
-        )
+
+def followed_modes(found: list[ModeState]) -> dict[str, Any]:
+    """Fields of `Followed`, of what `tracked` gives at one value after the other: columns may have come on the way."""
+    n = len(found[-1].eigenvalues)
+    whole = [modes.ordered(np.r_[: len(modes.names), np.full(n - len(modes.names), -1)]) for modes in found]
+    names = [next(modes.names[k] for modes in whole if modes.names[k]) for k in range(n)]
+    arrays = ("frequencies", "damping_ratios", "eigenvalues", "shapes")
+    return {name: np.array([getattr(modes, name) for modes in whole]) for name in arrays} | {"names": names}
 
 
 def modal_assurance(left: np.ndarray, right: np.ndarray, M: np.ndarray) -> np.ndarray:
@@ -142,24 +142,16 @@ def _matched(before: ModeState, after: ModeState) -> tuple[np.ndarray, bool]:
 POINTS = 25
 
 
-@dataclass(frozen=True, repr=False)
-class Campbell:
-    """N values of a speed or parameter and the n modes there, a column a mode, followed by modal assurance.
+@dataclass(frozen=True, eq=False, repr=False)
+class Campbell(Followed):
+    """Modes at N values (N,) of a speed or parameter.
 
-    over: what changes, is_speed: is it a rate; values (N,); frequencies (N, n) [rad/s]; damping_ratios (N, n);
-    eigenvalues (N, n) [1/s]; shapes (N, n_x, n): [value, coordinate, mode]; names: the modes' where they are met
-    first; coordinates (n_x); remarked: what `remarks()` gives. Real modes of controllers come
-    and go, two of them for an oscillating one: NaN where a mode is not there.
+    over: what changes, is_speed: is it a rate; coordinates (n_x): of the shapes; remarked: what `remarks()` gives.
     """
 
     model: Model
     over: str
     values: np.ndarray
-    frequencies: np.ndarray
-    damping_ratios: np.ndarray
-    eigenvalues: np.ndarray
-    shapes: np.ndarray
-    names: list[str]
     coordinates: list[str]
     remarked: list[str]
     is_speed: bool
@@ -227,19 +219,14 @@ def campbell(
             )
         found.append(modes)
         remarks |= {remark: float(value) for remark in system.remarks() if remark not in remarks}
-    followed = Followed.of(found)
     return Campbell(
-        model,
-        over,
-        wanted,
-        followed.frequencies,
-        followed.damping_ratios,
-        followed.eigenvalues,
-        followed.shapes,
-        followed.names,
-        system.names,
-        [f"from {over} = {value:g} on: {remark}" for remark, value in remarks.items()],
-        not sweep.is_parameter,
+        **followed_modes(found),
+        model=model,
+        over=over,
+        values=wanted,
+        coordinates=system.names,
+        remarked=[f"from {over} = {value:g} on: {remark}" for remark, value in remarks.items()],
+        is_speed=not sweep.is_parameter,
     )
 
 
@@ -310,7 +297,8 @@ def unbalance_response(
 
     over: the rate that is the speed, such as `disk.omega`; at: the two coordinates [m] across the axle at which the
     force U speed^2 (cos, sin)(speed t) acts, for a rotor that turns from the first to the second; outputs: these two by
-    default. The linear system is that of each speed, gyroscopic terms included. Raises ModelError and NoEquilibrium.
+    default. The linear system is that of each speed, gyroscopic terms included. Raises ModelError, NoEquilibrium, and
+    NoResult at a speed where the whirl grows without bound.
     """
     names = list(outputs if outputs is not None else at)
     for name in at:
@@ -330,18 +318,11 @@ def unbalance_response(
 # ---- Frequencies of the equations linearised along a motion: how stiff the mechanism is on its way.
 
 
-@dataclass(frozen=True, eq=False)
-class FrequenciesAlong:
-    """N moments of a run and the n modes there, a column a mode, followed by modal assurance.
-
-    t (N,) [s]; frequencies (N, n) [rad/s], |lambda|; damping_ratios (N, n), negative where a mode grows; names: those
-    of the modes where they are met first; NaN where a real mode of a controller is not there.
-    """
+@dataclass(frozen=True, eq=False, repr=False)
+class FrequenciesAlong(Followed):
+    """Modes at N moments t (N,) [s] of a run; frequencies are |lambda|, damping ratios negative where a mode grows."""
 
     t: np.ndarray
-    frequencies: np.ndarray
-    damping_ratios: np.ndarray
-    names: list[str]
 
 
 def frequencies_along(solution: Solution, samples: int = 60) -> FrequenciesAlong:
@@ -362,5 +343,4 @@ def frequencies_along(solution: Solution, samples: int = 60) -> FrequenciesAlong
     for before, here in zip(chosen[:-1], chosen[1:], strict=True):
         halvings = int(np.log2(here - before))  # no more than there are samples in between
         found.append(tracked(found[-1], modes_at(here), float(before), float(here), modes_at, halvings))
-    followed = Followed.of(found)
-    return FrequenciesAlong(solution.t[chosen], followed.frequencies, followed.damping_ratios, followed.names)
+    return FrequenciesAlong(**followed_modes(found), t=solution.t[chosen])

@@ -96,7 +96,7 @@ class Dynamics:
         if self.model.q_d:
             q_d_dot = self._call("velocities", at, v)["q_d_dot"].ravel()
         state = {"q_i": at.q_i, "q_d": at.q_d, "q_i_dot": v, "q_d_dot": q_d_dot, "t": at.t}
-        return opened("runtime.operating.held_by_friction:unlocked")(self.model, state, at.c)
+        return opened("runtime.operating.resting:unlocked")(self.model, state, at.c)
 
     def _held(self, at: Place, v: np.ndarray, tau: np.ndarray | None) -> np.ndarray:
         """Accelerations with what rests held by friction. Raises ModelError where no choice is consistent."""

@@ -160,7 +160,7 @@ def equilibrium(
     values = dict(zip([parameter.name for parameter in model.parameters], p, strict=True))
     told = _told(clamped, q_i, p, tuple(held), tuple(rates), {name: float(values[name]) for name in trim}, iterations)
     if stops:
-        opened("runtime.operating.resting:refuse_beyond")(model, model.constants(p), t, told.q, told.q_dot)
+        opened("runtime.operating.resting:refuse_beyond")(model, model.constants(p), clamped.t, told.q, told.q_dot)
     return told
 
 
@@ -310,20 +310,20 @@ def _sliding(clamped: Clamped, q_i: np.ndarray, p: np.ndarray) -> np.ndarray:
     model, at = clamped.model, clamped.values(q_i)
     if at is None:
         return p
-    state, c = opened("runtime.operating.held_by_friction:state_of")(clamped, at, q_i)
-    modes = opened("runtime.operating.held_by_friction:signs")(model, state, c)
-    found: np.ndarray = opened("runtime.operating.held_by_friction:with_modes")(model, p, modes)
+    state, c = opened("runtime.operating.resting:state_of")(clamped, at, q_i)
+    modes = opened("runtime.operating.resting:signs")(model, state, c)
+    found: np.ndarray = opened("runtime.operating.resting:with_modes")(model, p, modes)
     clamped.functions.c = model.constants(found)
     return found
 
 
 def _held_by(clamped: Clamped, at: PointValues, q_i: np.ndarray) -> tuple[dict[str, float], np.ndarray]:
     """Forces of friction and stops that hold, and their rows G (k, n_i). Raises NoEquilibrium."""
-    model, (state, c) = clamped.model, opened("runtime.operating.held_by_friction:state_of")(clamped, at, q_i)
+    model, (state, c) = clamped.model, opened("runtime.operating.resting:state_of")(clamped, at, q_i)
     modes = c[len(c) - model.signals.size + model.element_modes]
-    forces, beyond = opened("runtime.operating.held_by_friction:held")(model, state, c)
+    forces, beyond = opened("runtime.operating.resting:held")(model, state, c)
     rubs = np.array([not event.side for event in model.mode_events])
-    if beyond or (opened("runtime.operating.held_by_friction:signs")(model, state, c) != modes)[rubs].any():
+    if beyond or (opened("runtime.operating.resting:signs")(model, state, c) != modes)[rubs].any():
         name, force = next(iter(beyond.items()), ("", 0.0))
         text = f"{name} would have to hold {force:.6g}, more than it can" if beyond else "one turns back on the way"
         raise NoEquilibrium(

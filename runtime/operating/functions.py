@@ -89,22 +89,10 @@ class PointFunctions:
         a = np.zeros(len(self.model.q_i)) if a is None else a
         found = self._function(state.t, state.q_i, state.q_i_dot, a, state.loop, self.c)
         M, Q, J_q, J_v, q, q_dot, S, loop, open_by, Q_t = (np.asarray(value) for value in found)
-        vectors = (Q.ravel(), q.ravel(), q_dot.ravel(), loop.ravel(), Q_t.ravel())
+        Q, q, q_dot, loop, Q_t = (vector.ravel() for vector in (Q, q, q_dot, loop, Q_t))
         turns = independent_turns(self.model)
-        return PointValues(
-            M,
-            vectors[0],
-            J_q,
-            J_v,
-            vectors[1],
-            vectors[2],
-            S,
-            vectors[3],
-            float(open_by.max()),
-            vectors[4],
-            turns,
-            state.q_i_dot[turns],
-        )
+        rates = state.q_i_dot[turns]
+        return PointValues(M, Q, J_q, J_v, q, q_dot, S, loop, float(open_by.max()), Q_t, turns, rates)
 
     def in_moving_axes(self, at: PointValues, state: State, a: np.ndarray) -> PointValues:
         """Values with J_q and J_v for turns dphi in axes that move with the state: d omega = dphi' + omega x dphi.

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from runtime.contract.errors import ModelError
+from runtime.contract.errors import ModelError, NoResult
 from runtime.contract.model import Model
 from runtime.operating.modal import Modal, modal_analysis
 from runtime.operating.mode_solver import State
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from scipy.signal import StateSpace
 
 COUPLED = 1e-7  # relative change of a frequency without an assumed mode that is more than rounding
+UNDETERMINED = 1e-9  # share of a force, or of outputs, along motions that nothing resists
 POOR_BASIS = 0.01  # change of a frequency without one assumed mode from which the basis is called poor
 
 
@@ -136,10 +137,24 @@ class Linearisation:
         return result
 
     def response(self, omega: float, force: np.ndarray) -> np.ndarray:
-        """(n_y,) complex amplitudes of the outputs under generalised forces Re(force exp(i omega t)), force (n,)."""
-        x = _solved(self.K - omega**2 * self.M + 1j * omega * self.D, np.asarray(force)[:, None])[:, 0]
-        n = len(self.names)
-        return np.asarray(self.C[:, :n] @ x + 1j * omega * (self.C[:, n:] @ x))
+        """(n_y,) complex amplitudes of the outputs under generalised forces Re(force exp(i omega t)), force (n,).
+
+        Raises NoResult where they grow without bound, or where nothing determines them.
+        """
+        n, back = len(self.names), np.linalg.inv(np.linalg.cholesky(self.M))
+        A = back @ (self.K - omega**2 * self.M + 1j * omega * self.D) @ back.T
+        U, s, V = np.linalg.svd(A)
+        side = U.conj().T @ back @ np.asarray(force)
+        shown = (self.C[:, :n] + 1j * omega * self.C[:, n:]) @ back.T @ V.conj().T
+        held = s > n * np.finfo(float).eps * s.max(initial=0.0)
+        free = [np.abs(part[..., ~held]).max(initial=0.0) / max(np.abs(part).max(), 1e-300) for part in (side, shown)]
+        if max(free) > UNDETERMINED:
+            raise NoResult(
+                f"the response of model {self.model.name} at {omega:.6g} rad/s",
+                "grows without bound" if free[0] > UNDETERMINED else "is not determined: nothing holds these outputs",
+                "take another frequency, give damping, or lock what is free (`locked`)",
+            )
+        return np.asarray(shown[:, held] @ (side[held] / s[held]))
 
     def shape_of_all(self, mode: int) -> np.ndarray:
         """(n_q,) complex motion of all coordinates in a mode, in the order of model.coordinates."""

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from runtime.contract.files import replacing, write_text
+from runtime.contract.doors import opened
+from runtime.contract.files import write_text
 from runtime.contract.model import Model
 from runtime.orbits.floquet import UNSTABLE, Floquet
 from runtime.orbits.motion import PeriodicMotion
@@ -17,12 +18,9 @@ from runtime.orbits.periodic import periodic
 from runtime.orbits.shooting import Conditions, Shot
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from runtime.results.solution import Solution
-
-COLOURS = {"fold": "#d1495b", "flip": "#2e7d32", "Neimark-Sacker": "#7b1fa2", "branch point": "#ef6c00"}
 
 
 @dataclass(frozen=True)
@@ -157,7 +155,19 @@ class PeriodicBranch:
 
     def picture(self, output: str, path: str | Path | None = None) -> Figure:
         """The largest magnitude of an output over the parameter: stable solid, unstable dashed, specials marked."""
-        return _picture(self, output, path)
+        every = list(self.all)
+        heights = [one.largest(output) for one in every]
+        unstable = [np.array([kind == UNSTABLE for kind in one.stability]) for one in every]
+        curves = [(one.values, *own, one.first.doublings) for one, *own in zip(every, heights, unstable, strict=True)]
+        marked = [
+            (special.kind, special.value, own[int(np.abs(one.values - special.value).argmin())])
+            for one, own in zip(every, heights, strict=True)
+            for special in one.specials
+        ]
+        entry = next(one for one in self.model.parameters if one.name == self.over)
+        over, about = f"{self.over} [{entry.unit or '-'}]", self.model.title or self.model.name
+        draw = opened("runtime.views.plots:branch_picture")
+        return draw(about, over, output, curves, marked, path)  # type: ignore[no-any-return]
 
     def __repr__(self) -> str:
         told = ", ".join(f"{one.kind} at {one.value:.6g}" for one in self.specials) or "no change of stability"
@@ -167,41 +177,3 @@ class PeriodicBranch:
             f"<PeriodicBranch of {self.model.name}: {len(self.points)} motions over {self.over} from "
             f"{self.values[0]:g} to {self.values[-1]:g}, {told}, errors up to {self.errors.max():.2g}{more}{ended}>"
         )
-
-
-def _picture(branch: PeriodicBranch, output: str, path: str | Path | None) -> Figure:
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    from runtime.results.notebook_figure import NotebookFigure
-
-    figure = NotebookFigure(figsize=(8, 4.5), layout="constrained")
-    FigureCanvasAgg(figure)
-    ax = figure.add_subplot()
-    for one in branch.all:
-        _draw(ax, one, one.largest(output))
-    entry = next(one for one in branch.model.parameters if one.name == branch.over)
-    ax.set_xlabel(f"{branch.over} [{entry.unit or '-'}]")
-    ax.set_ylabel(f"largest |{output}| of a period")
-    ax.set_title(f"{branch.model.title or branch.model.name}: motions that repeat (dashed: unstable)", fontsize=10)
-    ax.grid(alpha=0.25)
-    if path is not None:
-        with replacing(path) as temporary:
-            figure.savefig(temporary, dpi=130)
-    return figure
-
-
-def _draw(ax: Axes, branch: PeriodicBranch, heights: np.ndarray) -> None:
-    """One curve, in pieces of one stability, thinner with each doubling."""
-    values, width = branch.values, 1.8 / (1 + 0.4 * branch.first.doublings)
-    unstable = np.array([one == UNSTABLE for one in branch.stability])
-    first = 0
-    for k in range(1, len(values) + 1):
-        if k == len(values) or unstable[k] != unstable[first]:
-            piece = slice(first, min(k + 1, len(values)))
-            style: dict[str, Any] = {"linestyle": "--", "color": "#9aa5b1"} if unstable[first] else {"color": "#1f4e79"}
-            ax.plot(values[piece], heights[piece], linewidth=width, **style)
-            first = k
-    for special in branch.specials:
-        near = int(np.abs(values - special.value).argmin())
-        ax.plot(special.value, heights[near], "o", color=COLOURS.get(special.kind, "#111827"), markersize=6)
-        ax.annotate(special.kind, (special.value, heights[near]), textcoords="offset points", xytext=(6, 6), fontsize=8)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,7 +13,6 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from runtime.contract.files import OutputError, replacing
-from runtime.results.notebook_figure import NotebookFigure
 from runtime.views.curves import COLOURS, Curves
 
 if TYPE_CHECKING:
@@ -26,6 +26,15 @@ PREFIXES = ((1e-9, "n"), (1e-6, "µ"), (1e-3, "m"), (1.0, ""), (1e3, "k"), (1e6,
 DASHES = ("-", (0, (5, 2)), (0, (1, 1.2)))
 WIDTH = 10.5  # inches of two columns
 NAMED = 24  # legend entries that fit beside a panel, in two columns
+
+
+class NotebookFigure(Figure):
+    """A matplotlib figure without pyplot; a notebook shows it before and after `%matplotlib inline`."""
+
+    def _repr_png_(self) -> bytes:
+        content = io.BytesIO()
+        self.savefig(content, format="png")
+        return content.getvalue()
 
 
 def grid(

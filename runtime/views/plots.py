@@ -13,16 +13,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
-from matplotlib.colors import to_rgba
+from matplotlib.colors import BoundaryNorm, ListedColormap, to_rgba
 from matplotlib.figure import Figure
 
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import ArgumentError, ModelError
-from runtime.contract.files import replacing
 from runtime.operating.campbell import Campbell, frequencies_along
-from runtime.results.notebook_figure import NotebookFigure
 from runtime.results.samples import Samples
 from runtime.results.section_forces import Which
 from runtime.results.section_forces import section_forces as forces_along
@@ -30,7 +27,7 @@ from runtime.results.stresses import stresses as stresses_at
 from runtime.views import curves
 from runtime.views.animation import snapshots as snapshots
 from runtime.views.curves import COLOURS, Curves
-from runtime.views.figure import finish, grid, legend, owner, panel, prefixed, title
+from runtime.views.figure import NotebookFigure, finish, grid, legend, owner, panel, prefixed, title
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -337,9 +334,7 @@ def campbell_picture(found: Campbell, path: str | Path | None = None) -> Figure:
 
     Along a speed, frequency = speed is drawn too. Raises OutputError if the file cannot be written.
     """
-    figure = NotebookFigure(figsize=(8, 5), layout="constrained")
-    FigureCanvasAgg(figure)
-    ax = figure.add_subplot()
+    figure, (ax,) = grid(1, found.model.title or found.model.name)
     for k, name in enumerate(found.names):
         label = f"{k + 1} {name}" if k < MOST_NAMED else None
         ax.plot(found.values, found.frequencies[:, k], color=COLOURS[k % len(COLOURS)], label=label)
@@ -349,13 +344,8 @@ def campbell_picture(found: Campbell, path: str | Path | None = None) -> Figure:
     ax.set_xlabel(f"{found.over} [rad/s]" if found.is_speed else found.over)
     ax.set_ylabel("frequency [rad/s]")
     ax.set_ylim(bottom=0.0)
-    ax.set_title(found.model.title or found.model.name, fontsize=10, loc="left")
-    figure.legend(*ax.get_legend_handles_labels(), fontsize=8, frameon=False, loc="outside right center")
-    ax.grid(True, color="0.92")
-    if path is not None:
-        with replacing(path) as temporary:
-            figure.savefig(temporary, dpi=130)
-    return figure
+    legend(ax)
+    return finish(figure, path)
 
 
 def _keep_to_speeds(ax: Axes, found: Campbell) -> None:
@@ -383,7 +373,7 @@ def ensemble_picture(
     values: Mapping[str, np.ndarray],
     time: np.ndarray | None = None,
     path: str | Path | None = None,
-) -> NotebookFigure:
+) -> Figure:
     """Panels of the first values (cases,), or (cases, times) over `time`; with a path it also writes the file.
 
     varied: parameters and initial values by name (cases,). The second of them is the colour. Raises OutputError.
@@ -398,10 +388,7 @@ def ensemble_picture(
         ax.set_ylabel(name)
     for ax in axes[-2:]:
         ax.set_xlabel("time [s]" if time is not None else next(iter(varied)))
-    if path is not None:
-        with replacing(path) as temporary:
-            figure.savefig(temporary)
-    return figure
+    return finish(figure, path)
 
 
 def _bundle(ax: Axes, time: np.ndarray, found: np.ndarray) -> None:
@@ -433,7 +420,7 @@ MARKERS = "osD^vP*X<>hp"
 
 def work_precision(
     title: str, ladders: Mapping[str, np.ndarray], tolerance: float, unit: str, path: str | Path | None = None
-) -> NotebookFigure:
+) -> Figure:
     """Error over the price of every rung: of each method (N, 2), price in a unit, and error. Raises OutputError."""
     figure, (ax,) = grid(1, title)
     for k, (name, rungs) in enumerate(ladders.items()):
@@ -446,5 +433,98 @@ def work_precision(
     ax.set_ylabel("error of the motion, of its amplitudes", fontsize=9)
     ax.tick_params(which="both", labelsize=7)
     legend(ax)
-    finish(figure, path)
-    return figure
+    return finish(figure, path)
+
+
+# ---- The picture of a fit: data and fitted outputs over time, and what is left over.
+
+DATA, LINE = "#8fb9c9", "#8a1c3b"
+
+
+def fit_picture(
+    title: str,
+    t: np.ndarray,
+    data: Mapping[str, np.ndarray],
+    fitted: Mapping[str, np.ndarray],
+    path: str | Path | None = None,
+) -> Figure:
+    """Of each output (N,) over t (N,) [s] data (points), fit (line), and below them residuals. Raises OutputError."""
+    count = len(data)
+    figure, axes = grid(2 * count, title, columns=count, ratios=(3, 1))
+    for (name, values), above, below in zip(data.items(), axes[:count], axes[count:], strict=True):
+        above.plot(t, values, ".", markersize=3, color=DATA, label="data")
+        above.plot(t, fitted[name], color=LINE, linewidth=1.2, label="fit")
+        above.set_ylabel(name)
+        above.legend(frameon=False)
+        below.plot(t, fitted[name] - values, ".", markersize=2, color=LINE)
+        below.axhline(0.0, color="#111827", linewidth=0.6)
+        below.set_ylabel("residual")
+        below.set_xlabel("t [s]")
+    return finish(figure, path)
+
+
+# ---- The picture of motions that repeat over a parameter.
+
+SPECIALS = {"fold": "#d1495b", "flip": "#2e7d32", "Neimark-Sacker": "#7b1fa2", "branch point": "#ef6c00"}
+Branch = tuple[np.ndarray, np.ndarray, np.ndarray, int]  # values, heights, is it unstable?, doublings
+
+
+def branch_picture(
+    title: str,
+    over: str,
+    output: str,
+    branches: Sequence[Branch],
+    specials: Sequence[tuple[str, float, float]],
+    path: str | Path | None = None,
+) -> Figure:
+    """Heights (N,) over the parameter: stable solid, unstable dashed, thinner with each doubling; specials marked.
+
+    specials: kind, value, height. Raises OutputError.
+    """
+    figure, (ax,) = grid(1, f"{title}: motions that repeat (dashed: unstable)")
+    for values, heights, unstable, doublings in branches:
+        for piece in np.split(np.arange(len(values)), np.flatnonzero(np.diff(unstable)) + 1):
+            own = slice(piece[0], piece[-1] + 2)
+            style = {"ls": "--", "color": "#9aa5b1"} if unstable[piece[0]] else {"ls": "-", "color": "#1f4e79"}
+            ax.plot(values[own], heights[own], lw=1.8 / (1 + 0.4 * doublings), **style)
+    for kind, value, height in specials:
+        ax.plot(value, height, "o", color=SPECIALS.get(kind, "#111827"), markersize=6)
+        ax.annotate(kind, (value, height), textcoords="offset points", xytext=(6, 6), fontsize=8)
+    ax.set_xlabel(over)
+    ax.set_ylabel(f"largest |{output}| of a period")
+    return finish(figure, path)
+
+
+# ---- The picture of a stability chart.
+
+LEVELS = (0.0, 1e-12, 1e-9, 1e-6, 1e-4, 1e-2, 1e-1, 1.0, np.inf)  # of growth in a major step
+SHADES = ("#e8f1f2", "#d3e6ea", "#b3d4db", "#8fb9c9", "#f4d58d", "#f0a35e", "#d1495b", "#8a1c3b")
+Row = tuple[str, np.ndarray, np.ndarray, float | None, Sequence[tuple[float, float]]]
+
+
+def stability_picture(title: str, rows: Sequence[Row], path: str | Path | None = None) -> Figure:
+    """Spurious growth in a major step over dt_S, a row for each m, limits as bars, windows as lines.
+
+    rows: m, dt_S (N,) [s], growth (N,), the limit and the windows [s] in it. Raises OutputError.
+    """
+    figure, (ax,) = grid(1, title)
+    figure.set_size_inches(9, 1.8 + 0.42 * max(3, len(rows)))
+    ax.grid(False)
+    norm = BoundaryNorm(np.arange(len(LEVELS)), len(SHADES))
+    for k, (_, fine, growth, limit, windows) in enumerate(rows):
+        edges = np.sqrt(fine[1:] * fine[:-1])
+        edges = np.concatenate([[fine[0] ** 2 / edges[0]], edges, [fine[-1] ** 2 / edges[-1]]])
+        values = np.digitize(np.where(np.isfinite(growth), growth, 1e9), LEVELS[1:-1])[None] + 0.5
+        mesh = ax.pcolormesh(edges, [k - 0.45, k + 0.45], values, cmap=ListedColormap(SHADES), norm=norm)
+        if limit is not None:
+            ax.plot([limit] * 2, [k - 0.45, k + 0.45], color="#111827", linewidth=2.0)
+        for window in windows:
+            ax.plot(window, [k, k], color="#111827", linewidth=1.0)
+    ax.set_xscale("log")
+    ax.set_yticks(range(len(rows)), [row[0] for row in rows])
+    ax.set_ylabel("m")
+    ax.set_xlabel("step of the fastest group dt_S [s]")
+    bar = figure.colorbar(mesh, ax=ax, ticks=np.arange(1, len(SHADES)))
+    bar.ax.set_yticklabels([f"{level:g}" for level in LEVELS[1:-1]])
+    bar.set_label("spurious growth in a major step")
+    return finish(figure, path)

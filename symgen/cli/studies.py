@@ -125,7 +125,6 @@ def stability(arguments: argparse.Namespace) -> Outcome:
     each m, growth rates, resonance windows. With --out it leaves stability.csv and stability.png.
     """
     from runtime.studies.stability.chart import stability_chart
-    from runtime.studies.stability.picture import stability_picture
 
     if (arguments.dt_from is None) != (arguments.dt_to is None):
         raise UsageError("--dt-from and --dt-to belong together")
@@ -146,7 +145,7 @@ def stability(arguments: argparse.Namespace) -> Outcome:
     if arguments.out:
         folder = Path(arguments.out)
         chart.write_csv(folder / "stability.csv")
-        stability_picture(chart, folder / "stability.png")
+        chart.picture(folder / "stability.png")
         files = {name: str(folder / name) for name in ("stability.csv", "stability.png")}
     data = {"scene": model.name, "scheme": chart.scheme, "t_end": chart.t_end, "limits": chart.table(), "files": files}
     return Outcome(data, [*_limits(chart), *left(files)])

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from runtime import campbell, modes, unbalance_response
-from runtime.contract.errors import ModelError
+from runtime.contract.errors import ModelError, NoResult
 from runtime.contract.model import Model
 from runtime.views.plots import campbell_picture
 from symgen.scene import Scene, SceneRecord
@@ -96,6 +96,16 @@ def test_steady_unbalance_response(model_of: Build) -> None:
     exact = U * speeds**2 / (800 - 2 * speeds**2 + 1j * c * speeds)
     np.testing.assert_allclose(found.amplitudes[:, 0], exact, rtol=1e-12)
     np.testing.assert_allclose(found.amplitudes[:, 1], -1j * exact, rtol=1e-12)
+
+
+def test_unbalance_of_what_nothing_holds(built_in: Callable[[str], Model], model_of: Build) -> None:
+    """A free body turns about its centre of mass, U / m off; a critical speed without damping has no whirl."""
+    body = built_in("tumbling_body")
+    found = unbalance_response(body, "body.omega_z", [5.0, 80.0], at=("body.x", "body.y"), unbalance=1e-3)
+    mass = next(one.default for one in body.parameters if one.name == "body.mass")
+    np.testing.assert_allclose(found.amplitudes, np.tile([-1e-3 / mass, 1j * 1e-3 / mass], (2, 1)), rtol=1e-12)
+    with pytest.raises(NoResult, match="at 20 rad/s: grows without bound"):
+        unbalance_response(model_of(jeffcott(0.0)), "disk.omega", [20.0], at=("disk.x", "disk.y"), unbalance=1.0)
 
 
 def test_files_and_errors(model_of: Build, tmp_path: Path) -> None:

@@ -17,11 +17,10 @@ from runtime.contract.errors import ModelError
 from runtime.results.motion_error import amplitudes
 from runtime.running.ladder import Ladder, Method, affordable
 from runtime.running.singular.crossing import MOST_EVALUATIONS, BranchLost, TightIntegrator
-from runtime.studies.advice import methods, trial
+from runtime.studies.advice import methods
 from runtime.studies.advice.advise import Advice, NoAdvice, advice_data, advice_lines, advise, advised_command
 from runtime.studies.advice.methods import candidates, left_out
-from runtime.studies.advice.reference import NoReference, Reference, independent_reference
-from runtime.studies.advice.trial import seconds_of, trial_of
+from runtime.studies.advice.reference import NoReference, Reference, independent_reference, seconds_of, trial_of
 from symgen.generate import model_of as derived
 from symgen.scene import SceneRecord
 
@@ -191,7 +190,7 @@ def test_a_clock_that_misses_most_of_a_call_is_not_believed(
             seen += 1e-6 if asked == 8 else 2e-3
         return seen
 
-    monkeypatch.setattr(trial.time, "process_time", clock)
+    monkeypatch.setattr("runtime.studies.advice.reference.time.process_time", clock)
     assert seconds_of(rung) == pytest.approx(2e-3)
     assert asked > 8
 

@@ -27,12 +27,11 @@ from runtime.studies.advice.methods import candidates, checked_grades, left_out,
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from runtime.studies.advice.reference import Reference
-    from runtime.studies.advice.trial import Trial
+    from runtime.studies.advice.reference import Reference, Trial
 
 HOPELESS = 2.0  # times the operations of the best answer so far: a ladder that needs more is given up
 DIGITS = 3  # of an advised step, which is rounded down
-TRIAL = "runtime.studies.advice.trial:trial_of"
+TRIAL = "runtime.studies.advice.reference:trial_of"
 Note = Callable[[str], None]
 
 

@@ -12,8 +12,7 @@ from runtime.contract.doors import BY_NAME, NAMES, arguments
 from runtime.contract.files import write_text
 from runtime.contract.model import Model
 from runtime.studies.advice.advise import Advice, Note, advice_lines, advise
-from runtime.studies.advice.reference import independent_reference
-from runtime.studies.advice.trial import Trial
+from runtime.studies.advice.reference import Trial, independent_reference
 
 PICTURE, TABLE, PAGE = "error_time.png", "methods.csv", "methods.md"
 

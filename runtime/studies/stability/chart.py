@@ -8,12 +8,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from math import prod
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from runtime.baselines.scipy_methods import reference_solution
-from runtime.contract.doors import BY_NAME, NUMBERS, arguments
+from runtime.contract.doors import BY_NAME, NUMBERS, arguments, opened
 from runtime.contract.errors import ModelError
 from runtime.contract.files import write_text
 from runtime.contract.model import Model
@@ -21,6 +21,9 @@ from runtime.operating.mode_solver import State, state_at
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 from runtime.studies.stability.spectra import ExactMotion, StepSpectrum
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 # The largest stable step, resonance windows, and maps of the spectral radius over (dt, m), along a trajectory.
 
@@ -198,6 +201,21 @@ class StabilityChart:
                     ]
                 )
         write_text(path, text.getvalue())
+
+    def picture(self, path: str | Path | None = None) -> Figure:
+        """Spurious growth in a major step over dt_S for each m, limits as bars. Raises OutputError."""
+        rows = [
+            (
+                ",".join(map(str, one.m)) or "-",
+                one.dt / prod(one.m),
+                np.expm1(np.minimum(one.growth * one.dt, 50.0)),
+                None if one.limit is None or one.beyond else one.limit / prod(one.m),
+                [(low / prod(one.m), high / prod(one.m)) for low, high in one.windows],
+            )
+            for one in self.curves
+        ]
+        about = f"{self.model.title or self.model.name}: {self.scheme}, {len(self.states)} states of {self.t_end:g} s"
+        return opened("runtime.views.plots:stability_picture")(about, rows, path)  # type: ignore[no-any-return]
 
 
 def _growth_below(curve: StabilityCurve) -> float | None:
