@@ -1167,7 +1167,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
     takes c (n_const = 47) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    133 operations.
+    125 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
@@ -1203,8 +1203,6 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     rod_inertia = c[16]
     rod_rho_dot_phi_2_0 = c[17]
     rod_rho_dot_phi_3_0 = c[18]
-    c43 = c[43]
-    c44 = c[44]
     # intermediate terms (25)
     w0 = 2 * rod_theta_dot
     w1 = ca.sin(rod_theta)
@@ -1217,30 +1215,30 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w8 = rod_q1 * rod_M_ff_0_0
     w9 = rod_q2 * rod_M_ff_1_1
     w10 = rod_rho_dot_phi_2_0 + (rod_q3 * rod_M_ff_2_2 + rod_q4 * rod_M_ff_2_3)
-    w11 = w3 * rod_end_shape_0_3
-    w12 = w1 * w4
-    w13 = 2 * ((w6 * (rod_q4_dot * w11 - rod_theta_dot * w12) - rod_theta_dot * w11) / w5)
-    w14 = (rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)) * w13
-    w15 = w0 * rod_phi_cross_phi_0_3 - w14 - w6 * (w0 * w8 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3))
-    w16 = w0 * rod_phi_cross_phi_1_3 - w13 * (rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3) - w6 * (w0 * w9 + rod_q4_dot * c43)
-    w17 = w0 * w2 * slider_mass
-    w18 = w13 * (rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1 + w12 * (w11 * slider_mass))
-    w19 = rod_rho_dot_phi_3_0 + (rod_q3 * rod_M_ff_2_3 + rod_q4 * rod_M_ff_3_3)
-    w20 = (w0 * w5 + 2 * (w1 * (rod_q4_dot * rod_end_shape_0_3))) * slider_mass
-    w21 = w0 * w19 + 2 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) + w11 * w20
-    w22 = rod_q1 * w8 + rod_q2 * w9 + rod_q3 * (rod_rho_dot_phi_2_0 + w10) + rod_q4 * (rod_rho_dot_phi_3_0 + w19)
-    w23 = w6 * ((w8 * rod_q1_dot + w9 * rod_q2_dot + w10 * rod_q3_dot + rod_q4_dot * w19) * -2.0 - w12 * w20)
-    w24 = w11 * w17 + w18 - w6 * w21 - w6 * (w7 * w19 - w12 * w17 - w13 * (rod_inertia + w22 + w12 * (w12 * slider_mass)) - w23)
+    w11 = 2 * -w6
+    w12 = (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3) * w11 + w0 * rod_phi_cross_phi_0_3
+    w13 = w0 * w6
+    w14 = rod_q4_dot * rod_end_shape_0_3
+    w15 = w3 * rod_end_shape_0_3
+    w16 = w1 * w4
+    w17 = (w11 * (w3 * w14) + w0 * w15 + w13 * w16) / w5
+    w18 = (rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)) * w17
+    w19 = w11 * (rod_q4_dot * rod_phi_cross_phi_1_3) + w0 * rod_phi_cross_phi_1_3 - w9 * w13 + w17 * (rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3)
+    w20 = rod_rho_dot_phi_3_0 + (rod_q3 * rod_M_ff_2_3 + rod_q4 * rod_M_ff_3_3)
+    w21 = w11 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) - w13 * w20 - w17 * (rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1)
+    w22 = w7 * w20 - (w8 * rod_q1_dot + w9 * rod_q2_dot + w10 * rod_q3_dot + rod_q4_dot * w20) * (w6 * -2.0)
+    w23 = rod_q1 * w8 + rod_q2 * w9 + rod_q3 * (rod_rho_dot_phi_2_0 + w10) + rod_q4 * (rod_rho_dot_phi_3_0 + w20)
+    w24 = w21 - w6 * (w22 + w17 * (rod_inertia + w23)) - (w15 + w6 * w16) * ((w16 * w17 - (w11 * (w1 * w14) + w0 * w2 - w5 * w13)) * slider_mass)
     # outputs
     dQ_hat_dq_i_dot = ca.SX(4, 4)
     # rod.q1
     dQ_hat_dq_i_dot[0, 2] = w0 * rod_phi_cross_phi_0_2
-    dQ_hat_dq_i_dot[0, 3] = w15
+    dQ_hat_dq_i_dot[0, 3] = w12 - w8 * w13 + w18
     # rod.q2
-    dQ_hat_dq_i_dot[1, 3] = w16
+    dQ_hat_dq_i_dot[1, 3] = w19
     # rod.q3
     dQ_hat_dq_i_dot[2, 0] = w0 * rod_phi_cross_phi_2_0
-    dQ_hat_dq_i_dot[2, 3] = w13 * (rod_q1 * rod_phi_cross_phi_2_0) - w6 * (w0 * w10 + rod_q1_dot * c44)
+    dQ_hat_dq_i_dot[2, 3] = w11 * (rod_q1_dot * rod_phi_cross_phi_2_0) - w10 * w13 - w17 * (rod_q1 * rod_phi_cross_phi_2_0)
     # rod.q4
     dQ_hat_dq_i_dot[3, 0] = w0 * rod_phi_cross_phi_3_0 - w6 * (w7 * w8)
     dQ_hat_dq_i_dot[3, 1] = w0 * rod_phi_cross_phi_3_1 - w6 * (w7 * w9)

@@ -17,8 +17,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 15) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
-    34 operations.
+    gives c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
+    29 operations.
     """
     p = ca.SX.sym("p", 15)
     gravity_y = p[0]
@@ -36,37 +36,40 @@ def constants() -> ca.Function:
     rocker_tip_x = p[12]
     ground_right_x = p[13]
     motor_value = p[14]
-    # intermediate terms (3)
+    # intermediate terms (5)
     w0 = crank_inertia + crank_mass * crank_center_of_mass_x**2
-    w1 = crank_mass * crank_center_of_mass_x
-    w2 = rocker_mass * rocker_center_of_mass_x
+    w1 = crank_tip_x * coupler_mass
+    w2 = coupler_mass * coupler_center_of_mass_x
+    w3 = crank_mass * crank_center_of_mass_x
+    w4 = rocker_mass * rocker_center_of_mass_x
     # outputs
     c = ca.vertcat(
         crank_tip_x,  # crank_tip_x
         coupler_mass,  # coupler_mass
-        w0 + crank_tip_x * (crank_tip_x * coupler_mass),  # c2
+        w0 + crank_tip_x * w1,  # c2
         coupler_tip_x,  # coupler_tip_x
         rocker_tip_x,  # rocker_tip_x
         rocker_inertia + rocker_mass * rocker_center_of_mass_x**2,  # c5
-        coupler_mass * coupler_center_of_mass_x,  # c6
+        w2,  # c6
         coupler_inertia + coupler_mass * coupler_center_of_mass_x**2,  # c7
         gravity_y,  # gravity_y
-        w1 * gravity_y,  # c9
+        w3 * gravity_y,  # c9
         motor_value,  # motor_value
         coupler_mass * gravity_y,  # c11
-        gravity_y * w2,  # c12
+        gravity_y * w4,  # c12
         ground_right_x,  # ground_right_x
         crank_mass,  # crank_mass
         w0,  # c15
         rocker_mass,  # rocker_mass
-        w1,  # c17
-        w2,  # c18
+        w3,  # c17
+        w4,  # c18
         crank_mass * gravity_y,  # c19
         rocker_mass * gravity_y,  # c20
         -gravity_y,  # c21
-        coupler_center_of_mass_x * (coupler_mass * (2 * crank_tip_x)),  # c22
-        2 * rocker_inertia + rocker_center_of_mass_x * (rocker_center_of_mass_x * (2 * rocker_mass)),  # c23
-        coupler_center_of_mass_x * (coupler_center_of_mass_x * (2 * coupler_mass)) + 2 * coupler_inertia,  # c24
+        coupler_inertia + coupler_center_of_mass_x * w2,  # c22
+        rocker_inertia + rocker_center_of_mass_x * w4,  # c23
+        coupler_center_of_mass_x * (coupler_mass * (2 * crank_tip_x)),  # c24
+        w1 * coupler_center_of_mass_x,  # c25
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -79,7 +82,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
     89 operations.
@@ -88,7 +91,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -147,7 +150,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 2) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
@@ -155,7 +158,7 @@ def closure() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -192,14 +195,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     28 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -233,7 +236,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
     53 operations.
     """
@@ -242,7 +245,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -283,7 +286,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 8) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 8 x 9) [SI]: constraint Jacobian
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -293,7 +296,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -374,7 +377,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 9 x 9) [SI]: mass matrix in all coordinates
     gives K (n x n = 9 x 9) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 9) [N, N m]: quadratic velocity force in all coordinates
@@ -386,7 +389,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_theta = q[2]
     coupler_theta = q[5]
     rocker_theta = q[8]
@@ -552,7 +555,7 @@ def reactions() -> ca.Function:
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
     takes q_ddot (n = 9) [mixed]: accelerations of all coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
     91 operations.
@@ -560,7 +563,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_theta = q[2]
     coupler_theta = q[5]
     rocker_theta = q[8]
@@ -645,7 +648,7 @@ def energy() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -655,7 +658,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_y = q[1]
     crank_theta = q[2]
     coupler_y = q[4]
@@ -709,11 +712,11 @@ def energy() -> ca.Function:
 def load_actions() -> ca.Function:
     """What the loads do at their markers.
 
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives load_actions (3 or 6 x loads = 3) [N, N m]: world force and moment of a load on its marker, or b
     0 operations.
     """
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     motor_value = c[10]
     # outputs
     load_actions = ca.vertcat(0.0, 0.0, motor_value)
@@ -779,7 +782,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
     190 operations.
     """
@@ -787,7 +790,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -871,15 +874,15 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    63 operations.
+    64 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -892,24 +895,28 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c22 = c[22]
     c23 = c[23]
     c24 = c[24]
-    # intermediate terms (15)
+    c25 = c[25]
+    # intermediate terms (18)
     w0 = ca.cos(crank_theta) * crank_tip_x
-    w1 = ca.sin(crank_theta) * crank_tip_x
-    w2 = ca.sin(coupler_theta) * coupler_tip_x
-    w3 = ca.cos(coupler_theta) * coupler_tip_x
-    w4 = ca.cos(rocker_theta) * rocker_tip_x
-    w5 = ca.sin(rocker_theta) * rocker_tip_x
-    w6 = w2 * w4 - w3 * w5
-    w7 = (w0 * w2 - w1 * w3) / w6
-    w8 = (w0 * w5 - w1 * w4) / w6
-    w9 = w0 * crank_theta_dot + w3 * coupler_theta_dot * w8 - w7 * (w4 * rocker_theta_dot)
-    w10 = w1 * crank_theta_dot + w8 * (w2 * coupler_theta_dot) - w7 * (w5 * rocker_theta_dot)
-    w11 = (w4 * w9 + w5 * w10) / w6
-    w12 = coupler_theta - crank_theta
-    w13 = ca.sin(w12) * c22
-    w14 = w11 * (ca.cos(w12) * c22) + (w8 * w11 * c24 + (w7 * ((w3 * w9 + w2 * w10) / w6) * c23 + w13 * (coupler_theta_dot * w8)))
+    w1 = ca.sin(rocker_theta) * rocker_tip_x
+    w2 = ca.cos(rocker_theta) * rocker_tip_x
+    w3 = ca.sin(crank_theta) * crank_tip_x
+    w4 = ca.sin(coupler_theta) * coupler_tip_x
+    w5 = ca.cos(coupler_theta) * coupler_tip_x
+    w6 = w2 * w4 - w1 * w5
+    w7 = (w0 * w1 - w2 * w3) / w6
+    w8 = 2 * coupler_theta_dot * w7
+    w9 = (w0 * w4 - w3 * w5) / w6
+    w10 = 2 * rocker_theta_dot * w9
+    w11 = 2 * crank_theta_dot
+    w12 = w2 * w10 - w5 * w8 - w0 * w11
+    w13 = w1 * w10 - w4 * w8 - w3 * w11
+    w14 = (w2 * w12 + w1 * w13) / w6
+    w15 = coupler_theta - crank_theta
+    w16 = ca.sin(w15) * c24
+    w17 = w16 * (coupler_theta_dot * w7) - w16 * (w7 * crank_theta_dot) - w7 * w14 * c22 - w9 * ((w5 * w12 + w4 * w13) / w6) * c23
     # outputs
-    dQ_hat_dq_i_dot = ca.vertcat(w14 - w13 * (crank_theta_dot * w8))
+    dQ_hat_dq_i_dot = ca.vertcat(w17 - w14 * (ca.cos(w15) * c25))
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
 
@@ -922,7 +929,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     225 operations.
@@ -932,7 +939,7 @@ def residual_jacobian() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]

@@ -17,8 +17,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 11) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
-    30 operations.
+    gives c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
+    15 operations.
     """
     p = ca.SX.sym("p", 11)
     gravity_y = p[0]
@@ -32,10 +32,9 @@ def constants() -> ca.Function:
     slider_inertia = p[8]
     crank_tip_x = p[9]
     rod_tip_x = p[10]
-    # intermediate terms (3)
+    # intermediate terms (2)
     w0 = crank_mass * crank_center_of_mass_x
-    w1 = 2 * crank_tip_x
-    w2 = rod_center_of_mass_x * (rod_mass * w1)
+    w1 = w0 * gravity_y
     # outputs
     c = ca.vertcat(
         crank_inertia + crank_mass * crank_center_of_mass_x**2,  # c0
@@ -47,7 +46,7 @@ def constants() -> ca.Function:
         rod_mass * rod_center_of_mass_x,  # c6
         rod_inertia + rod_mass * rod_center_of_mass_x**2,  # c7
         gravity_y,  # gravity_y
-        w0 * gravity_y,  # c9
+        w1,  # c9
         rod_mass * gravity_y,  # c10
         crank_mass,  # crank_mass
         w0,  # c12
@@ -55,11 +54,7 @@ def constants() -> ca.Function:
         crank_mass * gravity_y,  # c14
         slider_mass * gravity_y,  # c15
         -gravity_y,  # c16
-        w2,  # c17
-        w2 + rod_tip_x * (slider_mass * w1),  # c18
-        rod_tip_x * (rod_tip_x * (2 * slider_mass)),  # c19
-        slider_mass * (crank_tip_x * w1),  # c20
-        rod_center_of_mass_x * (rod_center_of_mass_x * (2 * rod_mass)) + 2 * rod_inertia,  # c21
+        -w1,  # c17
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -72,7 +67,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
     70 operations.
@@ -81,7 +76,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 18)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -129,7 +124,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 1) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
@@ -137,7 +132,7 @@ def closure() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 18)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_tip_x = c[1]
@@ -166,14 +161,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     16 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 18)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -201,7 +196,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
     28 operations.
     """
@@ -210,7 +205,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 18)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -243,7 +238,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 8) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 8 x 9) [SI]: constraint Jacobian
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -253,7 +248,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 18)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -326,7 +321,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 9 x 9) [SI]: mass matrix in all coordinates
     gives K (n x n = 9 x 9) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 9) [N, N m]: quadratic velocity force in all coordinates
@@ -338,7 +333,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 18)
     crank_theta = q[2]
     rod_theta = q[5]
     crank_theta_dot = q_dot[2]
@@ -471,7 +466,7 @@ def reactions() -> ca.Function:
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
     takes q_ddot (n = 9) [mixed]: accelerations of all coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
     61 operations.
@@ -479,7 +474,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 18)
     crank_theta = q[2]
     rod_theta = q[5]
     crank_theta_dot = q_dot[2]
@@ -549,7 +544,7 @@ def energy() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -559,7 +554,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 18)
     crank_y = q[1]
     crank_theta = q[2]
     rod_y = q[4]
@@ -661,15 +656,15 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
-    119 operations.
+    120 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 18)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -677,51 +672,46 @@ def dQ_hat_dq_i() -> ca.Function:
     crank_tip_x = c[1]
     rod_mass = c[2]
     slider_mass = c[3]
-    c4 = c[4]
     rod_tip_x = c[5]
     c6 = c[6]
     c7 = c[7]
     gravity_y = c[8]
-    c9 = c[9]
     c10 = c[10]
-    # intermediate terms (35)
-    w0 = ca.cos(crank_theta) * crank_tip_x
-    w1 = crank_theta_dot**2
-    w2 = w0 * w1
-    w3 = w2 * rod_mass
-    w4 = ca.sin(crank_theta)
-    w5 = rod_theta_dot**2
-    w6 = ca.cos(rod_theta)
-    w7 = w6 * c6
-    w8 = w5 * w7
-    w9 = ca.sin(rod_theta)
-    w10 = w9 * c6
-    w11 = w9 * rod_tip_x
-    w12 = w4 * crank_tip_x
-    w13 = w1 * w12
-    w14 = w6 * rod_tip_x
-    w15 = (w5 * w11 + w13) / w14
-    w16 = w10 * w15
-    w17 = w5 * w14
-    w18 = w11 * w15
-    w19 = (w2 + w17 + w18) * slider_mass
-    w20 = w5 * w10
-    w21 = w7 * w15
-    w22 = (w7 * gravity_y - (w2 * w10 - w7 * w13 + w15 * c7) - w11 * w19) / w14
-    w23 = w0 * w3 - (w4 * c9 + w0 * (w8 + (w3 + w16) + w19) + w12 * (c10 + w20 - (w21 - w13 * rod_mass) - w22))
-    w24 = w11 * slider_mass
-    w25 = w10 + w24
-    w26 = 2 * rod_theta_dot
-    w27 = w0 / w14
-    w28 = (crank_theta_dot * w12 - rod_theta_dot * w11 * w27) / w14
-    w29 = (w2 + w11 * w26 * w28 - w27 * (w17 + w18)) / w14
-    w30 = w14 * w26 * slider_mass
-    w31 = w23 + w12 * (w13 * c4) - (w0 * w7 + w12 * w25) * w29 + w28 * (w0 * (w10 * w26) - w12 * (w7 * w26 + w30))
-    w32 = w13 * slider_mass
-    w33 = w2 * w7
-    w34 = w33 + w13 * w25 - w29 * (c7 + w11 * w24) - w28 * (w11 * w30) - w27 * (w11 * w22 - (w33 + w10 * w13 + w10 * gravity_y) - w14 * w19 - w11 * w32)
+    c17 = c[17]
+    # intermediate terms (31)
+    w0 = ca.sin(crank_theta)
+    w1 = rod_theta_dot**2
+    w2 = ca.cos(rod_theta)
+    w3 = w2 * c6
+    w4 = crank_theta_dot**2
+    w5 = ca.cos(crank_theta) * crank_tip_x
+    w6 = w4 * w5
+    w7 = w6 * rod_mass
+    w8 = ca.sin(rod_theta)
+    w9 = w8 * c6
+    w10 = w8 * rod_tip_x
+    w11 = w0 * crank_tip_x
+    w12 = w4 * w11
+    w13 = w2 * rod_tip_x
+    w14 = (w1 * w10 + w12) / w13
+    w15 = (w6 + w1 * w13 + w10 * w14) * slider_mass
+    w16 = w12 * rod_mass
+    w17 = (w3 * gravity_y - (w6 * w9 - w3 * w12 + w14 * c7) - w10 * w15) / w13
+    w18 = w5 / w13
+    w19 = w8 * w18
+    w20 = w19 * c6
+    w21 = w19 * rod_tip_x
+    w22 = 2 * rod_theta_dot * ((rod_theta_dot * w21 - crank_theta_dot * w11) / w13)
+    w23 = w2 * w18
+    w24 = w23 * c6
+    w25 = w23 * rod_tip_x
+    w26 = (w14 * w21 + (w10 * w22 + w1 * w25) - w6) / w13
+    w27 = w20 * gravity_y + (w12 * w20 + w3 * w6 + (w9 * w12 + w6 * w24) + w26 * c7) - w17 * w21 + w15 * w25
+    w28 = w0 * c17 - w5 * (w1 * w3 + (w7 + w9 * w14) + w15) - w11 * (c10 + w1 * w9 - (w3 * w14 - w16) - w17)
+    w29 = w28 - w11 * (w1 * w20 - w3 * w22 - (w16 + (w14 * w24 + w9 * w26))) - w5 * (w9 * w22 + w1 * w24 + (w14 * w20 - w3 * w26 - w7))
+    w30 = w29 - w18 * w27 - (w10 * w18 - w11) * ((w12 - (w1 * w21 - w13 * w22 - w14 * w25) + w10 * w26) * slider_mass)
     # outputs
-    dQ_hat_dq_i = ca.vertcat(w31 - w27 * (w0 * (w8 + w16) - w12 * (w21 - w20 + w32)) - w27 * w34)
+    dQ_hat_dq_i = ca.vertcat(w30)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i"])
 
@@ -733,43 +723,43 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    53 operations.
+    48 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 18)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
     rod_theta_dot = q_d_dot[4]
     crank_tip_x = c[1]
+    rod_mass = c[2]
+    slider_mass = c[3]
     rod_tip_x = c[5]
-    c17 = c[17]
-    c18 = c[18]
-    c19 = c[19]
-    c20 = c[20]
-    c21 = c[21]
-    # intermediate terms (14)
-    w0 = ca.cos(crank_theta)
-    w1 = ca.sin(crank_theta)
-    w2 = ca.cos(rod_theta)
-    w3 = ca.sin(rod_theta)
-    w4 = w2 * rod_tip_x
-    w5 = w0 * crank_tip_x / w4
-    w6 = (w1 * crank_tip_x * crank_theta_dot - w3 * rod_tip_x * rod_theta_dot * w5) / w4
-    w7 = w0 * w3
-    w8 = crank_theta_dot * w5
-    w9 = rod_theta_dot * w5
-    w10 = w1 * w2
-    w11 = w5 * w6
-    w12 = w11 * c21 + (w3**2 * c19 * w11 + (w7 * c18 * w8 + w9 * (w10 * c18))) - crank_theta_dot * (w0 * w1 * c20)
-    w13 = w12 - w6 * (w0 * w2 * c17) - w7 * c17 * w9 - w8 * (w10 * c17) - w6 * (w1 * w3 * c18) - w2 * w3 * c19 * (w5 * w9)
+    c6 = c[6]
+    c7 = c[7]
+    # intermediate terms (15)
+    w0 = ca.sin(crank_theta) * crank_tip_x
+    w1 = ca.cos(rod_theta)
+    w2 = w1 * c6
+    w3 = ca.cos(crank_theta) * crank_tip_x
+    w4 = w1 * rod_tip_x
+    w5 = w3 / w4
+    w6 = 2 * rod_theta_dot * w5
+    w7 = ca.sin(rod_theta)
+    w8 = w7 * c6
+    w9 = w7 * rod_tip_x
+    w10 = 2 * crank_theta_dot
+    w11 = w0 * w10
+    w12 = (w6 * w9 - w11) / w4
+    w13 = w3 * w10
+    w14 = w0 * (w2 * w6 + (w8 * w12 - w13 * rod_mass)) + w3 * (w11 * rod_mass + w2 * w12 - w6 * w8) + w5 * (w8 * w13 - w2 * w11 - w12 * c7)
     # outputs
-    dQ_hat_dq_i_dot = ca.vertcat(w13)
+    dQ_hat_dq_i_dot = ca.vertcat(w14 - (w5 * w9 - w0) * ((w4 * w6 - w13 + w9 * w12) * slider_mass))
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
 
@@ -782,7 +772,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     149 operations.
@@ -792,7 +782,7 @@ def residual_jacobian() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 18)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]

@@ -216,14 +216,6 @@ class Bent:
             return zeros()
         return scaled(self.inverse, plus(moment, scaled(ca.SX(0.5), cross(moment, self.psi))))
 
-    def twice_turned(self, a: int, b: int, vector: Vector) -> ca.SX:
-        """d(turned_a) / dq_b along a vector."""
-        if self.inverse.is_zero():
-            return ZERO
-        half, (first, second) = mul(ca.SX(0.5), self.inverse), (self.point.turns[k] for k in (a, b))
-        own = dot(first, scaled(half, cross(vector, second)))
-        return sub(own, mul(mul(half, dot(self.psi, second)), dot(self.turned[a], vector)))
-
     def drift(self, omega: Vector) -> Vector:
         """2 omega x rho_dot + nu: acceleration of the point by moving in a body that turns with omega."""
         return plus(cross(scaled(ca.SX(2), omega), self.rho_dot), self.nu)

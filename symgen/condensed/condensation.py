@@ -8,8 +8,8 @@ back. Loop closures are solved block by block and then are substitutions like an
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import casadi as ca
@@ -61,6 +61,12 @@ class Condensed:
     def accelerations(self, independent: Mapping[int, ca.SX]) -> dict[int, ca.SX]:
         """q_ddot of every coordinate from q_i_ddot (Eq. 35)."""
         return _sweep(independent, self.substitutions, [s.c_acceleration for s in self.substitutions])
+
+    def following(self, independent: Row, changes: Sequence[ca.SX]) -> Row:
+        """x of C_q x = -changes by column, changes by constraint row, for the given entries of x."""
+        rows = zip(self.reduced.constraints, changes, strict=True)
+        changed = replace(self.reduced, constraints=[replace(row, gamma=neg(change)) for row, change in rows])
+        return condense(self.equations, changed, self.choice).accelerations(independent)
 
     def M_hat(self) -> ca.SX:
         """M_hat = S^T M S of Eq. (38), dense n_i x n_i."""

@@ -19,11 +19,12 @@ from dataclasses import dataclass, replace
 import casadi as ca
 
 from symgen.algebra.rows import Row, add_scaled, add_to
-from symgen.algebra.scalar import ZERO, add, div, mul, neg, sub, vector
+from symgen.algebra.scalar import ONE, ZERO, add, div, mul, neg, sub, total, vector
 from symgen.algebra.small_systems import solve_small
 from symgen.condensed.condensation import Condensed, Substitution, congruence
 from symgen.condensed.loops import LoopBlock
-from symgen.system.equations import Equations
+from symgen.system.constraint import ConstraintRow
+from symgen.system.equations import Direction, Equations
 
 
 @dataclass(frozen=True)
@@ -79,54 +80,10 @@ def derivative_rows(values: Sequence[ca.SX], columns: Sequence[int], symbols: Se
 
 
 def row_changes(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[int, ConstraintChange]:
-    """Rates and derivatives commute: d(C')/dq_j = (C_qj)', d(C'')/dq_j = (C_qj)'' and d(C'')/dq_j' = 2 (C_qj)'.
-
-    With velocities that are no rates of coordinates they do not, and in the plane, where a row has few coordinates,
-    C' and C'' themselves take fewer operations to differentiate.
-    """
-    if eq.turnings or eq.inertia_forces is None:
-        return _by_differentiation(eq, rows, accelerations)
-    known = _by_fields(eq, rows, accelerations)
-    return known | _by_rates(eq, [row for row in rows if row not in known], accelerations)
-
-
-def _by_fields(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[int, ConstraintChange]:
-    """Of the joints whose rows have rates known by geometry."""
-    found = {}
-    for joint, known in eq.loop_rates.items():
-        own = [row for row, constraint in enumerate(eq.constraints) if constraint.joint == joint]
-        for row, first, second in zip(own, *known.rows(dict(enumerate(eq.q_dot)), accelerations), strict=True):
-            if row in rows:
-                entries = eq.constraints[row].C_q
-                g, h = (_of(entries.keys() & accelerations.keys(), change) for change in (first, second))
-                k = {c: mul(ca.SX(2), value) for c, value in g.items()}
-                found[row] = ConstraintChange(dict(entries), g, h, k)
-    return found
-
-
-def _by_rates(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[int, ConstraintChange]:
-    if not rows:
-        return {}
-    columns = sorted(accelerations)
-    places = [(row, column) for row in rows for column in eq.constraints[row].C_q if column in accelerations]
-    q, rates = (ca.vertcat(*(source[c] for c in columns)) for source in (eq.q, eq.q_dot))
-    second = ca.vertcat(*(accelerations[c] for c in columns))
-    entries = ca.SX(ca.vertcat(*(eq.constraints[row].C_q[column] for row, column in places)))
-    first = ca.jtimes(entries, q, rates)
-    changes = [first, ca.jtimes(first, ca.vertcat(q, rates), ca.vertcat(rates, second)), 2 * first]
-    found = {row: ConstraintChange(dict(eq.constraints[row].C_q), {}, {}, {}) for row in rows}
-    for (row, column), *values in zip(places, *(vector(value) for value in changes), strict=True):
-        for target, value in zip((found[row].g, found[row].h, found[row].k), values, strict=True):
-            add_to(target, column, value)
-    return found
-
-
-def _by_differentiation(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[int, ConstraintChange]:
+    """Of some constraint rows, by differentiation."""
     columns = sorted(accelerations)
     entries = [eq.constraints[row].C_q for row in rows]
-    constraints, rates = [eq.constraints[row] for row in rows], dict(enumerate(eq.q_dot))
-    first = [add(along(row.C_q, rates), row.C_t) for row in constraints]
-    second = [sub(along(row.C_q, accelerations), row.gamma) for row in constraints]
+    first, second = _rates(eq, [eq.constraints[row] for row in rows], accelerations)
     by_q = derivative_rows([*first, *second], columns, eq.q)
     by_rate = derivative_rows(second, columns, eq.q_dot)
     n = len(rows)
@@ -134,6 +91,32 @@ def _by_differentiation(eq: Equations, rows: Sequence[int], accelerations: Row) 
         row: ConstraintChange(dict(own), *(_of(_places(eq, own), change) for change in (g, h, k)))
         for row, own, g, h, k in zip(rows, entries, by_q[:n], by_q[n:], by_rate, strict=True)
     }
+
+
+def _known_changes(eq: Equations, accelerations: Row) -> dict[int, ConstraintChange]:
+    """Of the joints whose rows have rates known by geometry, which commute with derivatives:
+
+    d(C')/dq_j = (C_qj)', d(C'')/dq_j = (C_qj)'' and d(C'')/dq_j' = 2 (C_qj)'.
+    """
+    found = {}
+    for joint, known in eq.loop_rates.items():
+        own = [row for row, constraint in enumerate(eq.constraints) if constraint.joint == joint]
+        for row, first, second in zip(own, *known.rows(dict(enumerate(eq.q_dot)), accelerations), strict=True):
+            entries = eq.constraints[row].C_q
+            g, h = (_of(entries.keys() & accelerations.keys(), change) for change in (first, second))
+            found[row] = ConstraintChange(dict(entries), g, h, _twice(g))
+    return found
+
+
+def _rates(eq: Equations, constraints: Sequence[ConstraintRow], accelerations: Row) -> tuple[list[ca.SX], list[ca.SX]]:
+    """C_q x' - nu and C_q x'' - gamma."""
+    rates = dict(enumerate(eq.q_dot))
+    first = [add(along(row.C_q, rates), row.C_t) for row in constraints]
+    return first, [sub(along(row.C_q, accelerations), row.gamma) for row in constraints]
+
+
+def _twice(row: Row) -> Row:
+    return {column: mul(ca.SX(2), value) for column, value in row.items()}
 
 
 def _places(eq: Equations, entries: Row) -> set[int]:
@@ -186,7 +169,7 @@ def variations(system: Condensed, accelerations: Row) -> list[Variation]:
 
 
 def _of_rates(one: Variation) -> Variation:
-    return replace(one, k={column: mul(ca.SX(2), value) for column, value in one.g.items()})
+    return replace(one, k=_twice(one.g))
 
 
 def _structural(system: Condensed) -> list[Substitution]:
@@ -233,6 +216,30 @@ def _solutions(U: list[list[ca.SX]], rows: list[Row]) -> list[Row]:
     for column, values in zip(columns, solved, strict=True):
         for row, value in zip(found, values, strict=True):
             add_to(row, column, value)
+    return found
+
+
+def directions(system: Condensed, accelerations: Row) -> list[Direction]:
+    """Each independent coordinate with all that follow it: each direction by itself, for loops with few of them."""
+    eq, columns = system.reduced, sorted(accelerations)
+    known = {} if eq.turnings else _known_changes(eq, accelerations)
+    first, second = (ca.vertcat(*values) for values in _rates(eq, eq.constraints, accelerations))
+    q, rates = (ca.vertcat(*(source[c] for c in columns)) for source in (eq.q, eq.q_dot))
+
+    def following(values: ca.SX, *moved: tuple[str, ca.SX, Row]) -> Row:
+        seeds = ca.vertcat(*(row.get(c, ZERO) for _, _, row in moved for c in columns))
+        changes = vector(ca.jtimes(values, ca.vertcat(*(symbols for _, symbols, _ in moved)), seeds))
+        for place, change in known.items():
+            changes[place] = total(along(getattr(change, name), row) for name, _, row in moved)
+        return system.following({}, changes)
+
+    found = []
+    for column in system.choice.independent:
+        S = system.following({column: ONE}, [ZERO] * len(eq.constraints))
+        S_dot = following(first, ("g", q, S))
+        S_ddot = following(second, ("h", q, S), ("k", rates, S_dot))
+        by_rate = following(second, ("k", rates, S)) if eq.turnings or eq.inertia_forces is None else _twice(S_dot)
+        found.append(Direction(column, S, S_dot, S_ddot, by_rate))
     return found
 
 

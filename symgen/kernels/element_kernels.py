@@ -17,8 +17,8 @@ from symgen.algebra.scalar import ONE, add, mul, sub
 from symgen.condensed.condensation import Condensed
 from symgen.condensed.forward_dynamics import locked_pivots, tree_accelerations
 from symgen.condensed.locks import Locks, locks
-from symgen.condensed.variations import variations
-from symgen.kernels.jacobians import directions, jacobian_kernels
+from symgen.condensed.variations import directions
+from symgen.kernels.jacobians import jacobian_kernels
 from symgen.kernels.kernel import Arguments, Kernel, dynamics
 from symgen.kernels.reaction_friction import Grips
 from symgen.kernels.specification import block_signals, substep_name
@@ -128,7 +128,7 @@ def _along_motions(locked: Locks, q_i_ddot: ca.SX, grips: Grips) -> tuple[ca.SX,
     if grips.own:
         (Q_hat,) = grips.known([Q_hat])
     given = dict(zip(system.choice.independent, ca.vertsplit(q_i_ddot), strict=True))
-    found = directions(variations(system, system.accelerations(given)), system.choice.independent)
+    found = directions(system, system.accelerations(given))
     q, rates = ca.vertcat(*eq.q), ca.vertcat(*eq.q_dot)
 
     def moved(row: Row) -> ca.SX:

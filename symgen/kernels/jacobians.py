@@ -27,15 +27,14 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from symgen.algebra.rows import Row, add_scaled, add_to
-from symgen.algebra.scalar import ONE, ZERO, add, div, mul, neg, sub, total, vector
+from symgen.algebra.rows import Row, add_scaled
+from symgen.algebra.scalar import ONE, ZERO, add, div, mul, neg, total, vector
 from symgen.condensed.condensation import Condensed
 from symgen.condensed.loops import solve_transposed
 from symgen.condensed.variations import (
     TakenOut,
-    Variation,
-    along,
     derivative_rows,
+    directions,
     variations,
 )
 from symgen.kernels.kernel import Arguments, Kernel, shortest
@@ -49,8 +48,9 @@ def held_jacobians(system: Condensed, q_i_ddot: Sequence[ca.SX]) -> list[tuple[c
     given = dict(zip(system.choice.independent, q_i_ddot, strict=True))
     held = _held(system, given)
     found = [ca.substitute(_eliminated(held), *held.values)]
-    if along_loops := _along_loops(held):
-        found.append(ca.substitute(along_loops, *held.values))
+    if system.choice.loop_columns and len(system.choice.independent) <= FEW_DIRECTIONS:
+        ways = directions(system, held.accelerations)
+        found.append(ca.substitute(_along_loops(held, ways) or _directed(held, ways), *held.values))
     inertia = paired_changes(system, given)
     if inertia is not None:
         found.append(_with(system, given, inertia))
@@ -68,13 +68,12 @@ def _with(system: Condensed, given: Row, inertia: tuple[ca.SX, ca.SX]) -> list[c
 class _Held:
     """rho by column, accelerations by column (of dependent coordinates: symbols), and what the symbols stand for.
 
-    reactions: C_q^T lambda by column, of the rows whose second derivatives are not known; lam by constraint row.
+    lam: multipliers by constraint row.
     massless: without inertia forces, in rho and lambda.
     """
 
     system: Condensed
     rho: Row
-    reactions: Row
     lam: Row
     accelerations: Row
     values: tuple[list[ca.SX], list[ca.SX]]
@@ -88,18 +87,15 @@ def _held(system: Condensed, given: Row, massless: bool = False) -> _Held:
     force = eq.outer_forces if massless else eq.force(accelerations)
     rows = _rows(system)
     lam = {row: ca.SX.sym(f"lam_{row}") for row in rows}
-    reactions: Row = {}
     rho = {column: force[column] for column in accelerations}
     for row, value in lam.items():
         add_scaled(rho, neg(value), {c: entry for c, entry in eq.constraints[row].C_q.items() if c in rho})
-        if eq.constraints[row].joint not in eq.curvatures:
-            add_scaled(reactions, value, eq.constraints[row].C_q)
     found = system.accelerations(given)
     known = ca.SX(ca.vertcat(*(found.get(column, ZERO) for column in a_d)))
     symbols = ca.SX(ca.vertcat(*a_d.values()))
     multipliers = ca.substitute(ca.SX(ca.vertcat(*_multipliers(system, rows, force))), symbols, known)
     values = [symbols, ca.SX(ca.vertcat(*lam.values()))], [known, multipliers]
-    return _Held(system, rho, reactions, lam, accelerations, values, massless)
+    return _Held(system, rho, lam, accelerations, values, massless)
 
 
 def _eliminated(held: _Held) -> list[ca.SX]:
@@ -114,31 +110,25 @@ def _eliminated(held: _Held) -> list[ca.SX]:
 
 
 def _derivatives(held: _Held, columns: list[int]) -> list[list[Row]]:
-    """Rows of K and D: of inertia forces by composites and of loops by curvatures, where known."""
+    """Rows of K and D: of inertia forces by composites, where known."""
     eq = held.system.reduced
     if eq.force_changes is None:
         values = [held.rho[column] for column in columns]
         return [derivative_rows(values, columns, by) for by in (eq.q, eq.q_dot)]
     K, D = _outer(held, columns)
     for rows, change in zip((K, D), eq.force_changes(held.accelerations), strict=True):
-        _take(rows, columns, change, held)
+        for row, column in zip(rows, columns, strict=True):
+            add_scaled(row, neg(ONE), {c: value for c, value in change[column].items() if c in held.rho})
     return [K, D]
 
 
 def _outer(held: _Held, columns: list[int], known: frozenset[str] = frozenset()) -> list[list[Row]]:
     """Of all but the inertia forces and the rows of known joints."""
-    eq = held.system.reduced
-    values = [sub(eq.outer_forces[column], held.reactions.get(column, ZERO)) for column in columns]
-    K, D = (derivative_rows(values, columns, by) for by in (eq.q, eq.q_dot))
-    for joint in eq.curvatures.keys() - known:
-        found = eq.curvatures[joint].weighted(_multipliers_of(held, joint))
-        _take(K, columns, [found.get(column, {}) for column in range(len(eq.q))], held)
-    return [K, D]
-
-
-def _take(rows: list[Row], columns: list[int], change: list[Row], held: _Held) -> None:
-    for row, column in zip(rows, columns, strict=True):
-        add_scaled(row, neg(ONE), {c: v for c, v in change[column].items() if c in held.rho})
+    eq, work = held.system.reduced, {column: held.system.reduced.outer_forces[column] for column in columns}
+    for row, value in held.lam.items():
+        if eq.constraints[row].joint not in known:
+            add_scaled(work, neg(value), {c: entry for c, entry in eq.constraints[row].C_q.items() if c in work})
+    return [derivative_rows(list(work.values()), columns, by) for by in (eq.q, eq.q_dot)]
 
 
 def _multipliers_of(held: _Held, joint: str) -> list[ca.SX]:
@@ -146,45 +136,42 @@ def _multipliers_of(held: _Held, joint: str) -> list[ca.SX]:
     return [held.lam.get(k, ZERO) for k in rows]
 
 
-def _along_loops(held: _Held) -> list[ca.SX] | None:
+def _along_loops(held: _Held, ways: Sequence[Direction]) -> list[ca.SX] | None:
     """By the fields of frames along each independent coordinate, where spherical joints close loops."""
     system, eq = held.system, held.system.reduced
     independent = system.choice.independent
     modes = eq.elastic_columns & held.rho.keys()
     if eq.loop_changes is None or not eq.loop_rates or eq.turnings or not modes <= set(independent):
         return None
-    if len(independent) > FEW_DIRECTIONS:
-        return None
-    ways = directions(variations(system, held.accelerations), independent)
     known = {joint: _multipliers_of(held, joint) for joint in eq.loop_rates}
     inertia = eq.loop_changes(held.accelerations, known, ways)
     if inertia is None:
         return None
     columns = sorted(held.rho)
-    S, S_dot = (
-        ca.sparsify(ca.horzcat(*(ca.vertcat(*(row.get(c, ZERO) for c in columns)) for row in rows)))
-        for rows in ([one.S for one in ways], [one.S_dot for one in ways])
-    )
+    S, S_dot = _columns([one.S for one in ways], columns), _columns([one.S_dot for one in ways], columns)
     K, D = (_matrix(rows, columns) for rows in _outer(held, columns, frozenset(eq.loop_rates)))
     F_q, F_v = (change[columns, :] for change in inertia)
     return [_product(S.T, _product(K, S) + _product(D, S_dot) - F_q), _product(S.T, _product(D, S) - F_v)]
 
 
-def directions(found: list[Variation], independent: list[int]) -> list[Direction]:
-    """Each independent coordinate with all that follow it."""
-    directions = []
-    for column in independent:
-        S, first, second = {column: ONE}, dict[int, ca.SX](), dict[int, ca.SX]()
-        for one in found:
-            for target, terms in (
-                (second, ((one.h, S), (one.k, first), (one.e, second))),
-                (first, ((one.g, S), (one.e, first))),
-                (S, ((one.e, S),)),
-            ):
-                for factors, values in terms:
-                    add_to(target, one.column, along(factors, values))
-        directions.append(Direction(column, S, first, second))
-    return directions
+def _directed(held: _Held, ways: Sequence[Direction]) -> list[ca.SX]:
+    """d(rho) along each independent coordinate, which the dependent ones follow."""
+    system, eq, columns = held.system, held.system.reduced, sorted(held.rho)
+    dependent = [column for column in columns if column not in system.choice.independent]
+    S, S_dot = _columns([one.S for one in ways], columns), _columns([one.S_dot for one in ways], columns)
+    S_ddot, by_rate = (
+        _columns(rows, dependent) for rows in ([one.S_ddot for one in ways], [one.by_rate for one in ways])
+    )
+    q, rates = (ca.vertcat(*(source[c] for c in columns)) for source in (eq.q, eq.q_dot))
+    a, rho = _columns([held.accelerations], dependent), _columns([held.rho], columns)
+    by_q = ca.jtimes(rho, ca.vertcat(q, rates, a), ca.vertcat(S, S_dot, S_ddot))
+    by_v = ca.jtimes(rho, ca.vertcat(rates, a), ca.vertcat(S, by_rate))
+    return [_product(S.T, by_q), _product(S.T, by_v)]
+
+
+def _columns(rows: Sequence[Row], columns: list[int]) -> ca.SX:
+    """Each as a column of a matrix."""
+    return ca.horzcat(*(ca.vertcat(*(row.get(c, ZERO) for c in columns)) for row in rows))
 
 
 def _matrix(rows: list[Row], columns: list[int]) -> ca.SX:

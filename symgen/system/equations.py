@@ -26,12 +26,16 @@ from symgen.system.signals import input_records, input_symbols
 
 @dataclass(frozen=True)
 class Direction:
-    """dx_c/dx_i of each coordinate, and its first two derivatives in time, by column; column: of x_i."""
+    """dx_c/dx_i of each coordinate, and its first two derivatives in time, by column; column: of x_i.
+
+    by_rate: dx_c''/dx_i', which is twice the first where velocities are rates of coordinates.
+    """
 
     column: int
     S: Row
     S_dot: Row
     S_ddot: Row
+    by_rate: Row
 
 
 @dataclass(frozen=True)
@@ -153,13 +157,6 @@ ForceChanges = Callable[[Row], tuple[list[Row], list[Row]]]  # accelerations, he
 LoopChanges = Callable[[Row, Mapping[str, Sequence[ca.SX]], Sequence[Direction]], tuple[ca.SX, ca.SX] | None]
 
 
-class Curvature(Protocol):
-    """Second derivatives of the rows of a joint that closes a loop."""
-
-    def weighted(self, multipliers: list[ca.SX]) -> dict[int, Row]:
-        """Rows by column of their sum, weighted by the joint's multipliers."""
-
-
 class RowRates(Protocol):
     """Derivatives in time of the rows of a joint that closes a loop."""
 
@@ -186,7 +183,7 @@ class Equations:
 
     Q_F holds loads, gravity and damping; Q_star = Q_v - K q + Q_F. inertia_forces, where the bodies are a tree of
     frames: accelerations -> M q_ddot - Q_v; Q_v holds the weight too there, not Q_F.
-    force_changes: derivatives of these, where they are known by composites; curvatures, loop_rates: so, by joint;
+    force_changes: derivatives of these, where they are known by composites; loop_rates: so, by joint;
     loop_changes: along directions.
     free_joints: accelerations for a force on such a tree, if joints place all its bodies.
     placed_columns: coordinates of the frames of placed bodies, which no mass and no other constraint knows of;
@@ -238,7 +235,6 @@ class Equations:
     inputs: list[InputRecord] = field(default_factory=list)
     inertia_forces: InertiaForces | None = None
     force_changes: ForceChanges | None = None
-    curvatures: Mapping[str, Curvature] = field(default_factory=dict)
     loop_rates: Mapping[str, RowRates] = field(default_factory=dict)
     loop_changes: LoopChanges | None = None
     free_joints: FreeJointAccelerations | None = None

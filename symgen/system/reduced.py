@@ -35,7 +35,7 @@ from symgen.system.frames.loop_derivatives import LoopForce, LoopRates, MarkerWa
 from symgen.system.frames.moves import Ball, MarkerNode
 from symgen.system.frames.paths import Path
 from symgen.system.frames.rnea import floating_forces, inverse_dynamics, lone_hinges, own_wrenches
-from symgen.system.frames.rnea_derivatives import LoopCurvature, force_changes, has_force_changes
+from symgen.system.frames.rnea_derivatives import force_changes, has_force_changes
 from symgen.system.frames.skeleton import Skeleton
 from symgen.system.frames.tree import GROUND, FrameTree
 from symgen.system.mechanism import Mechanism, with_rotors, with_states
@@ -54,7 +54,6 @@ class TreeSpace(SpatialSpace):
         self.known, self.whole, self.orientations = space.bodies, whole, orientations
         self._turnings = {turning.body: turning for turning in equations.turnings}
         self._paths: dict[tuple[int, int], Path] = {}
-        self.curvatures: dict[str, LoopCurvature] = {}
         self.loop_rates: dict[str, LoopRates] = {}
 
     def add_body(self, name: str, columns: list[int], q: list[ca.SX], q_dot: list[ca.SX]) -> tuple[SpatialBody, int]:
@@ -202,9 +201,6 @@ class TreeSpace(SpatialSpace):
         """Rows of a placing joint as in all coordinates, all others by the tree's coordinates."""
         if joint.name in self.topology.placements or joint.name in self.orientations.balls:
             return [row for row in self.whole.constraints if row.joint == joint.name]
-        if joint.points == "together":
-            a, b = (self._way_to(GROUND, reference) for reference in (joint.marker_a, joint.marker_b))
-            self.curvatures[joint.name] = LoopCurvature(a, b, joint.perpendicular)
         if joint.is_ball():
             base = self._common(joint.marker_a, joint.marker_b)
             one, other = (self._way(base, reference) for reference in (joint.marker_a, joint.marker_b))
@@ -317,7 +313,7 @@ def reduced_equations(built: Mechanism[SpatialMarker], space: SpatialSpace, orie
             forces.force_changes,
             partial(forces.loop_changes, tree_space.loop_rates),
         )
-        equations.curvatures, equations.loop_rates = tree_space.curvatures, tree_space.loop_rates
+        equations.loop_rates = tree_space.loop_rates
     if not floats(tree) and not equations.rotors:
         equations.free_joints = forces.free_joints
     inertia_forces = equations.inertia_forces

@@ -72,26 +72,6 @@ def test_derivatives_of_inertia_forces(scene: SceneRecord) -> None:
         assert np.max(np.abs(composite - differentiated)) <= 1e-13 * np.max(np.abs(differentiated)) > 0
 
 
-@pytest.mark.parametrize("kind", ["spherical", "universal", "revolute", "weld"])
-def test_second_derivatives_of_loop_rows(kind: str) -> None:
-    """Both ends of the ways bent, weighted by random multipliers."""
-    system = build_system(bent_chain(ALL if kind == "spherical" else ("revolute",) * 2, kind))
-    eq, p = system.reduced, system.parameters.vector()
-    columns = [column for column in range(len(eq.q)) if column not in eq.placed_columns]
-    ((joint, curvature),) = eq.curvatures.items()
-    rows = [row for row in eq.constraints if row.joint == joint]
-    lam = ca.SX.sym("lam", len(rows))
-    weighted = [sum((lam[k] * row.C_q.get(column, 0) for k, row in enumerate(rows)), ca.SX(0)) for column in columns]
-    expected = ca.jacobian(ca.vertcat(*weighted), ca.vertcat(*(eq.q[column] for column in columns)))
-    found = curvature.weighted(ca.vertsplit(lam))
-    emitted = ca.vertcat(*(ca.horzcat(*(found.get(i, {}).get(j, ca.SX(0)) for j in columns)) for i in columns))
-    function = ca.Function("both", [ca.vertcat(*eq.q), lam, p], [emitted, expected])
-    rng, defaults = np.random.default_rng(0), np.array([entry.default for entry in system.parameters.entries])
-    values = function(0.3 * rng.normal(size=len(eq.q)), rng.normal(size=len(rows)), defaults)
-    by_geometry, differentiated = (np.asarray(value) for value in values)
-    assert np.max(np.abs(by_geometry - differentiated)) <= 1e-13 * np.max(np.abs(differentiated)) > 0
-
-
 def test_rates_of_loop_rows() -> None:
     """First and second derivative in time of C_q by the fields at both bent ends, against automatic differentiation."""
     system = build_system(bent_chain(ALL, "spherical"))

@@ -23,7 +23,7 @@ class PathColumn:
 
     before: how many arms of the path come before it. axis: the axis itself, where `turns` is that or its opposite.
     until: how many arms come before the ball beyond which it turns nothing; None: there is none.
-    modes: for modes of a flexible body, what they bend.
+    turning: what rates of the components of psi turn and the share of each, where that is less than what modes do.
     """
 
     column: int
@@ -32,25 +32,7 @@ class PathColumn:
     before: int
     axis: Vector | None = None
     until: int | None = None
-    modes: ModesOnWay | None = None
-
-
-@dataclass(frozen=True)
-class ModesOnWay:
-    """Modes of a flexible body in a path: to a marker of it or `back` from one; axes: of the body (columns).
-
-    turning: what rates of the components of psi turn, where that is less than what rates of the modes do.
-    """
-
-    columns: list[int]
-    bent: Bent
-    axes: list[Vector]
-    back: bool
-    turning: list[Vector] | None = None
-
-    def share(self, column: int) -> Vector:
-        """The components of psi for a unit of a mode."""
-        return self.bent.point.turns[self.columns.index(column)]
+    turning: tuple[list[Vector], Vector] | None = None
 
 
 @dataclass(frozen=True)
@@ -165,15 +147,14 @@ class Path:
         sign, turning = neg(ONE) if back else ONE, None
         if bent.common_axes:
             turning = [scaled(sign, self.along(axis)) for axis in bent.turning]
-        modes = ModesOnWay(columns, bent, self.axes, back, turning)
         for a, column in enumerate(columns):
-            slides = scaled(sign, self.along(bent.shapes[a]))
-            turns = (
-                scaled(sign, self.along(bent.turned[a]))
-                if turning is None
-                else combination(turning, modes.share(column))
-            )
-            self.entries.append(PathColumn(column, turns, slides, len(self._segments), modes=modes))
+            slides, shared = scaled(sign, self.along(bent.shapes[a])), None
+            if turning is None:
+                turns = scaled(sign, self.along(bent.turned[a]))
+            else:
+                shared = turning, bent.point.turns[a]
+                turns = combination(*shared)
+            self.entries.append(PathColumn(column, turns, slides, len(self._segments), turning=shared))
 
     def _reach(self) -> None:
         """The arm so far is done: what turns from here on does not move its end."""
@@ -190,33 +171,34 @@ class Path:
     def end(self) -> SpatialMarker:
         """The motion of the point and the axes that are reached."""
         self._reach()
-        to_end = self.to_end()
+        to_end = self._to_end()
         moved: list[Row] = [{}, {}, {}]
         turned: list[Row] = [{}, {}, {}]
         for entry in self.entries:
-            for i, value in enumerate(self.moved(entry, to_end)):
+            for i, value in enumerate(self._moved(entry, to_end)):
                 add_to(moved[i], entry.column, value)
             for i, value in enumerate(entry.turns or () if entry.until is None else ()):
                 add_to(turned[i], entry.column, value)
         none = fixed_quaternion([ONE, ZERO, ZERO, ZERO])
         return SpatialMarker(to_end[0], self.r_dot, self.a, moved, self.axes, self.omega, turned, self.alpha, none)
 
-    def to_end(self) -> list[Vector]:
+    def _to_end(self) -> list[Vector]:
         """From the end of each arm, and before them from the beginning, to the end of the path."""
         found = [zeros()]
         for arm in reversed(self._segments):
             found.append(plus(arm.vector, found[-1]))
         return found[::-1]
 
-    def moved(self, entry: PathColumn, to_end: list[Vector]) -> Vector:
+    def _moved(self, entry: PathColumn, to_end: list[Vector]) -> Vector:
         """The velocity of the end for a unit rate of its coordinate."""
-        parts, modes = [], entry.modes
+        parts = []
         if entry.turns is not None:
             across = self._across(entry, to_end)
-            if modes is None or modes.turning is None:
+            if entry.turning is None:
                 parts.append(cross(entry.turns, across))
             else:
-                parts.append(combination([cross(axis, across) for axis in modes.turning], modes.share(entry.column)))
+                axes, share = entry.turning
+                parts.append(combination([cross(axis, across) for axis in axes], share))
         return plus(*parts, *([] if entry.slides is None else [entry.slides]))
 
     def _across(self, entry: PathColumn, to_end: list[Vector]) -> Vector:

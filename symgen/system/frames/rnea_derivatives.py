@@ -18,17 +18,10 @@ Derivatives of the inertia forces of a tree of frames by its coordinates and rat
 From the tips to the ground each frame carries what is beyond it: its `Tangent`, for each coordinate there the change of
 the wrench that the frame passes on, and for each force there the row that gives it for a change of the frame's motion.
 Composite bodies make this O(1) a pair of coordinates, one of which is beyond the other.
-
-Second derivatives of the ways to the markers of a joint that closes a loop, weighted by its multipliers.
-
-Of two coordinates on a way the one that comes first turns what the other does, d^2 r / dq_j dq_k = t_j x dr/dq_k, and
-an axis n alike with dn/dq_k = t_k x n. Between modes of one body at one marker there is more: its axes there turn by
-`Bent.turned`, which depends on the modes.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -54,7 +47,6 @@ from symgen.algebra.vectors import (
     zeros,
 )
 from symgen.bodies.spatial_moments import Bent, Deformation, SharedMotion
-from symgen.joints.joint import AxisPair
 from symgen.system.frames.fields import (
     TWO,
     Change,
@@ -67,7 +59,6 @@ from symgen.system.frames.fields import (
     turned,
 )
 from symgen.system.frames.moves import JointNode, MarkerNode, Node
-from symgen.system.frames.paths import ModesOnWay, Path, PathColumn
 from symgen.system.frames.spatial_algebra import (
     NOTHING,
     Force,
@@ -529,135 +520,3 @@ def _tangent_before(move: Node, velocity: Vector, tangent: Tangent) -> Tangent:
     if move.back:
         return tangent.shifted(negative(bent.rho), velocity).turned(transposed(bent.R))
     return tangent.turned(bent.R).shifted(bent.rho, velocity)
-
-
-@dataclass(frozen=True)
-class LoopCurvature:
-    """Of a joint between the ends of two ways: r_b - r_a = 0, and products of axes of a and of b that vanish."""
-
-    a: Path
-    b: Path
-    products: Sequence[AxisPair]
-
-    def weighted(self, multipliers: list[ca.SX]) -> dict[int, Row]:
-        """Rows by column of sum lambda_r d^2 C_r / dq^2."""
-        F = multipliers[:3]
-        found = _Entries()
-        _point(found, self.b, F)
-        _point(found, self.a, scaled(ca.SX(-1), F))
-        for n, factors in self._by_axis(multipliers[3:]):
-            u = plus(*factors)
-            _direction(found, self.b, n, u)
-            _direction(found, self.a, u, n)
-            of_a, of_b = _turned(self.a, u), _turned(self.b, n)
-            for j, first in of_a.items():
-                for k, second in of_b.items():
-                    found.pair(j, k, dot(first, second))
-        return found.rows
-
-    def _by_axis(self, multipliers: list[ca.SX]) -> list[tuple[Vector, list[Vector]]]:
-        """Axes of b, each with what it is multiplied by: axes of a, weighted."""
-        found: dict[int, list[Vector]] = {}
-        for (_, of_a, of_b), value in zip(self.products, multipliers, strict=True):
-            found.setdefault(of_b, []).append(scaled(value, self.a.axes[of_a]))
-        return [(self.b.axes[axis], weighted) for axis, weighted in found.items()]
-
-
-class _Entries:
-    """Both triangles of a symmetric matrix."""
-
-    def __init__(self) -> None:
-        self.rows: dict[int, Row] = {}
-
-    def pair(self, j: int, k: int, value: ca.SX) -> None:
-        """A second derivative by two coordinates of different moves; both may be the same column."""
-        self.single(j, k, value)
-        self.single(k, j, value)
-
-    def single(self, j: int, k: int, value: ca.SX) -> None:
-        """One entry."""
-        add_to(self.rows.setdefault(j, {}), k, value)
-
-
-def _turned(path: Path, n: Vector) -> dict[int, Vector]:
-    """Change of an axis at the end of a path, by column."""
-    found: dict[int, Vector] = {}
-    for entry in path.entries:
-        if entry.turns is not None:
-            change = cross(entry.turns, n)
-            found[entry.column] = plus(found[entry.column], change) if entry.column in found else change
-    return found
-
-
-def _point(found: _Entries, path: Path, F: Vector) -> None:
-    """F . d^2 r / dq^2 of the end."""
-    to_end = path.to_end()
-    changes = [path.moved(entry, to_end) for entry in path.entries]
-    rests = [to_end[entry.before] for entry in path.entries]
-    _way(found, path, F, changes, rests, moving=True)
-
-
-def _direction(found: _Entries, path: Path, n: Vector, u: Vector) -> None:
-    """u . d^2 n / dq^2 of an axis at the end."""
-    changes = [zeros() if entry.turns is None else cross(entry.turns, n) for entry in path.entries]
-    _way(found, path, u, changes, [n] * len(changes), moving=False)
-
-
-def _way(found: _Entries, path: Path, weight: Vector, changes: list[Vector], rests: list[Vector], moving: bool) -> None:
-    """changes: what each coordinate does; rests: what it turns; moving: are the shapes of modes part of it?"""
-    later: dict[int, Vector] = {}
-    entries = path.entries
-    k = len(entries) - 1
-    while k >= 0:
-        group = _same_move(entries, k)
-        for place in group:
-            entry = entries[place]
-            if entry.turns is not None:
-                arm = cross(weight, entry.turns)
-                for column, change in later.items():
-                    found.pair(entry.column, column, dot(arm, change))
-                if entry.modes is None:
-                    found.single(entry.column, entry.column, dot(arm, changes[place]))
-        modes = entries[k].modes
-        if modes is not None:
-            _modes(found, modes, weight, rests[k], moving)
-        for place in group:
-            column, change = entries[place].column, changes[place]
-            later[column] = plus(later[column], change) if column in later else change
-        k -= len(group)
-
-
-def _same_move(entries: list[PathColumn], last: int) -> range:
-    """The places of the entries that belong to the move of one of them, its last."""
-    modes = entries[last].modes
-    return range(last, last - 1, -1) if modes is None else range(last - len(modes.columns) + 1, last + 1)
-
-
-def _modes(found: _Entries, modes: ModesOnWay, weight: Vector, rest: Vector, moving: bool) -> None:
-    """Between modes of one move, in the body's axes."""
-    bent = modes.bent
-    w, y = ([dot(axis, vector) for axis in modes.axes] for vector in (weight, rest))
-    across = cross(y, w)
-    for b, column in enumerate(modes.columns):
-        turned = cross(w, bent.turned[b])
-        for a in range(b + 1):
-            shapes = (bent.shapes[a], bent.shapes[b]) if moving else (zeros(), zeros())
-            bending = neg(_bending(modes, a, b, w)) if moving else ZERO
-            value = dot(turned, plus(cross(bent.turned[a], y), shapes[0] if modes.back else zeros()))
-            more = bent.twice_turned(a, b, across) if modes.back else bent.twice_turned(b, a, across)
-            if modes.back:
-                value = sub(add(value, dot(bent.turned[a], cross(shapes[1], w))), add(more, bending))
-            else:
-                value = add(add(value, more), bending)
-            if a == b:
-                found.single(column, column, value)
-            else:
-                found.pair(modes.columns[a], column, value)
-
-
-def _bending(modes: ModesOnWay, a: int, b: int, w: Vector) -> ca.SX:
-    """H of the marker along w: what its shapes lose as modes a and b grow."""
-    total = ZERO
-    for i, H in enumerate(modes.bent.point.H):
-        total = add(total, mul(H[a][b], w[i]))
-    return total
