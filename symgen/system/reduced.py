@@ -19,7 +19,7 @@ import numpy as np
 
 from runtime.contract.records import Coordinate
 from symgen.algebra.rows import Row, add_scaled
-from symgen.algebra.scalar import ONE, ZERO, add, neg
+from symgen.algebra.scalar import ONE, ZERO, neg
 from symgen.algebra.vectors import Matrix, Vector
 from symgen.bodies.outlines import Picture
 from symgen.bodies.spatial_body import SpatialBody, SpatialMarker
@@ -34,7 +34,7 @@ from symgen.system.frames.crba import mass_rows
 from symgen.system.frames.loop_derivatives import LoopForce, LoopRates, MarkerWay, loop_changes
 from symgen.system.frames.moves import Ball, MarkerNode
 from symgen.system.frames.paths import Path
-from symgen.system.frames.rnea import floating_forces, inverse_dynamics, lone_hinges, own_wrenches
+from symgen.system.frames.rnea import floating_forces, inverse_dynamics, own_wrenches
 from symgen.system.frames.rnea_derivatives import force_changes, has_force_changes
 from symgen.system.frames.skeleton import Skeleton
 from symgen.system.frames.tree import GROUND, FrameTree
@@ -255,18 +255,13 @@ class TreeForces:
         return loop_changes(self.tree, len(self.equations.q), self._base, moving, found, directions)
 
     def free_joints(self, force: Row, free: frozenset[int], masks: Row, imposed: Row | None = None) -> Row:
-        """Accelerations by a force, and with `imposed` ones by rates and weight too.
-
-        These are solved for as differences from a motion in which no hinge turns its body faster: less wrenches.
-        """
+        """Accelerations by a force, and with `imposed` ones of the others by rates and weight too."""
         if imposed is None:
             return free_joint_accelerations(self.tree, force, free, masks)
-        hinges = lone_hinges(self.tree) & free - masks.keys()
-        wrenches, modes, chosen = own_wrenches(self.tree, self._base, self._rates, imposed, hinges)
+        wrenches, modes = own_wrenches(self.tree, self._base, self._rates, imposed)
         left = dict(force)
         add_scaled(left, neg(ONE), modes)
-        found = free_joint_accelerations(self.tree, left, free, masks, wrenches)
-        return {column: add(value, chosen.get(column, ZERO)) for column, value in found.items()}
+        return free_joint_accelerations(self.tree, left, free, masks, wrenches)
 
 
 def reduced_equations(built: Mechanism[SpatialMarker], space: SpatialSpace, orientations: Orientations) -> Equations:

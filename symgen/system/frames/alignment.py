@@ -26,8 +26,7 @@ import casadi as ca
 
 from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
 from symgen.algebra.vectors import Matrix, Vector, cross, plus, scaled, zeros
-from symgen.joints.joint import Slide as SlideOf
-from symgen.joints.joint import Turn as TurnOf
+from symgen.joints.joint import Turn
 from symgen.system.frames.moves import Ball, JointNode, Move
 from symgen.system.frames.spatial_algebra import SE3, Inertia
 from symgen.system.frames.tree import GROUND, BodyFrame, FlexibleNode, Frame, FrameTree, RigidNode
@@ -140,26 +139,20 @@ TO_Z = (  # axes whose z-axis is the old x-axis (columns y, z, x), or the old y-
 class JointLink:
     """From a frame to the next: a constant displacement to the axis z, then what the joint leaves free.
 
-    turn, travel: coordinates about and along z; crosswise: travels along x and y, before the turn or after it. sign: of
-    the coordinates as they move the far frame. lead: travel of a screw for a unit of its angle.
+    turn, travel: coordinates about and along z. sign: of the coordinates as they move the far frame. lead: travel of a
+    screw for a unit of its angle.
     """
 
     before: SE3
     turn: JointCoordinate | None = None
     travel: JointCoordinate | None = None
-    crosswise: tuple[JointCoordinate, JointCoordinate] | None = None
     sign: ca.SX = ONE
     lead: ca.SX = ZERO
 
     @property
     def constant(self) -> bool:
         """Does nothing move?"""
-        return self.turn is None and self.travel is None and self.crosswise is None
-
-    @property
-    def hinged(self) -> bool:
-        """May the frame beyond be turned about z and shifted along it by a constant?"""
-        return self.crosswise is None and not self.constant
+        return self.turn is None and self.travel is None
 
     def moves(self, way: BetweenHinges | SE3, last: Screw) -> list[Move]:
         """As moves to the frame that stands on the hinge, displaced by the screw `last`.
@@ -176,15 +169,6 @@ class JointLink:
         return [*moves, *self._variable(way.end, last)]
 
     def _variable(self, end: Screw, last: Screw) -> list[Move]:
-        if self.crosswise is not None:
-            slides = [
-                JointNode.slide(axis, mul(self.sign, own.value), own.column, own.rate, self.sign)
-                for axis, own in enumerate(self.crosswise)
-            ]
-            forward = self.sign.is_one()
-            moves: list[Move] = [*_constant(2, end)] if forward else [*_constant(2, Screw(FixedAngle(), end.shift))]
-            turn = self._turn(FixedAngle() if forward else end.angle)
-            return [*moves, *slides, *turn] if forward else [*moves, *turn, *slides]
         shift = add(end.shift, last.shift)
         turn = self._turn(end.angle.plus(last.angle))
         return [*turn, *self._slide(shift)]
@@ -228,21 +212,13 @@ def links_of(own: JointCoordinates, before: SE3, forward: bool) -> tuple[list[Jo
 def _groups(own: JointCoordinates) -> Iterator[tuple[int, JointLink]]:
     """(axis, what one link leaves free) of the motions in their order.
 
-    A turn and a slide about one axis go together, and two slides across an axis with the turn about it after them.
+    A turn and a slide about one axis go together.
     """
     motions, found, k, start = own.motions, own.coordinates, 0, SE3.identity()
     while k < len(motions):
         here, after = motions[k], motions[k + 1] if k + 1 < len(motions) else None
-        turns = isinstance(here, TurnOf)
-        if [(type(one), one.axis) for one in motions[k : k + 3]] == [(SlideOf, 0), (SlideOf, 1), (TurnOf, 2)]:
-            yield 2, JointLink(start, found[k + 2], crosswise=(found[k], found[k + 1]))
-            k += 3
-        elif (
-            after
-            and after.axis == here.axis
-            and turns is not isinstance(after, TurnOf)
-            and not (here.lead or after.lead)
-        ):
+        turns = isinstance(here, Turn)
+        if after and after.axis == here.axis and turns is not isinstance(after, Turn) and not (here.lead or after.lead):
             turn, travel = (k, k + 1) if turns else (k + 1, k)
             yield here.axis, JointLink(start, found[turn], found[travel])
             k += 2
@@ -267,7 +243,7 @@ class UnalignedFrame:
     @property
     def turnable(self) -> bool:
         """May its axes be chosen?"""
-        return self.link is not None and self.link.hinged and not isinstance(self.inertia, FlexibleNode)
+        return self.link is not None and not self.link.constant and not isinstance(self.inertia, FlexibleNode)
 
 
 def aligned(frames: Sequence[UnalignedFrame], body_frames: Mapping[str, BodyFrame], numbers: Numbers) -> FrameTree:
@@ -287,7 +263,7 @@ class _Alignment:
         self._screws: dict[int, Screw] = {}
         self._leading: set[int] = set()  # the children that chose
         for k, frame in enumerate(frames):
-            if frame.parent == GROUND or frame.link is None or not frame.link.hinged:
+            if frame.parent == GROUND or frame.link is None or frame.link.constant:
                 continue
             chosen = frame.parent in self._screws
             if frames[frame.parent].turnable and not chosen and not self._straight(frame.link):

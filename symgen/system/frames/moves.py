@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import ClassVar
 
@@ -172,12 +172,6 @@ class JointNode(Move):
 
     def _carried(self, before: FrameMotion) -> Vector:
         return before.a if all(value.is_zero() for value in self.r) else before.carried(self.r)
-
-    def steadied(self, after: FrameMotion) -> tuple[FrameMotion, ca.SX]:
-        """A motion after a turn less what turns it faster about the axis, and the acceleration that does that."""
-        alpha = list(after.alpha)
-        turning, alpha[self.axis] = alpha[self.axis], ZERO
-        return replace(after, alpha=alpha), neg(mul(self.sign, turning))
 
     def seen(self, vector: Vector) -> Vector:
         """A vector in the axes after the move."""

@@ -21,7 +21,7 @@ from symgen.bodies.spatial_moments import Bent
 class PathColumn:
     """What a unit rate of a coordinate does to all that follows: it turns about an axis, or it slides.
 
-    before: how many arms of the path come before it. axis: the axis itself, where `turns` is that or its opposite.
+    before: how many arms of the path come before it.
     until: how many arms come before the ball beyond which it turns nothing; None: there is none.
     turning: what rates of the components of psi turn and the share of each, where that is less than what modes do.
     """
@@ -30,24 +30,8 @@ class PathColumn:
     turns: Vector | None
     slides: Vector | None
     before: int
-    axis: Vector | None = None
     until: int | None = None
     turning: tuple[list[Vector], Vector] | None = None
-
-
-@dataclass(frozen=True)
-class Segment:
-    """A piece of the way, along an axis of the frame reached or in no special direction."""
-
-    vector: Vector
-    axis: Vector | None
-
-
-def unit_axis(vector: Vector) -> int | None:
-    """Which unit vector a vector is by structure."""
-    ones = [k for k in range(3) if vector[k].is_one()]
-    zero = [k for k in range(3) if vector[k].is_zero()]
-    return ones[0] if len(ones) == 1 and len(zero) == 2 else None
 
 
 class Path:
@@ -58,13 +42,13 @@ class Path:
         self.omega, self.alpha = zeros(), zeros()
         self.r_dot, self.a = zeros(), zeros()
         self.entries: list[PathColumn] = []
-        self._segments: list[Segment] = []
+        self._arms: list[Vector] = []
         self._reached = 0  # arms whose end has been given its velocity
 
     def branch(self) -> Path:
         """A copy that goes on by itself."""
         other = copy(self)
-        other.entries, other._segments = list(self.entries), list(self._segments)
+        other.entries, other._arms = list(self.entries), list(self._arms)
         return other
 
     def along(self, vector: Vector) -> Vector:
@@ -77,7 +61,7 @@ class Path:
         """Along an arm in the axes reached."""
         for value, axis in zip(arm, self.axes, strict=True):
             if not value.is_zero():
-                self._segments.append(Segment(scaled(value, axis), axis))
+                self._arms.append(scaled(value, axis))
 
     def turn(self, axis: int, cosine: ca.SX, sine: ca.SX) -> None:
         """Turn the axes about one of them."""
@@ -89,37 +73,32 @@ class Path:
 
     def turn_by(self, R: Matrix) -> None:
         """Turn the axes by a rotation, whose columns are the new axes."""
-        self.axes = [self._direction([row[j] for row in R]) for j in range(3)]
-
-    def _direction(self, vector: Vector) -> Vector:
-        """`along`; an axis stays the same object, by which arms along it are known."""
-        place = unit_axis(vector)
-        return self.along(vector) if place is None else self.axes[place]
+        self.axes = [self.along([row[j] for row in R]) for j in range(3)]
 
     def spin(self, column: int, axis: Vector, rate: ca.SX, sign: ca.SX) -> None:
         """What follows turns about an axis."""
         self._reach()
         turns = scaled(sign, axis)
         spin = scaled(rate, turns)
-        self.entries.append(PathColumn(column, turns, None, len(self._segments), axis))
+        self.entries.append(PathColumn(column, turns, None, len(self._arms)))
         self.alpha = plus(self.alpha, cross(self.omega, spin))
         self.omega = plus(self.omega, spin)
 
     def slide(self, column: int, axis: Vector, rate: ca.SX) -> None:
         """What follows slides along an axis that turns with the frame."""
         speed = scaled(rate, axis)
-        self.entries.append(PathColumn(column, None, axis, len(self._segments)))
+        self.entries.append(PathColumn(column, None, axis, len(self._arms)))
         self.r_dot = plus(self.r_dot, speed)
         self.a = plus(self.a, scaled(ca.SX(2), cross(self.omega, speed)))
 
     def ball(self, columns: list[int], A: Matrix, omega: Vector) -> None:
         """What follows has the absolute orientation A (rows) and the angular velocity omega in body axes."""
         self._reach()
-        end = len(self._segments)
+        end = len(self._arms)
         self.entries = [one if one.until is not None else replace(one, until=end) for one in self.entries]
         self.axes = [[row[j] for row in A] for j in range(3)]
         for column, axis in zip(columns, self.axes, strict=True):
-            self.entries.append(PathColumn(column, axis, None, end, axis))
+            self.entries.append(PathColumn(column, axis, None, end))
         self.omega, self.alpha = self.along(omega), zeros()
 
     def bend(self, columns: list[int], bent: Bent, back: bool) -> None:
@@ -154,17 +133,17 @@ class Path:
             else:
                 shared = turning, bent.point.turns[a]
                 turns = combination(*shared)
-            self.entries.append(PathColumn(column, turns, slides, len(self._segments), turning=shared))
+            self.entries.append(PathColumn(column, turns, slides, len(self._arms), turning=shared))
 
     def _reach(self) -> None:
         """The arm so far is done: what turns from here on does not move its end."""
-        if self._reached == len(self._segments):
+        if self._reached == len(self._arms):
             return
-        arm = plus(*(one.vector for one in self._segments[self._reached :]))
+        arm = plus(*self._arms[self._reached :])
         speed = cross(self.omega, arm)
         self.r_dot = plus(self.r_dot, speed)
         self.a = plus(self.a, cross(self.alpha, arm), cross(self.omega, speed))
-        self._reached = len(self._segments)
+        self._reached = len(self._arms)
 
     # ---- its end ---------------------------------------------------------------------------------------------
 
@@ -185,8 +164,8 @@ class Path:
     def _to_end(self) -> list[Vector]:
         """From the end of each arm, and before them from the beginning, to the end of the path."""
         found = [zeros()]
-        for arm in reversed(self._segments):
-            found.append(plus(arm.vector, found[-1]))
+        for arm in reversed(self._arms):
+            found.append(plus(arm, found[-1]))
         return found[::-1]
 
     def _moved(self, entry: PathColumn, to_end: list[Vector]) -> Vector:
@@ -202,20 +181,8 @@ class Path:
         return plus(*parts, *([] if entry.slides is None else [entry.slides]))
 
     def _across(self, entry: PathColumn, to_end: list[Vector]) -> Vector:
-        """From its axis to the end of what it turns, without the arms along that axis."""
-        if entry.until is not None:
-            turned = self._segments[entry.before : entry.until]
-            return plus(zeros(), *(arm.vector for arm in turned if not arm.axis is entry.axis is not None))
-        along = [
-            k for k in range(entry.before, len(self._segments)) if self._segments[k].axis is entry.axis is not None
-        ]
-        if not along:
-            return to_end[entry.before]
-        total = to_end[along[-1] + 1]
-        for k in reversed(range(entry.before, along[-1])):
-            if k not in along:
-                total = plus(self._segments[k].vector, total)
-        return total
+        """From its axis to the end of what it turns."""
+        return to_end[entry.before] if entry.until is None else plus(zeros(), *self._arms[entry.before : entry.until])
 
     def point(self, R: Matrix, r: Vector) -> SpatialMarker:
         """Of a marker fixed in the frame reached, by its place and axes there."""

@@ -58,7 +58,7 @@ class Skeleton:
         if not far.rigid:
             self._add(UnalignedFrame(frame, JointLink(rest)))
             frame = len(self._rough) - 1
-            self._add(UnalignedFrame(frame, moves=_from_marker(far), inertia=_inertia(body, data.mass)))
+            self._add(UnalignedFrame(frame, moves=[MarkerNode(far, back=True)], inertia=_inertia(body, data.mass)))
             self._body_frames[body.name] = BodyFrame(len(self._rough) - 1)
             return
         place = rest * _marker(far).inverse()
@@ -97,7 +97,7 @@ class Skeleton:
         data, at = body.integrals, place_of(far)
         assert data is not None
         if data.nf:
-            moves = [*moves, *_from_marker(at)]
+            moves = [*moves, MarkerNode(at, back=True)]
             place, inertia = SE3.identity(), _inertia(body, data.mass)
         else:
             place = _marker(at).inverse()
@@ -113,32 +113,12 @@ class Skeleton:
         known = self._body_frames[body]
         if marker.rigid:
             return known.frame, known.place * _marker(marker)
-        self._add(UnalignedFrame(known.frame, moves=_to_marker(marker)))
+        self._add(UnalignedFrame(known.frame, moves=[MarkerNode(marker)]))
         return len(self._rough) - 1, SE3.identity()
 
     def tree(self) -> FrameTree:
         """The frames on their hinges."""
         return aligned(self._rough, self._body_frames, self._numbers)
-
-
-def _to_marker(marker: Deformation) -> list[Move]:
-    """From the frame of a flexible body: to where the marker is, then to its axes."""
-    shifts, turns = _apart(marker)
-    return [MarkerNode(shifts), MarkerNode(turns)]
-
-
-def _from_marker(marker: Deformation) -> list[Move]:
-    """To the frame of a flexible body: to its axes, then to its origin."""
-    shifts, turns = _apart(marker)
-    return [MarkerNode(turns, back=True), MarkerNode(shifts, back=True)]
-
-
-def _apart(marker: Deformation) -> tuple[Deformation, Deformation]:
-    """How the modes shift a marker, and how they turn it: each part has fewer entries than both together."""
-    point, still = marker.point, [zeros() for _ in marker.point.turns]
-    shifts = replace(point, axes=identity(), turns=still)
-    turns = replace(point, position=zeros(), shapes=still, H=[])
-    return replace(marker, point=shifts), replace(marker, point=turns)
 
 
 def _ball(turning: Turning) -> Ball:
