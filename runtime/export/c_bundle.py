@@ -119,7 +119,9 @@ def write_c(one: Exported, folder: str | Path) -> list[Path]:
     if one.prefix == "main_":
         raise ModelError(f"model {one.name}", "has the name of the example, main.c", "give exported(..., name=...)")
     files = {**c_files(one), "main.c": _main(one), "CMakeLists.txt": _cmake(one.prefix[:-1])}
-    return write_all(files, folder)
+    for name, text in files.items():
+        write_text(Path(folder) / name, text)
+    return [Path(folder) / name for name in files]
 
 
 @arguments(folder=PLACE)
@@ -129,13 +131,6 @@ def export_c(model: Model, folder: str | Path, **steps: Any) -> list[Path]:
     Returns the files. Raises ModelError or SchemeError for what cannot leave, OutputError.
     """
     return write_c(exported(model, **steps), folder)
-
-
-def write_all(files: Mapping[str, str], folder: str | Path) -> list[Path]:
-    """Texts by name into a folder that is made. Raises OutputError."""
-    for name, text in files.items():
-        write_text(Path(folder) / name, text)
-    return [Path(folder) / name for name in files]
 
 
 def c_files(one: Exported) -> dict[str, str]:
@@ -166,7 +161,7 @@ def _functions(one: Exported) -> dict[str, Code]:
     library = replace(own, own=False)
     starter, arguments = _starter(scheme)
     names = [quantity.name for quantity in one.outputs]
-    observer = reading(one.model, scheme, len(one.z), names)
+    observer = reading(scheme, len(one.z), names)
     found = {
         "model_constants": tape_code(f"{p}model_constants", named(one.model.kernel("constants"), "p"), ["c"], library),
         "prepare": stage_code(f"{p}prepare", named(one.prepared.constants, "c"), library),

@@ -6,7 +6,7 @@ of these outputs at the saved times t (N,). Ready-made ones are here; `Formula` 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
@@ -174,8 +174,3 @@ def trapezoid_weights(t: np.ndarray) -> np.ndarray:
     """(N,) [s]: w with w @ y the integral of y over the times t."""
     h = np.diff(t)
     return np.concatenate([h, [0.0]]) / 2 + np.concatenate([[0.0], h]) / 2
-
-
-def union_of(objectives: Sequence[Objective]) -> tuple[str, ...]:
-    """All their outputs, each once."""
-    return tuple(dict.fromkeys(name for one in objectives for name in one.outputs))

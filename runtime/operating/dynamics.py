@@ -13,12 +13,12 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from runtime.contract.consistent_state import MAX_ITERATIONS, InitialStateError
+from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import at_home, dependent_part, whole
 from runtime.contract.doors import opened
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model, refuse_rigid_stops
-from runtime.operating.given_state import closing
+from runtime.operating.given_state import closed
 
 POSSIBLE = 1e-9  # of the largest force: what motors may leave over
 
@@ -55,13 +55,8 @@ class Dynamics:
         c = model.constants(model.parameter_vector(parameters))
         q_d = dependent_part(model, model.initial_q if near is None else np.asarray(near, dtype=float))
         if model.q_d:
-            step, open_ = closing(model), True
-            for _ in range(MAX_ITERATIONS):
-                found = step(q_i, q_d, t, c)
-                q_d, open_ = np.asarray(found[0]).ravel(), bool(float(found[1]) > 0)
-                if not open_:
-                    break
-            if open_ or not np.all(np.isfinite(q_d)):
+            q_d, closes = closed(model, c, t, q_i, q_d)
+            if not closes:
                 raise InitialStateError(f"the loops of model {model.name} do not close at this q: give another `near`")
         c, q_d = at_home(model, c, q_d)
         turns = [k for k in model.places.turns.ravel() if k < len(q_i)]

@@ -97,18 +97,24 @@ def closable(model: Model) -> bool:
     return bool(model.constraints) and all(model.has(name) for name in ("closure", "velocities", "constraints"))
 
 
-def closed_state(
-    model: Model, c: np.ndarray, t: float, q_i: np.ndarray, q_i_dot: np.ndarray, q_d: np.ndarray
-) -> ConsistentState | None:
-    """The state with these q_i and q_i_dot (n_i,) exactly, from a guess q_d (n_d,); None if it does not fit."""
+def closed(model: Model, c: np.ndarray, t: float, q_i: np.ndarray, q_d: np.ndarray) -> tuple[np.ndarray, bool]:
+    """(q_d (n_d,) at q_i (n_i,) from a guess of it, do the loops close?)."""
     step, open_ = closing(model), True
     for _ in range(MAX_ITERATIONS):
         found = step(q_i, q_d, t, c)
         q_d, open_ = np.asarray(found[0]).ravel(), bool(float(found[1]) > 0)
         if not open_:
             break
+    return q_d, not open_ and bool(np.isfinite(q_d).all())
+
+
+def closed_state(
+    model: Model, c: np.ndarray, t: float, q_i: np.ndarray, q_i_dot: np.ndarray, q_d: np.ndarray
+) -> ConsistentState | None:
+    """The state with these q_i and q_i_dot (n_i,) exactly, from a guess q_d (n_d,); None if it does not fit."""
+    q_d, closes = closed(model, c, t, q_i, q_d)
     q, q_dot, fits = fitting(model)(q_i, q_i_dot, q_d, t, c)
-    if open_ or not float(fits) > 0:
+    if not closes or not float(fits) > 0:
         return None
     return ConsistentState(np.asarray(q).ravel(), np.asarray(q_dot).ravel(), {})
 

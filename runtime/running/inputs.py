@@ -10,6 +10,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from runtime.contract.doors import opened
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
 from runtime.contract.signals import SINCE, SUFFIXES, Signals
@@ -178,10 +179,10 @@ class Controller:
     memory: np.ndarray | None = None
     _read: Callable[[np.ndarray], np.ndarray] | None = None
 
-    def read_from(self, model: Model, scheme: Scheme, c: np.ndarray) -> None:
+    def read_from(self, scheme: Scheme, c: np.ndarray) -> None:
         """Let it read the states of a run with the model's constants c (c_size,). Raises ModelError."""
         constants: Any = scheme.constants(c)
-        function: Any = reading(model, scheme, scheme.layout.size, self.reads)
+        function: Any = reading(scheme, scheme.layout.size, self.reads)
         self._read = lambda z: np.asarray(function(z, constants)).ravel()
 
     def decides(self, t: float, z: np.ndarray) -> float:
@@ -260,28 +261,11 @@ class Schedule:
         return np.array(found)
 
 
-# Coordinates, rates and measures of a scheme's state by name, as one Function.
+# Outputs of a scheme's state by name, as one Function.
 
 
-def reading(model: Model, scheme: Scheme, z_size: int, names: Sequence[str]) -> ca.Function:
+def reading(scheme: Scheme, z_size: int, names: Sequence[str]) -> ca.Function:
     """(z, c) -> the named values (k,); z may be longer than the scheme's part. Raises ModelError for another name."""
     z, c = ca.SX.sym("z", z_size), ca.SX.sym("c", scheme.c_size)
-    own = z[: scheme.layout.size]
-    seen = scheme.observer(z=own, c=c)
-    where = {name: (kind, k) for kind, names in (("i", model.q_i), ("d", model.q_d)) for k, name in enumerate(names)}
-    q, q_dot, q_ddot = (
-        ca.vertcat(*(seen[f"q_{where[name][0]}{suffix}"][where[name][1]] for name in model.coordinates))
-        for suffix in ("", "_dot", "_ddot")
-    )
-    known = {name: q[k] for k, name in enumerate(model.coordinates)}
-    known |= {f"{name}_dot": q_dot[k] for k, name in enumerate(model.coordinates)}
-    known |= {f"{name}_ddot": q_ddot[k] for k, name in enumerate(model.coordinates)}
-    if model.measures:
-        constants = scheme.constants_at(scheme.layout.unpack(own), c[: model.c_size])
-        measured = model.evaluate("measures", q=q, q_dot=q_dot, t=seen["t"], c=constants)["measures"]
-        known |= {name: measured[k] for k, name in enumerate(model.measures)}
-    for name in names:
-        if name not in known:
-            raise ModelError(f"model {model.name} has no coordinate, rate, acceleration or measure {name!r}")
-    values = ca.vertcat(*(known[name] for name in names)) if names else ca.SX(0, 1)
+    values = opened("runtime.results.named_outputs:output_values")(scheme, names, z[: scheme.layout.size], c)
     return ca.Function("reading", [z, c], [ca.densify(values)])

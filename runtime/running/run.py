@@ -365,7 +365,7 @@ def with_reads(schedule: Schedule, run: Run) -> Schedule | None:
                 f"what the controller of {controller.name!r} remembers cannot be kept",
                 "give its numbers as Sampled(..., memory=[...]), memory=() if it has none, or leave the checkpoint out",
             )
-        controller.read_from(run.segment.model, run.segment.plan.scheme, run.segment.c)
+        controller.read_from(run.segment.plan.scheme, run.segment.c)
     return schedule if schedule.samples or schedule.controllers else None
 
 

@@ -280,7 +280,7 @@ class ModelStepper:
 
         The array is the same at each call. Raises ModelError for an unknown name.
         """
-        function = reading(self.model, self.scheme, len(self._z), names)
+        function = reading(self.scheme, len(self._z), names)
         evaluation: tuple[Any, Any] = function.buffer()
         buffer, evaluate = evaluation
         values = np.zeros(len(names))

@@ -43,7 +43,7 @@ def export(arguments: argparse.Namespace) -> Outcome:
 
     `c` and `fmu` hold the time stepping scheme, whose bits are those of a run here; both need no Python.
     """
-    known = {"results": _results, "c": _c, "fmu": _fmu, "functions": _functions}
+    known = {"results": _results, "c": _c, "fmu": _fmu}
     return known[arguments.what](arguments)
 
 
@@ -70,14 +70,6 @@ def _fmu(arguments: argparse.Namespace) -> Outcome:
     runs_on = f"for {', '.join(done.platforms)}" if done.platforms else "sources only"
     lines = [f"Wrote {done.path}, {runs_on}.", *(f"Nothing for {name}: {why}." for name, why in done.missing.items())]
     return Outcome({"file": str(done.path), "platforms": done.platforms, "missing": done.missing}, lines)
-
-
-def _functions(arguments: argparse.Namespace) -> Outcome:
-    from runtime.export.c_bundle import write_all
-    from runtime.export.c_functions import function_files
-
-    model = opened_model(arguments.source, arguments.made_with)
-    return _written(write_all(function_files(model, arguments.functions, arguments.name), arguments.out))
 
 
 def _written(files: list[Path]) -> Outcome:

@@ -267,11 +267,11 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
     "export": (
         exchange.export,
         (
-            opt("what WHAT", "what is handed on: %(choices)s", choices=("results", "c", "fmu", "functions")),
+            opt("what WHAT", "what is handed on: %(choices)s", choices=("results", "c", "fmu")),
             opt("source SOURCE", "results: folder that `symgen simulate --out` left; else a scene or generated folder"),
             opt(
                 "--out PATH",
-                "results: a .csv, .mat or .parquet; fmu: a .fmu; c and functions: a folder",
+                "results: a .csv, .mat or .parquet; fmu: a .fmu; c: a folder",
                 required=True,
             ),
             WITH,
@@ -289,7 +289,6 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
                 names,
                 dest="platforms",
             ),
-            opt("--functions A,B", "functions: only these (default: what a simulation elsewhere needs)", names),
         ),
     ),
     "view": (

@@ -27,7 +27,6 @@ READERS_OF_TEXT = {
     "runtime/contract/files.py",  # names of temporary files
     "runtime/engine/c_source.py",  # C
     "runtime/export/c_bundle.py",  # names in C
-    "runtime/export/c_functions.py",  # C
     "runtime/export/fmu.py",  # names of files, commands
     "runtime/export/fmu_description.py",  # units, as XML says them; rates by their ending
     "runtime/export/fmu_source.py",  # rates by their ending

@@ -16,10 +16,9 @@ from runtime.contract.model import Model
 from runtime.engine import c_source
 from runtime.engine.c_source import find_compiler
 from runtime.export.c_bundle import exported, write_c
-from runtime.export.c_functions import function_files
 from symgen.cli import main
 from symgen.scene import Scene, SceneRecord
-from tests.export.bundles import STRICT, bundle, compiled
+from tests.export.bundles import STRICT, bundle
 from tests.support.input_scenes import cart
 
 Load = Callable[[str], Model]
@@ -190,34 +189,7 @@ def test_the_example_runs_as_the_runtime_does(built_in: Load, tmp_path: Path) ->
     assert last == [stepper.time, *stepper.reader([one.name for one in own.one.outputs])()]
 
 
-@needs_compiler
-def test_model_functions_alone(built_in: Load, tmp_path: Path) -> None:
-    """M_hat and Q_hat at the start, to the bit."""
-    import ctypes
-
-    model = built_in("flexible_slider_crank")
-    for name, text in function_files(model).items():
-        (tmp_path / name).write_text(text)
-    library = ctypes.CDLL(str(compiled(tmp_path, "flexible_slider_crank_functions", *STRICT)))
-    p, c = model.parameter_vector(), np.zeros(model.c_size)
-    kernel = model.kernel("condensed")
-    at = {name: np.linspace(0.3, 0.7, kernel.numel_in(name)) for name in kernel.name_in() if name != "c"}
-    outputs = [np.zeros(kernel.numel_out(k)) for k in range(kernel.n_out())]
-
-    def call(name: str, *arrays: np.ndarray) -> None:
-        getattr(library, f"flexible_slider_crank_{name}")(*(ctypes.c_void_p(one.ctypes.data) for one in arrays))
-
-    work = np.zeros(10_000)
-    call("constants", c, p, work)
-    np.testing.assert_array_equal(c, model.constants(p))
-    call("condensed", *outputs, *(one for one in at.values() if one.size), c, work)
-    for found, expected in zip(outputs, kernel(*at.values(), c), strict=True):
-        np.testing.assert_array_equal(found, np.asarray(expected).ravel(order="F"))
-
-
 def test_what_cannot_leave_is_refused_by_name(built_in: Load, tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
-    with pytest.raises(ModelError, match="has no function 'condense'"):
-        function_files(built_in("pendulum"), ["condense"])
     assert main(["export", "c", "pendulum", "--scheme", "rk5", "--out", str(tmp_path / "there")]) != 0
     assert "rk5" in capsys.readouterr().err
     assert not (tmp_path / "there").exists()

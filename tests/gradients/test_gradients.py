@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -233,3 +234,15 @@ def test_a_held_input_has_a_derivative_for_each_sample(model_of: Build, scheme: 
     monkeypatch.setattr(passes, "TAPE_NUMBERS", 0)
     again = DifferentiableRun(model, ["cart.x"], ["force[3]", "cart.mass"], inputs={"force": force}, **settings)
     assert again.gradient(End("cart.x"), mode="reverse")["force[3]"] == other[3]
+
+
+def test_angular_velocities_have_derivatives(built_in: Load) -> None:
+    """Those of a tumbling body, against central differences of its runs."""
+    how: dict[str, Any] = {"t_end": 0.5, "dt": 0.01, "scheme": "rk4", "samples": 5}
+    run = DifferentiableRun(
+        built_in("tumbling_body"), ["body.omega_x", "body.omega_z"], ["body.inertia.xx", "body.omega_y"], **how
+    )
+    found, h = run.jacobian().derivatives, 1e-5
+    for k, step in enumerate(h * np.eye(2)):
+        differences = (run.values(run.x0 + step) - run.values(run.x0 - step)) / (2 * h)
+        np.testing.assert_allclose(found[:, :, k], differences, atol=1e-9)

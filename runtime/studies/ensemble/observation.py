@@ -7,92 +7,18 @@ across them would round differently.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import casadi as ca
 
-from runtime.contract.coordinates import charts_in, euler_angles, joined, parameter_columns
-from runtime.contract.errors import ModelError
+from runtime.contract.coordinates import charts_in, joined
 from runtime.contract.model import Model
-from runtime.contract.orientations import angle_names, angles_of
 from runtime.engine.program import Call, Fields, Layout, Program, Until, make_stage
 from runtime.engine.program import Sequence as InSequence
+from runtime.results.named_outputs import ORDERS, Column, column
 from runtime.results.observe import CLOSED, MOST_CLOSURES
-from runtime.results.samples import FORCE_PARTS
 from runtime.schemes.scheme import LARGEST, Scheme
 
-ENERGIES = ("kinetic", "elastic", "potential", "power_dissipated", "power_applied")
-ORDERS = ("", "_dot", "_ddot")
-AXES = "xyz"
 KERNELS = ("energy", "measures", "reactions")
-
-
-@dataclass(frozen=True)
-class Column:
-    """An output: entry `position` of the output `part` of a kernel; "state": of q, q_dot or q_ddot (part: suffix);
-    "spin": angular velocity about an axis (part: x, y or z) of the body whose Euler parameters begin at `position`;
-    "angle": one of its Euler angles, from -pi to pi (part: sequence and place of the angle).
-    """
-
-    kernel: str
-    part: str
-    position: int = 0
-
-    @property
-    def suffixes(self) -> set[str]:
-        """Which of q, q_dot, q_ddot it reads, if it is one of these or made of them."""
-        return {"state": {self.part}, "spin": {"", "_dot"}, "angle": {""}}.get(self.kernel, set())
-
-
-def column(model: Model, name: str) -> Column:
-    """What an output is called by, as in `simulate`. Raises ModelError for an unknown name."""
-    found = {**_reactions(model), **_quantities(model)}.get(name)
-    if found is None:
-        known = [*model.coordinates, *model.measures, *ENERGIES]
-        listed = ", ".join(known[:24]) + (", ..." if len(known) > 24 else "")
-        raise ModelError(
-            f"output {name!r}",
-            f"model {model.name} has none of this name that an ensemble computes",
-            f"take one of {listed}, rates `_dot`, accelerations `_ddot`, `lam.row`, or a joint's force",
-        )
-    if found.kernel == "reactions" and model.redundant:
-        raise ModelError(
-            f"output {name!r}",
-            f"model {model.name} has redundant constraints, whose reactions need a choice that lanes do not make",
-            "leave it out, or simulate the cases that matter one by one",
-        )
-    return found
-
-
-def _quantities(model: Model) -> dict[str, Column]:
-    """Energies, measures and coordinates by name; of two that share a name, the last counts."""
-    found: dict[str, Column] = {}
-    if model.has("energy"):
-        found |= {f"{prefix}{name}": Column("energy", name) for name in ENERGIES for prefix in ("", "energy.")}
-    for k, name in enumerate(model.measures):
-        found |= {f"{prefix}{name}": Column("measures", "measures", k) for prefix in ("", "measure.")}
-    for k, name in enumerate(model.coordinates):
-        found |= {f"{name}{suffix}": Column("state", suffix, k) for suffix in ORDERS}
-    kinds = euler_angles(model)
-    for body, e in parameter_columns(model).items():
-        if body in kinds:
-            found |= {name: Column("angle", f"{kinds[body]}{k}", e[0]) for k, name in enumerate(angle_names(body))}
-        found |= {f"{body}.omega_{axis}": Column("spin", axis, e[0]) for axis in AXES}
-    return found
-
-
-def _reactions(model: Model) -> dict[str, Column]:
-    """Multipliers and joint forces by name."""
-    if not model.constraints or not model.has("reactions"):
-        return {}
-    found = {f"lam.{row}": Column("reactions", "lam", k) for k, row in enumerate(model.constraints)}
-    parts = FORCE_PARTS[int(model.kernel("reactions").size1_out("joint_forces"))]
-    for k, joint in enumerate(model.joints):
-        found |= {
-            f"{joint}.{part}": Column("reactions", "joint_forces", k * len(parts) + axis)
-            for axis, part in enumerate(parts)
-        }
-    return found
 
 
 class Observation:
@@ -182,16 +108,8 @@ class Observation:
     def _states(self, z: Fields, c: ca.SX) -> Mapping[str, ca.SX]:
         outputs = ca.SX(z["outputs"])
         for k, one in enumerate(self.columns):
-            if one.kernel == "state":
-                outputs[k] = self._whole(z, one.part)[one.position]
-            elif one.kernel == "spin":
-                e, e_dot = (
-                    ca.vertsplit(self._whole(z, suffix)[one.position : one.position + 4]) for suffix in ORDERS[:2]
-                )
-                outputs[k] = _spin(e, e_dot, AXES.index(one.part))
-            elif one.kernel == "angle":
-                e = ca.vertsplit(self._whole(z, "")[one.position : one.position + 4])
-                outputs[k] = angles_of(one.part[:3], e, ca.atan2, ca.cos, ca.sin)[int(one.part[3])]
+            if one.suffixes:
+                outputs[k] = one.of_state(lambda suffix: self._whole(z, suffix))
         return {"outputs": outputs}
 
     def _whole(self, z: Fields, suffix: str) -> ca.SX:
@@ -200,10 +118,3 @@ class Observation:
         sizes = {"i": len(model.q_i), "d": len(model.q_d)}
         parts = (z.get(f"seen_{kind}{suffix}", ca.SX.zeros(size)) for kind, size in sizes.items())
         return ca.densify(joined(model, *parts))
-
-
-def _spin(e: Sequence[ca.SX], e_dot: Sequence[ca.SX], axis: int) -> ca.SX:
-    """Component of 2 conj(e) o e', added up as runtime/contract/orientations.py does."""
-    i, j = 1 + (axis + 1) % 3, 1 + (axis + 2) % 3
-    a = [e[0], *(-part for part in e[1:])]
-    return 2 * ((a[0] * e_dot[1 + axis] + e_dot[0] * a[1 + axis]) + (a[i] * e_dot[j] - a[j] * e_dot[i]))
