@@ -12,6 +12,7 @@ import numpy as np
 from runtime.contract.doors import opened
 from runtime.contract.files import write_text
 from runtime.contract.model import Model
+from runtime.orbits.controllers import remembering
 from runtime.orbits.floquet import UNSTABLE, Floquet
 from runtime.orbits.motion import PeriodicMotion
 from runtime.orbits.periodic import periodic
@@ -113,7 +114,7 @@ class PeriodicBranch:
             self.model,
             **length,
             parameters={**self.first.parameters, self.over: point.value},
-            inputs=self.first.inputs,
+            inputs=remembering(self.first.inputs, point.x[0]),
             start=self.first.states.by_name(point.x[0]),
             settle=None,
             scheme=self.first.scheme,
@@ -168,6 +169,13 @@ class PeriodicBranch:
         over, about = f"{self.over} [{entry.unit or '-'}]", self.model.title or self.model.name
         draw = opened("runtime.views.plots:branch_picture")
         return draw(about, over, output, curves, marked, path)  # type: ignore[no-any-return]
+
+    def view(self, path: str | Path | None = None, outputs: Sequence[str] = ()) -> Any:
+        """The picture as a page with a slider, which chooses the motion whose curves show; () stands for all q_i.
+
+        Written to `path` (.html), else shown in the notebook or opened. Raises ModelError and OutputError.
+        """
+        return opened("runtime.views.viewer.branch_page:show_branch")(self, path, list(outputs) or list(self.model.q_i))
 
     def __repr__(self) -> str:
         told = ", ".join(f"{one.kind} at {one.value:.6g}" for one in self.specials) or "no change of stability"

@@ -14,6 +14,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -23,10 +25,15 @@ from runtime.contract.doors import NUMBER, NUMBERS, arguments
 from runtime.contract.errors import ArgumentError, SymgenError
 from runtime.contract.model import Model
 from runtime.orbits.branch import PeriodicBranch, Point, Special
+from runtime.orbits.controllers import refuse_samples, samples_in
+from runtime.orbits.doubling import doubled, half_apart
 from runtime.orbits.floquet import FLIP, FOLD, NEIMARK_SACKER, REAL, UNSTABLE, floquet
+from runtime.orbits.kept_branch import KeptBranch, Place
 from runtime.orbits.motion import PeriodicMotion
 from runtime.orbits.periodic import companion_steps, doubted, periodic, speed_period
-from runtime.orbits.shooting import CLOSED, ROUNDED, Conditions, NoPeriodicMotion, PeriodMap, Setting, Shot
+from runtime.orbits.sampled import period_map
+from runtime.orbits.shooting import CLOSED, ROUNDED, Conditions, NoPeriodicMotion, Setting, Shot
+from runtime.running.inputs import bound
 
 FIRST, LONGEST, SHORTEST = 0.02, 0.08, 1e-6  # steps along the curve, in parts of the range
 ITERATIONS, QUICK = 8, 3  # of Newton's method: at most, and so few that steps grow
@@ -50,14 +57,16 @@ def periodic_over(
     flips: int = 0,
     progress: Progress | None = None,
     start: PeriodicMotion | PeriodicBranch | Mapping[str, float] | None = None,
+    resume: str | Path | None = None,
     **how: Any,
 ) -> PeriodicBranch:
     """Follow a motion that repeats over a parameter, from the first value of `span` to the second, through folds.
 
     points: at most so many; step: longest, in parts of the span (0.08); flips: so many doublings of the period are
     followed, too, each a branch in `branches`; progress(value reached, last value). start: as of `periodic`, a motion
-    with its parameters, or a branch, which is gone on with. how: further arguments of `periodic`. Ctrl-C keeps what is
-    there. Raises what `periodic` does for the first motion; later trouble ends the branch, told by `stopped`.
+    with its parameters, or a branch, which is gone on with. resume: a folder that keeps the points; the same question
+    goes on there after the last of them. how: further arguments of `periodic`. Ctrl-C keeps what is there. Raises what
+    `periodic` does for the first motion; later trouble ends the branch, told by `stopped`.
     """
     if len(span) != 2:
         raise ArgumentError("span", f"is {span!r}", "give two different numbers, the first and the last value")
@@ -74,7 +83,8 @@ def periodic_over(
         own = start.parameters if isinstance(start, PeriodicMotion) else {}
         parameters = {**own, **how.pop("parameters", {}), over: low}
         first, done = periodic(model, parameters=parameters, start=start, **how), []
-    walk = _Walk(model, over, (low, high), first, LONGEST if step is None else float(step))
+    folder = None if resume is None else Path(resume)
+    walk = _Walk(model, over, (low, high), first, LONGEST if step is None else float(step), folder)
     branch = walk.walked(done, points, progress, list(start.specials) if isinstance(start, PeriodicBranch) else [])
     return _with_doublings(branch, walk, flips, points, progress)
 
@@ -86,10 +96,10 @@ def _with_doublings(
     if not flips or branch.stopped == INTERRUPTED:
         return branch
     found: list[PeriodicBranch] = []
-    for special in branch.specials:
+    for k, special in enumerate(branch.specials):
         if special.kind == FLIP:
             first, start = doubled(branch.first, branch.over, special.point)
-            own = walk.beside(first)
+            own = walk.beside(first, k)
             piece = own.walked([own.anew(start)], points, progress, [])
             found.append(_with_doublings(piece, own, flips - 1, points, progress))
             if found[-1].stopped == INTERRUPTED:
@@ -101,22 +111,60 @@ class _Walk:
     """Along a branch. Numbers of the curve: states over their scale, the period over the first where free, value."""
 
     def __init__(
-        self, model: Model, over: str, span: tuple[float, float], first: PeriodicMotion, longest: float
-    ) -> None:
+        self, model: Model, over: str, span: tuple[float, float], first: PeriodicMotion, longest: float,
+        folder: Path | None, name: str = "branch",
+    ) -> None:  # fmt: skip
         self._model, self._over, self._span, self._first, self._longest = model, over, span, first, longest
+        self._folder, self._name = folder, name
         self._width = abs(span[1] - span[0])
         self._doubled = first.doublings > 0
+        if first.speed is not None and first.speed[0] == over:
+            refuse_samples(first.inputs, f"changes with {over}")
         setting = Setting(
             model, first.scheme, first.steps // first.parts, first.parts, first.t0, first.options, first.inputs
         )
         given = {name: value for name, value in first.parameters.items() if name != over}
-        self._map = PeriodMap(setting, first.period, given, (over,))
-        count = companion_steps(first.scheme, first.steps, first.parts)
+        self._map = period_map(setting, first.period, given, (over,))
+        count = companion_steps(first.scheme, first.steps, first.parts, samples_in(first.period, first.inputs))
         self._other = self._map.with_steps(replace(setting, steps=count // first.parts))
 
-    def beside(self, first: PeriodicMotion) -> _Walk:
-        """Along another branch over the same values."""
-        return _Walk(self._model, self._over, self._span, first, self._longest)
+    def beside(self, first: PeriodicMotion, k: int) -> _Walk:
+        """Along another branch over the same values, from special k of this one."""
+        own = f"{self._name}_{k}"
+        return _Walk(self._model, self._over, self._span, first, self._longest, self._folder, own)
+
+    @cached_property
+    def _kept(self) -> KeptBranch | None:
+        """Its file, if there is one."""
+        if self._folder is None:
+            return None
+        first = self._first
+        driven = bound(self._model, first.inputs).driven_by
+        numbers = {name: float(value) for name, value in sorted(first.parameters.items())}
+        asked = (self._model.digest, driven, self._over, self._span, first.scheme, dict(first.options), first.steps,
+                 first.parts, first.t0, first.speed, first.free or float(first.period), numbers)  # fmt: skip
+        return KeptBranch(self._folder / f"{self._name}.npz", repr(asked))
+
+    def _read(self, done: list[Point], specials: list[Special]) -> bool:
+        """Replace what is done by what was kept; is that complete?"""
+        places, complete = self._kept.places() if self._kept is not None else ([], False)
+        if any(not one.kind for one in places):
+            done.clear()
+        for one in places:
+            point = self._place(one)
+            if one.kind:
+                specials.append(Special(one.kind, one.value, one.period, point.x[0], point))
+            else:
+                done.append(point)
+        return complete
+
+    def _place(self, kept: Place) -> Point:
+        """A point that was kept, with what is known of it computed anew."""
+        shot = self._map.shot(kept.x, kept.period, [kept.value])
+        conditions = self._conditions(shot, kept.period, self._first.found.turn * 2**self._first.doublings)
+        found = floquet(shot.monodromy, kept.period, conditions.free, self._first.floquet.margin)
+        own = (kept.value, kept.period, kept.x, shot, kept.tangent, conditions, found, kept.begins)
+        return self._judged(Point(*own))
 
     def walked(
         self, done: list[Point], most: int, progress: Progress | None, specials: list[Special]
@@ -124,20 +172,27 @@ class _Walk:
         """From the first motion, or from where a branch stopped, to the end of the range."""
         stopped = ""
         try:
-            if not done:
-                done.append(self._begun())
-            stopped = self._walked(done, most, progress, specials)
+            if not self._read(done, specials):
+                if not done:
+                    done.append(self._begun())
+                stopped = self._walked(done, most, progress, specials)
+                self._keep(done, specials, not stopped)
         except KeyboardInterrupt:
             stopped = INTERRUPTED
         if not done:
             raise KeyboardInterrupt
         return PeriodicBranch(self._model, self._over, self._span, tuple(done), tuple(specials), self._first, stopped)
 
+    def _keep(self, done: list[Point], specials: list[Special], complete: bool = False) -> None:
+        if self._kept is not None:
+            self._kept.keep(done, specials, complete)
+
     def _walked(self, done: list[Point], most: int, progress: Progress | None, specials: list[Special]) -> str:
         """Append points and what passes between them; why it ends before the range does, "" otherwise."""
         s = min(FIRST, self._longest)
         while True:
             at = done[-1]
+            self._keep(done, specials)
             if progress is not None:
                 progress(at.value, self._span[1])
             if len(done) >= most:
@@ -382,50 +437,3 @@ def _turning_away(point: Point) -> float:
     found = point.floquet.counted
     pairs = np.abs(found[found.imag > REAL * np.maximum(np.abs(found), 1e-300)])
     return float(pairs.max(initial=0.0)) - 1.0
-
-
-# Where a multiplier passes -1, a motion of twice the period branches off: its start and its direction.
-#
-# With the monodromy's eigenvector M v = -v, a disturbance v comes back as -v after a period T and as v after 2 T. So
-# the motion of the period T, taken twice, is a point of the branch of motions of 2 T, and (v, -v) is a direction along
-# which the branch leaves it; the parameter moves with the square of the distance.
-# Source: Seydel, Practical Bifurcation and Stability Analysis, ch. 7.
-
-
-def doubled(first: PeriodicMotion, over: str, at: Point) -> tuple[PeriodicMotion, Point]:
-    """(the motion at a flip, taken twice; the point that its branch begins with).
-
-    first: of the branch that has the flip. The point's tangent holds (v, -v) of the parts (2 K n,), not yet scaled.
-    """
-    turn, period = at.conditions.turn, 2 * at.period
-    x = np.concatenate([at.x, at.x + turn])
-    v = _disturbance(at)
-    conditions = replace(at.conditions, turn=2 * turn)
-    point = replace(at, period=period, x=x, conditions=conditions, tangent=np.concatenate([v, -v]).ravel(), begins=True)
-    motion = replace(
-        first,
-        period=period,
-        x=x[0],
-        turns={name: 2 * k for name, k in first.turns.items()},
-        steps=2 * first.steps,
-        parts=2 * first.parts,
-        parameters={**first.parameters, over: at.value},
-        speed=None if first.speed is None else (first.speed[0], 2 * first.speed[1]),
-        doublings=first.doublings + 1,
-    )
-    return motion, point
-
-
-def half_apart(point: Point) -> np.ndarray:
-    """(n,) how far a motion of twice a period is from having that period: between its halves, in parts of sizes."""
-    half = len(point.x) // 2
-    return np.asarray((point.x[half] - point.x[0] - point.conditions.turn / 2) / point.conditions.scale)
-
-
-def _disturbance(at: Point) -> np.ndarray:
-    """(K, n) of the parts, along the multiplier nearest to -1."""
-    multipliers, vectors = np.linalg.eig(at.shot.monodromy)
-    found = [vectors[:, int(np.abs(multipliers + 1.0).argmin())].real]
-    for slope in at.shot.slopes[:-1]:
-        found.append(slope @ found[-1])
-    return np.array(found)

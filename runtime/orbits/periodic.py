@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from math import gcd
+from math import gcd, lcm
 from typing import Any
 
 import numpy as np
@@ -15,8 +15,10 @@ from runtime.contract.errors import ArgumentError, SymgenError
 from runtime.contract.model import Model, refuse_events
 from runtime.gradients.variables import parameters_at
 from runtime.operating.given_state import given_state
+from runtime.orbits.controllers import controllers_in, refuse_controllers, samples_in, states_of
 from runtime.orbits.floquet import MARGIN, Floquet, floquet
 from runtime.orbits.motion import PeriodicMotion
+from runtime.orbits.sampled import period_map
 from runtime.orbits.shooting import Closed, Conditions, NoPeriodicMotion, PeriodMap, Setting, closed, closed_beside
 from runtime.orbits.states import States
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
@@ -76,9 +78,13 @@ def periodic(
         raise ArgumentError("steps", f"is {steps!r}", "give a whole number of at least 1")
     if not 0 < tolerance < 1:
         raise ArgumentError("tolerance", f"is {tolerance!r}", "give a number between 0 and 1")
+    refuse_controllers(model, asked.inputs, asked.free)
     x, first = _beginning(asked, start, settle, guess, t0)
     count = steps if steps is not None else STEPS
-    unit = MARKS * parts
+    samples = samples_in(first, asked.inputs)
+    if steps is not None and steps % samples:
+        raise ArgumentError("steps", f"are {steps}, with {samples} samples a period", "give a multiple of that")
+    unit = lcm(MARKS * parts, samples)
     search = _Search(asked, dict(options or {}), parts, t0)
     while True:
         count = max(1, round(count / unit)) * unit if steps is None else count
@@ -155,7 +161,7 @@ def _beginning(
     asked: _Asked, start: Any, settle: int | None, guess: float | None, t0: float
 ) -> tuple[np.ndarray, float]:
     """(state (n,), period) that the search begins with."""
-    states = States(asked.model)
+    states = states_of(asked.model, asked.inputs)
     if isinstance(start, PeriodicMotion) and start.states.names == states.names:
         return start.x, start.period if asked.free else asked.length(asked.parameters)
     start = start.state if isinstance(start, PeriodicMotion) else start
@@ -217,7 +223,7 @@ class _Search:
             a.model, a.scheme, max(1, steps // self._parts), self._parts, self._t0, self._options, a.inputs
         )
         if self._map is None:
-            self._map = PeriodMap(setting, period, a.parameters, ())
+            self._map = period_map(setting, period, a.parameters, ())
         return self._map.with_steps(setting)
 
     def solved(self, steps: int, x: np.ndarray, period: float, settle: int | None) -> PeriodicMotion:
@@ -226,7 +232,8 @@ class _Search:
         found, conditions = self._found(map_, x, period, settle)
         motion = self._motion(map_, found, steps)
         self._check_repeats(map_, motion)
-        other = companion_steps(self._asked.scheme, steps, self._parts)
+        samples = samples_in(found.period, self._asked.inputs)
+        other = companion_steps(self._asked.scheme, steps, self._parts, samples)
         twin = closed_beside(self.map_(other, found.period), conditions, found)
         beside = self._motion(map_, twin, other)
         return replace(motion, floquet=doubted(motion.floquet, beside.floquet), error=_difference(motion, beside))
@@ -272,10 +279,11 @@ class _Search:
     def _check_repeats(self, map_: PeriodMap, motion: PeriodicMotion) -> None:
         """Raises NoPeriodicMotion where drives, loads, inputs or what events did do not repeat with the period."""
         found, end = motion.found, motion.found.shot.ends[0]
-        if any(event.sets for event in motion.model.description.events):
-            run = motion.simulate(2, samples=2)  # what they set goes on in the next period
+        if any(event.sets for event in motion.model.description.events) or controllers_in(motion.inputs):
+            run = motion.simulate(2, samples=2)  # what they set, and decide, goes on in the next period
             end, states = found.shot.x[0], map_.states
             again = states.near(states.of(run.q[-1], run.q_dot[-1]) - 2 * found.turn, end)
+            again[states.own :] = end[states.own :]
         else:
             again = map_.next_period(found.shot.x[0], found.period)
         size = map_.states.sizes(np.abs(np.vstack([found.shot.x, found.shot.ends])).max(axis=0), found.period)
@@ -295,15 +303,16 @@ def doubted(one: Floquet, beside: Floquet) -> Floquet:
     return replace(one, margin=max(MARGIN, DOUBT * abs(one.largest - beside.largest)))
 
 
-def companion_steps(scheme: str, steps: int, parts: int) -> int:
+def companion_steps(scheme: str, steps: int, parts: int, samples: int) -> int:
     """Steps of the motion that one is compared with: fewer, of half the error.
 
     Between two marks they have no common divisor, so that forces are seen at other phases.
     """
     ratio = 2.0 ** (1.0 / scheme_kind(scheme).make.order)
-    unit = MARKS * parts
+    unit, least = lcm(MARKS * parts, samples), lcm(parts, samples)
     if steps % unit:
-        return int(max(1, round(steps / ratio / parts)) * parts)
+        other = max(1, round(steps / ratio / least)) * least
+        return other if other != steps or samples == 1 else 2 * steps
     own = steps // unit
     for other in sorted(range(1, own + 2), key=lambda count: abs(count - own / ratio)):
         if other != own and gcd(own, other) == 1:

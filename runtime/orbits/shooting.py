@@ -150,12 +150,18 @@ class PeriodMap:
         return self._placed[key]
 
     def _first(self, period: float) -> DifferentiableRun:
-        setting = self.setting
+        return self._prepared(period, self.states.outputs, self.by, self.setting.inputs)
+
+    def _prepared(
+        self, period: float, outputs: Sequence[str], by: Sequence[str], inputs: Mapping[str, Any]
+    ) -> DifferentiableRun:
+        """by: besides the state."""
+        own, setting = self.setting.model, self.setting
         length = period / setting.parts
         return DifferentiableRun(
-            setting.model,
-            self.states.outputs,
-            [*self.states.names, *self.by],
+            own,
+            outputs,
+            [*self.states.names, *by],
             initial=self.states.upright,
             t_end=setting.t0 + length,
             dt=length / setting.steps,
@@ -163,7 +169,7 @@ class PeriodMap:
             options=setting.options,
             start="given",
             t0=setting.t0,
-            inputs=setting.inputs or None,
+            inputs=inputs or None,
             samples=1,
         )
 

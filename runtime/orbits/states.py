@@ -40,6 +40,11 @@ class States:
         """Names of the coordinates and turns in x."""
         return [self.model.q_i[k] for k in self._places]
 
+    @property
+    def own(self) -> int:
+        """Numbers of the motion itself in x: q_i and their rates."""
+        return len(self._places) + len(self.model.q_i)
+
     @cached_property
     def names(self) -> list[str]:
         """(n) of x, as a run is differentiated by them."""

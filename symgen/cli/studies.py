@@ -154,7 +154,7 @@ def stability(arguments: argparse.Namespace) -> Outcome:
 def periodic(arguments: argparse.Namespace) -> Outcome:
     """Find the motion that repeats, whether it is stable, and how it changes over a parameter.
 
-    With --out it leaves motion.csv, one period of it; with --over branch.csv and branch.png instead.
+    With --out it leaves motion.csv, one period of it; with --over branch.csv, branch.png and branch.html instead.
     """
     from runtime.orbits.continuation import periodic_over
     from runtime.orbits.periodic import periodic
@@ -164,10 +164,13 @@ def periodic(arguments: argparse.Namespace) -> Outcome:
     how["start"] = arguments.initial or None
     if arguments.flips and not arguments.over:
         raise UsageError("--flips goes with --over")
+    if arguments.resume and not arguments.over:
+        raise UsageError("--resume goes with --over")
     if arguments.over:
         name, first, last = arguments.over
+        further = {"flips": arguments.flips, "resume": arguments.resume}
         with Progress(f"symgen {model.name}") as progress:
-            branch = periodic_over(model, name, (first, last), progress=progress, flips=arguments.flips, **how)
+            branch = periodic_over(model, name, (first, last), progress=progress, **further, **how)
         return _branch(branch, arguments.output or [model.q_i[0]], arguments.out)
     found = periodic(model, **how)
     files = []
@@ -199,9 +202,10 @@ def periodic(arguments: argparse.Namespace) -> Outcome:
 def _branch(branch: PeriodicBranch, outputs: list[str], out: str | None) -> Outcome:
     files = []
     if out:
-        files = [str(Path(out) / f"branch.{kind}") for kind in ("csv", "png")]
+        files = [str(Path(out) / f"branch.{kind}") for kind in ("csv", "png", "html")]
         branch.write_csv(files[0], outputs)
         branch.picture(outputs[0], files[1])
+        branch.view(files[2], outputs)
     kinds = [special for one in branch.all for special in one.specials]
     specials = [{"kind": one.kind, "value": one.value, "period": one.period} for one in kinds]
     data = {

@@ -84,9 +84,30 @@ def test_periodic_leaves_a_motion_or_a_branch(capsys: pytest.CaptureFixture[str]
     with (tmp_path / "branch.csv").open() as lines:
         rows = list(csv.DictReader(lines))
     assert len(rows) == len(found["values"]) and all(float(row["rod.q1"]) > 0 for row in rows)
-    assert (tmp_path / "branch.png").stat().st_size > 1000
-    code, _, err = said(capsys, *CRANK, "--flips", "1")
-    assert code == 2 and "--flips goes with --over" in err
+    assert (tmp_path / "branch.png").stat().st_size > 1000 and "rod.q1" in (tmp_path / "branch.html").read_text()
+    for option in (["--flips", "1"], ["--resume", str(tmp_path)]):
+        code, _, err = said(capsys, *CRANK, *option)
+        assert code == 2 and f"{option[0]} goes with --over" in err
+
+
+def test_periodic_goes_on_after_ctrl_c(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    words = [*CRANK, "--over", "omega=140:141", "--resume", str(tmp_path), "--json"]
+
+    def interrupt(self: object, value: float, last: float) -> None:
+        if value > 140:
+            raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr("symgen.cli.outcome.Progress.__call__", interrupt)
+        code, out, _ = said(capsys, *words)
+    kept = json.loads(out)
+    assert code == 130 and kept["stopped"] == "interrupted" and 140 < kept["values"][-1] < 141
+    code, out, _ = said(capsys, *words)
+    found = json.loads(out)
+    assert code == 0 and found["values"][: len(kept["values"])] == kept["values"] and found["values"][-1] == 141
+    assert max(found["errors"]) < 1e-3
 
 
 @pytest.mark.parametrize(

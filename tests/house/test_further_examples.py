@@ -131,3 +131,43 @@ def test_crane_mpc(said) -> None:
     _, trolley, load, force = numbers(said("crane_mpc"))
     assert trolley == pytest.approx(2.0, abs=0.01) and abs(load) < 0.01
     assert force == pytest.approx(8.0, abs=1e-3)
+
+
+def test_quarter_car(said) -> None:
+    text = said("quarter_car")
+    assert numbers(text.splitlines()[0])[-1] < 1e-6  # m, off two equations by hand
+
+
+def test_four_bar_300rpm(said) -> None:
+    text = said("four_bar_300rpm")
+    assert max(line(text, "off by hand by")) < 1e-9  # N m, of 11
+
+
+def test_overhung_rotor(said) -> None:
+    """Whirl of a light shaft in closed form; a slow run-up is largest a little above the critical speed."""
+    text = said("overhung_rotor")
+    assert line(text, "whirl off the quartic by")[0] < 1e-4
+    at, critical = numbers(text.splitlines()[1])[-2:]
+    assert critical == pytest.approx(58.8, abs=0.2) and critical < at < 1.15 * critical
+
+
+def test_bridge_crane(said) -> None:
+    found, hand = numbers(said("bridge_crane").splitlines()[0])[-2:]
+    assert found == pytest.approx(hand, rel=3e-4)
+
+
+def test_urdf_arm(said) -> None:
+    text = said("urdf_arm")
+    assert line(text, "held at rest off by hand by")[0] < 1e-12
+    assert line(text, "computed torque")[0] < 0.02 < 1 < line(text, "feedback alone")[0]
+
+
+def test_geared_arm(said) -> None:
+    """A joint holds up to its breakaway torque, whatever the gear; at rest rates are zero and friction holds."""
+    text = said("geared_arm")
+    found, given = line(text, "breaks away at")
+    assert found == pytest.approx(given, rel=1e-6)
+    *errors, first, second = numbers(text.splitlines()[1].partition("errors")[2])
+    assert len(errors) == 2 and max(map(abs, errors)) < 0.1 and first == second == 0
+    shoulder, elbow, *holds = line(text, "torques beyond the weights")
+    assert abs(shoulder) <= holds[0] and abs(elbow) <= holds[1] and len(holds) == 2

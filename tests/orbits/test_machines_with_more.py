@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 from scipy.optimize import fsolve
 
-from runtime import Model, Sampled, periodic, periodic_over, simulate
-from runtime.contract.errors import ArgumentError
+from runtime import Model, periodic, periodic_over, simulate
 from runtime.orbits.shooting import NoPeriodicMotion
 from symgen.scene import Scene, SceneRecord
 
@@ -79,12 +78,6 @@ def test_what_events_did_must_repeat(model_of: Build) -> None:
     model = model_of(builder.simulation(t_end=10.0, dt=1e-2, scheme="rk4").build())
     with pytest.raises(NoPeriodicMotion, match="events do not repeat"):
         periodic(model, speed="omega", steps=200, scheme="dop853")
-
-
-def test_controllers_in_python_are_refused(model_of: Build) -> None:
-    how = {"speed": "omega", "steps": 100, "inputs": {"u": Sampled(lambda t, x: -x[0], 0.1, ["mass.x"], memory=[])}}
-    with pytest.raises(ArgumentError, match="input 'u'.*controller"):
-        periodic(model_of(relay().parameter("omega", 2.0).build()), **how)
 
 
 M, K, OUTER, INNER, E = 2.0, 800.0, 6.0, 4.0, 1e-3

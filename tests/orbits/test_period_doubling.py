@@ -13,12 +13,22 @@ from scipy.optimize import brentq
 from runtime import Model, periodic_over
 from runtime.orbits.branch import PeriodicBranch
 from symgen.scene import Scene, SceneRecord
+from tests.support.browser import used
 
 pytestmark = pytest.mark.long
 
 Build = Callable[[SceneRecord], Model]
 DAMPING, OMEGA = 0.3, 1.2
 PERIOD = 2 * np.pi / OMEGA
+
+SLID = """
+const slider = document.getElementById("point");
+slider.value = LAST;
+slider.dispatchEvent(new Event("input"));
+const said = ["value", "motion"].map((id) => document.getElementById(id).textContent);
+const dashed = document.querySelectorAll("#branch [stroke-dasharray]").length;
+document.documentElement.dataset.probe = JSON.stringify([...said, dashed]);
+"""
 
 
 @pytest.fixture(scope="module")
@@ -80,6 +90,24 @@ def test_the_branch_of_twice_the_period_leaves_at_the_flip(cascade: PeriodicBran
     assert branch.motion(3).period == pytest.approx(2 * PERIOD)
 
 
+def test_branches_of_twice_the_period_go_on_from_their_folder(wells: Model, tmp_path: Path) -> None:
+    how = {"period": PERIOD, "scheme": "dop853", "steps": 100, "flips": 1, "resume": tmp_path}
+    seen: list[float] = []
+
+    def stop(value: float, end: float) -> None:
+        seen.append(value)
+        if len(list(tmp_path.iterdir())) == 2 and len(seen) > 20:
+            raise KeyboardInterrupt
+
+    part = periodic_over(wells, "gamma", (0.2, 0.32), progress=stop, **how)
+    assert part.stopped == "interrupted" and part.branches[0].stopped == "interrupted"
+    count = len(part.branches[0].points)
+    rest = periodic_over(wells, "gamma", (0.2, 0.32), **how)
+    assert not rest.stopped and rest.values == pytest.approx(part.values, abs=0)
+    assert rest.branches[0].values[:count] == pytest.approx(part.branches[0].values, abs=0)
+    assert rest.branches[0].values[-1] == 0.32 and rest.branches[0].first.doublings == 1
+
+
 def test_tables_and_pictures_hold_all_branches(cascade: PeriodicBranch, tmp_path: Path) -> None:
     cascade.write_csv(tmp_path / "branch.csv", ["mass.x"])
     rows = (tmp_path / "branch.csv").read_text().splitlines()
@@ -88,3 +116,14 @@ def test_tables_and_pictures_hold_all_branches(cascade: PeriodicBranch, tmp_path
     assert rows[-1].split(",")[-2] == "1" and rows[1].split(",")[-2] == "0" and float(rows[1].split(",")[-1]) < 1e-9
     lines = cascade.picture("mass.x", tmp_path / "branch.png").axes[0].lines
     assert {"-", "--"} <= {line.get_linestyle() for line in lines}
+
+
+def test_the_slider_of_the_page_chooses_the_motion(cascade: PeriodicBranch, tmp_path: Path) -> None:
+    page = cascade.view(tmp_path / "branch.html", ["mass.x", "mass.x_dot"])
+    assert (tmp_path / "branch.html").read_text() == page.text and len(page.text) < 400_000
+    last = len(cascade.points) + len(cascade.branches[0].points) - 1
+    found = used(page.text, tmp_path, SLID.replace("LAST", str(last)))
+    assert "error" not in found and found["ready"] == "1" and found["motion"] == str(last)
+    value, motion, dashed = found["probe"]
+    assert value == "gamma [-] = 0.32" and "unstable" in motion and "1 doublings" in motion
+    assert dashed == sum(branch.stability[:-1].count("unstable") for branch in cascade.all)

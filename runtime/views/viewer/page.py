@@ -8,6 +8,7 @@ import re
 import sys
 import tempfile
 import webbrowser
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
@@ -20,7 +21,7 @@ from runtime.views.viewer.record import view_record
 if TYPE_CHECKING:
     from runtime.results.solution import Solution
 
-SCRIPTS = ("data", "motion", "stage", "bodies", "symbols", "curves", "controls")
+SCRIPTS = ("numbers", "data", "motion", "stage", "bodies", "symbols", "curves", "controls")
 HEIGHT = 560  # pixels of the frame in a notebook
 
 
@@ -58,16 +59,20 @@ class View:
 
 def view(solution: Solution, beside: Solution | None = None) -> View:
     """The page of a run, with a second one pale. Raises ModelError if the model has nothing to draw."""
-    record = view_record(solution, beside)
+    return page("page.html", view_record(solution, beside), text_of("page.css"), SCRIPTS)
+
+
+def page(frame: str, record: Mapping[str, Any], styles: str, scripts: Sequence[str]) -> View:
+    """A page of its frame, its numbers, and what draws them."""
     parts = {
         "title": html.escape(str(record["title"])),
-        "styles": text_of("bundles/uplot.min.css") + text_of("page.css"),
+        "styles": text_of("bundles/uplot.min.css") + styles,
         "three": text_of("bundles/three.min.js"),
         "uplot": text_of("bundles/uplot.min.js"),
         "data": json.dumps(record, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c"),
-        "script": "\n".join(text_of(f"script/{name}.js") for name in SCRIPTS),
+        "script": "\n".join(text_of(f"script/{name}.js") for name in scripts),
     }
-    pieces = re.split("@@([a-z]+)@@", text_of("page.html"))
+    pieces = re.split("@@([a-z]+)@@", text_of(frame))
     return View(str(record["title"]), "".join(parts[piece] if k % 2 else piece for k, piece in enumerate(pieces)))
 
 
@@ -76,7 +81,11 @@ def show(solution: Solution, path: str | Path | None = None, beside: Solution | 
 
     beside: a second run, shown pale in the same page. Raises ModelError if there is nothing to draw, and OutputError.
     """
-    made = view(solution, beside)
+    return shown(view(solution, beside), path)
+
+
+def shown(made: View, path: str | Path | None) -> View:
+    """Written where a path is given; without one a notebook shows it, and elsewhere the browser opens it."""
     if path is not None:
         made.save(path)
     elif "ipykernel" not in sys.modules:
