@@ -19,6 +19,7 @@ FAR = 20.0  # times as far as another moves a curve that gets an axis of its own
 SAME = 1e-9  # of a curve's size, by which it differs from one that covers it
 # colours of Okabe and Ito, told apart with every usual kind of colour vision; black is kept for totals
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6a4c93")
+SPECIALS = {"fold": "#d1495b", "flip": "#2e7d32", "Neimark-Sacker": "#7b1fa2", "branch point": "#ef6c00"}
 SMALL = 1e-3  # of the largest modal coordinate of a body: what stays below is left out
 
 

@@ -26,7 +26,7 @@ from runtime.results.section_forces import section_forces as forces_along
 from runtime.results.stresses import stresses as stresses_at
 from runtime.views import curves
 from runtime.views.animation import snapshots as snapshots
-from runtime.views.curves import COLOURS, Curves
+from runtime.views.curves import COLOURS, SPECIALS, Curves
 from runtime.views.figure import NotebookFigure, finish, grid, legend, owner, panel, prefixed, title
 
 if TYPE_CHECKING:
@@ -465,7 +465,6 @@ def fit_picture(
 
 # ---- The picture of motions that repeat over a parameter.
 
-SPECIALS = {"fold": "#d1495b", "flip": "#2e7d32", "Neimark-Sacker": "#7b1fa2", "branch point": "#ef6c00"}
 Branch = tuple[np.ndarray, np.ndarray, np.ndarray, int]  # values, heights, is it unstable?, doublings
 
 

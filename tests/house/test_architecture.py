@@ -41,7 +41,7 @@ RUNTIME_ROOMS = {
     "gradients": "contract engine schemes start results operating running",
     "orbits": "contract schemes results operating running gradients",
     "studies": "baselines contract engine schemes start results operating running",
-    "views": "contract results operating",
+    "views": "contract results operating orbits",
     "": "contract schemes results operating baselines running gradients orbits studies views",
 }
 SYMGEN_ROOMS = {

@@ -10,7 +10,7 @@ import numpy as np
 
 from runtime.contract.records import packed
 from runtime.results.export import column_units
-from runtime.views.curves import COLOURS
+from runtime.views.curves import COLOURS, SPECIALS
 from runtime.views.viewer.page import View, page, shown, text_of
 
 if TYPE_CHECKING:
@@ -67,13 +67,11 @@ def _record(branch: PeriodicBranch, outputs: Sequence[str]) -> dict[str, Any]:
 
 def _specials(branch: PeriodicBranch, made: dict[str, Any]) -> list[dict[str, Any]]:
     """Each at the height of the motion that is nearest on the curve."""
-    from runtime.orbits.branch import COLOURS as OF_KINDS
-
     found = []
     for one in branch.specials:
         near = int(np.abs(branch.values - one.value).argmin())
         largest = made["motions"][near]["largest"]
         found.append(
-            {"kind": one.kind, "value": one.value, "largest": largest, "colour": OF_KINDS.get(one.kind, "#111")}
+            {"kind": one.kind, "value": one.value, "largest": largest, "colour": SPECIALS.get(one.kind, "#111")}
         )
     return found
