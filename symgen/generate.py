@@ -21,7 +21,7 @@ from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.contract.tape import as_function
 from symgen.emission.description import clean, describe
-from symgen.emission.emit import emit
+from symgen.emission.files import emit
 from symgen.emission.write import compare_model, write_model
 from symgen.pipeline import Derived, derive, derive_on_demand, looked_at
 from symgen.scene import SceneRecord

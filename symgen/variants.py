@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from symgen.emission.emit import emit
+from symgen.emission.files import emit
 from symgen.emission.write import write_model
 from symgen.pipeline import Configuration, derive
 from symgen.scene import SceneError, SceneRecord

@@ -20,7 +20,7 @@ from benchmarks.harness.models import condensed_program, workplace  # noqa: E402
 from runtime.contract.loading import load_model  # noqa: E402
 from runtime.contract.model import Model  # noqa: E402
 from runtime.schemes.catalogue import scheme_kind  # noqa: E402
-from symgen.emission.emit import emit  # noqa: E402
+from symgen.emission.files import emit  # noqa: E402
 from symgen.emission.write import write_model  # noqa: E402
 from symgen.pipeline import derive  # noqa: E402
 from symgen.scene import SceneRecord  # noqa: E402

@@ -11,11 +11,11 @@ from difflib import get_close_matches
 from functools import wraps
 from importlib import import_module
 from inspect import Parameter, signature
+from math import isfinite
+from numbers import Real
 from os import PathLike
 from types import MethodType
 from typing import Any, NamedTuple, ParamSpec, TypeVar
-
-import numpy as np
 
 from runtime.contract.errors import ArgumentError
 
@@ -58,11 +58,12 @@ def _are_names(value: Any) -> bool:
 
 
 def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float | np.number) and not isinstance(value, bool) and bool(np.isfinite(value))
+    return isinstance(value, Real) and not isinstance(value, bool) and isfinite(value)
 
 
 def _are_numbers(value: Any) -> bool:
-    return isinstance(value, Sequence | np.ndarray) and not isinstance(value, str) and all(map(_is_number, value))
+    listed = isinstance(value, Sequence) or hasattr(value, "__array__")  # of NumPy, without importing it
+    return listed and not isinstance(value, str) and all(map(_is_number, value))
 
 
 BY_NAME = Kind(lambda value: isinstance(value, Mapping), 'give a dictionary, such as {"rod.mass": 2.0}')

@@ -13,13 +13,7 @@ MOST_TRIANGLES = 20_000
 Triple = tuple[Number, Number, Number]
 
 
-def _positive(value: float) -> float:
-    if value <= 0.0:
-        raise refuse(f"{value:g} is not positive", "give a length above 0")
-    return value
-
-
-Length = Annotated[Number, AfterValidator(_positive)]
+Length = Annotated[Number, Field(gt=0)]
 
 
 class _Shape(StrictModel):

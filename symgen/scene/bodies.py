@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, Any, ClassVar, Literal
 
+import numpy as np
 from pydantic import Field, Strict
 
 from symgen.scene.appearance import Shapes
@@ -29,6 +30,7 @@ LATERAL_ENDS = Literal[
 ]  # fmt: skip
 AXIAL_ENDS = Literal["fixed-free", "free-free", "fixed-fixed", "free-fixed", "fixed-loaded"]
 LIGHT = "its modes need inertia: give a small density (1e-6 does no harm), or a link that is a rigid body with mass = 0"
+ALONG = 1.0 - 1e-9  # an axis this much along the body's x-axis takes the body's z-axis for its x-axis
 Modes = Annotated[int, Strict(), Field(ge=1, le=500)]
 Position = Annotated[tuple[Quantity, ...], Meaning("position in the body frame, (x, y) or (x, y, z)", "m")]
 Products = Annotated[tuple[Quantity, ...], Meaning("entries xy, xz, yz of the inertia tensor", "kg m^2")]
@@ -72,6 +74,33 @@ class MarkerDirections(StrictModel):
             size = max(abs(entry) for entry in z) * max(abs(entry) for entry in x)
             if max(abs(entry) for entry in cross) <= 1e-9 * size:
                 yield Fault("x_axis", "is along the axis, or zero", "give a direction across it")
+
+    def own_axes(self) -> np.ndarray:
+        """Columns: the marker's x-, y- and z-axis in the body frame (3 x 3, a rotation)."""
+        z = _unit(np.array(self.axis))
+        beside = (1.0, 0.0, 0.0) if abs(z[0]) < ALONG else (0.0, 0.0, 1.0)
+        x = np.array(beside if self.x_axis is None else self.x_axis)
+        x = _unit(x - (x @ z) * z)
+        found = np.column_stack([x, np.cross(z, x), z])
+        found[np.abs(found) < 1e-15] = 0.0
+        return found
+
+
+def _unit(vector: np.ndarray) -> np.ndarray:
+    scaled = vector / np.abs(vector).max()
+    return np.asarray(scaled / np.linalg.norm(scaled))
+
+
+def quaternion_of(R: np.ndarray) -> np.ndarray:
+    """Euler parameters e0 ... e3 of a rotation matrix, e0 not negative: the column of largest norm of 4 e e^T."""
+    t, a = np.trace(R), [R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]
+    whole = np.zeros((4, 4))
+    whole[0, 0], whole[0, 1:], whole[1:, 0] = 1 + t, a, a
+    whole[1:, 1:] = R + R.T + (1 - t) * np.eye(3)
+    column = whole[:, int(np.argmax(np.diag(whole)))]
+    found = column / np.linalg.norm(column) * (1.0 if column[0] >= 0 else -1.0)
+    found[np.abs(found) < 1e-15] = 0.0
+    return np.asarray(found)
 
 
 class RigidMarker(MarkerDirections):

@@ -18,7 +18,7 @@ from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import AfterValidator, BeforeValidator, Field, ValidationInfo, field_validator
+from pydantic import BeforeValidator, Field, ValidationInfo, field_validator
 
 from runtime.contract.records import packed, unpacked
 from symgen.scene.appearance import MOST_TRIANGLES
@@ -156,13 +156,7 @@ class ModalBody(StrictModel):
         return {"origin": ModalMarker().with_zeros(self.nf)}
 
 
-def _positive(value: float) -> float:
-    if value <= 0.0:
-        raise refuse(f"{value:g} is not positive", "leave it out where the body does not buckle")
-    return value
-
-
-Load = Annotated[Number, AfterValidator(_positive)]
+Load = Annotated[Number, Field(gt=0)]
 
 
 class FlexibleStrut(StrictModel):

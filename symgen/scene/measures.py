@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from symgen.scene.bodies import BeamBody
 from symgen.scene.flexible import ALL_GAUGES, SpatialModalBody
 from symgen.scene.simulation import unknown_coordinate
 from symgen.schema.errors import did_you_mean
-from symgen.schema.fields import SPATIAL, Coordinate, Fault, GaugeRef, MarkerRef, Name, StrictModel, refuse
+from symgen.schema.fields import SPATIAL, Coordinate, Fault, GaugeRef, MarkerRef, Name, StrictModel
 
 KNOWN_BY = {  # which shapes of a beam know a section force
     "normal_force": "axial",
@@ -21,19 +21,10 @@ KNOWN_BY = {  # which shapes of a beam know a section force
     "bending_moment_y": "lateral_z",
     "torsion_moment": "torsion",
 }
-OLDER = {"marker_b": "of", "marker": "of", "coordinate": "of", "gauge": "of", "marker_a": "relative_to"}
 
 
 class _Measure(StrictModel):
     name: Name
-
-    @model_validator(mode="before")
-    @classmethod
-    def _spelling(cls, data: Any) -> Any:
-        older = [key for key in OLDER if isinstance(data, dict) and key in data]
-        if older:
-            raise refuse(f"is written '{OLDER[older[0]]}' in a measure", f"write {OLDER[older[0]]} = ...", older[0])
-        return data
 
     @property
     def markers(self) -> dict[str, str]:

@@ -22,7 +22,7 @@ from functools import cached_property, reduce
 from operator import or_
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Protocol, Self
 
-from pydantic import AfterValidator, Discriminator, Field, Tag
+from pydantic import Discriminator, Field, Tag
 
 from runtime.contract.orientations import angle_names, is_sequence
 from runtime.contract.records import UNITS, Coordinate, CoordinateKind
@@ -39,7 +39,7 @@ from symgen.scene.surfaces import SurfaceTable
 from symgen.scene.tables import CurveTable
 from symgen.schema.errors import SceneError, did_you_mean
 from symgen.schema.expressions import Expression, parse_expression, table_name
-from symgen.schema.fields import Flag, Meaning, Name, Number, Quantity, Scope, StrictModel, Text, refuse
+from symgen.schema.fields import Flag, Meaning, Name, Number, Quantity, Scope, StrictModel, Text
 
 
 class DeclaredParameter(StrictModel):
@@ -65,15 +65,6 @@ class DeclaredState(StrictModel):
     description: Text = ""
 
 
-def _positive(value: float) -> float:
-    if value <= 0:
-        raise refuse(f"the filter's frequency {value:g} is not positive", "give rad/s, or leave the filter out")
-    return value
-
-
-Frequency = Annotated[Number, AfterValidator(_positive)]
-
-
 class DeclaredInput(StrictModel):
     """A number that may change during a run; expressions of loads and prescribed motions use it by its name.
 
@@ -86,7 +77,7 @@ class DeclaredInput(StrictModel):
     unit: Text = ""
     description: Text = ""
     rates: Flag = False
-    filter: Frequency | None = None
+    filter: Annotated[Number, Field(gt=0)] | None = None
 
     def names(self, name: str) -> list[str]:
         """The entries of u: the value, then rate and acceleration where it has them."""

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from fnmatch import fnmatchcase
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BeforeValidator, Field, Strict, model_validator
+from pydantic import BeforeValidator, Field, Strict, model_validator
 
 from runtime.contract.orientations import angle_names
 from runtime.contract.records import GROUPED_SCHEMES, SchemeName
@@ -26,7 +26,6 @@ from symgen.schema.fields import (
     Scope,
     StrictModel,
     Text,
-    refuse,
 )
 
 MAX_STEPS = 10**9
@@ -214,15 +213,6 @@ class Simulation(StrictModel):
         return self
 
 
-def _not_negative(value: float) -> float:
-    if value < 0:
-        raise refuse(f"a time of {value:g} s is negative", "give 0 or more seconds")
-    return value
-
-
-Duration = Annotated[Number, AfterValidator(_not_negative)]
-
-
 class DeclaredEvent(StrictModel):
     """A time at which ``when`` passes zero, rising, falling or either way; a step ends there.
 
@@ -236,7 +226,7 @@ class DeclaredEvent(StrictModel):
     action: Annotated[dict[Name, Quantity], Meaning("value of an input", "its unit", scope=Scope.MEASURES)] = Field(
         default_factory=dict
     )
-    cool_down: Duration = 0.0
+    cool_down: Annotated[Number, Field(ge=0)] = 0.0
     description: Text = ""
 
     def faults(self, scene: Any) -> Iterator[Fault]:

@@ -61,8 +61,8 @@ class SurfaceTable(StrictModel):
     def _coefficients(self) -> np.ndarray:
         """(cells along x, cells along y, d + 1, d + 1) of u^a v^b, u and v the place in the cell."""
         z = np.array(self.z)
-        by_y = along(self.interpolation, np.diff(self.y), z)  # (b, x, cells along y)
-        by_x = along(self.interpolation, np.diff(self.x), np.moveaxis(by_y, 1, 2))  # (a, b, cells along y, along x)
+        by_y = along(self.interpolation, np.array(self.y), z)  # (b, x, cells along y)
+        by_x = along(self.interpolation, np.array(self.x), np.moveaxis(by_y, 1, 2))  # (a, b, cells along y, along x)
         degree = len(by_x)
         u = np.diff(self.x)[None, :] ** np.arange(degree)[:, None]
         v = np.diff(self.y)[None, :] ** np.arange(degree)[:, None]

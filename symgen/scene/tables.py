@@ -17,6 +17,7 @@ import numpy as np
 from pydantic import Field, Strict, model_validator
 
 from runtime.contract.tape import Table, table_of
+from symgen.scene.toml_io import text_of
 from symgen.schema.errors import SceneError, show
 from symgen.schema.fields import Number, StrictModel, Text, refuse
 
@@ -68,8 +69,7 @@ class CurveTable(StrictModel):
         """What it is between and outside its points."""
         x, y = np.array(self.x), np.array(self.y)
         with np.errstate(all="ignore"):
-            h = np.diff(x)
-            pieces = along(self.interpolation, h, y)
+            h, pieces = np.diff(x), along(self.interpolation, x, y)
             ends = np.zeros((2, len(pieces)))
             ends[:, 0] = y[0], y[-1]
             if self.outside == "extend":
@@ -103,11 +103,15 @@ def kinks_of(x: tuple[float, ...], interpolation: str, outside: str) -> tuple[fl
     return x if len(x) <= MOST_POINTS else ()
 
 
-def along(interpolation: str, h: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """(degree + 1, ..., n - 1) powers of the pieces between values (..., n), intervals of length h (n - 1,)."""
-    if values.ndim > 1:
-        return np.stack([along(interpolation, h, part) for part in values], axis=1)
-    return {"linear": _lines, "cubic": _natural_spline, "monotone": _monotone}[interpolation](h, values)
+def along(interpolation: str, x: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """(degree + 1, ..., n - 1) powers of x - x_k of the pieces between values (..., n) at x (n,)."""
+    if interpolation == "linear":
+        return np.stack([values[..., :-1], np.diff(values) / np.diff(x)])
+    from scipy.interpolate import CubicSpline, PchipInterpolator  # when they are needed: importing them takes long
+
+    cubic = interpolation == "cubic"
+    curve = CubicSpline(x, values, axis=-1, bc_type="natural") if cubic else PchipInterpolator(x, values, axis=-1)
+    return np.asarray(np.moveaxis(curve.c, 1, -1)[::-1])
 
 
 def _integral(h: np.ndarray, powers: np.ndarray) -> np.ndarray:
@@ -159,51 +163,6 @@ def _profile(parts: Sequence[tuple[float, float]], sign: float, integrated: int)
     return {"x": x, "y": y, "integrated": integrated}
 
 
-def _lines(h: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """(2, n - 1) powers of x - x_k on each interval of length h (n - 1,) between values y (n,)."""
-    return np.array([y[:-1], np.diff(y) / h])
-
-
-def _natural_spline(h: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """(4, n - 1) the same of the spline whose second derivative is zero at both ends: a tridiagonal system."""
-    slopes, n = np.diff(y) / h, len(y)
-    lengths, kinks = h.tolist(), (6 * np.diff(slopes)).tolist()
-    upper, bends = [0.0] * n, [0.0] * n
-    for k in range(1, n - 1):
-        pivot = 2 * (lengths[k - 1] + lengths[k]) - lengths[k - 1] * upper[k - 1]
-        upper[k] = lengths[k] / pivot
-        bends[k] = (kinks[k - 1] - lengths[k - 1] * bends[k - 1]) / pivot
-    for k in range(n - 2, 0, -1):
-        bends[k] -= upper[k] * bends[k + 1]
-    begin, end = np.array(bends[:-1]), np.array(bends[1:])
-    return np.array([y[:-1], slopes - h * (2 * begin + end) / 6, begin / 2, (end - begin) / (6 * h)])
-
-
-def _monotone(h: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """(4, n - 1) the same with slopes that keep each interval monotone (Fritsch and Butland 1984, PCHIP)."""
-    slopes = np.diff(y) / h
-    if len(y) == 2:
-        return np.array([y[:-1], slopes, 0 * h, 0 * h])
-    before, after = slopes[:-1], slopes[1:]
-    w, v = 2 * h[1:] + h[:-1], h[1:] + 2 * h[:-1]
-    inner = np.where(np.sign(before) * np.sign(after) > 0, (w + v) / (w / before + v / after), 0.0)
-    first, last = _end_slope(*h[:2], *slopes[:2]), _end_slope(*h[:-3:-1], *slopes[:-3:-1])
-    d = np.concatenate([[first], inner, [last]])
-    bend = (3 * slopes - 2 * d[:-1] - d[1:]) / h
-    return np.array([y[:-1], d[:-1], bend, (d[:-1] + d[1:] - 2 * slopes) / h**2])
-
-
-def _end_slope(h: float, next_h: float, slope: float, next_slope: float) -> float:
-    """Of the parabola through the last three points, so far as that keeps the curve monotone."""
-    found = ((2 * h + next_h) * slope - h * next_slope) / (h + next_h)
-    if np.sign(found) != np.sign(slope):
-        return 0.0
-    return 3 * slope if np.sign(slope) != np.sign(next_slope) and abs(found) > 3 * abs(slope) else found
-
-
-MAX_BYTES = 20_000_000
-
-
 def with_tables(data: dict[str, Any], folder: Path) -> dict[str, Any]:
     """Plain scene data with ``file`` and ``columns`` of its tables replaced by x and y.
 
@@ -229,15 +188,9 @@ def _read(item: str, entry: Any, folder: Path) -> Any:
 
 def read_points(path: str | Path, columns: Sequence[int] | Literal["grid"], item: str) -> dict[str, Any]:
     """{x, y} from two columns (counted from 0) of a CSV file, {x, y, z} from a "grid". Raises SceneError."""
-    try:
-        with open(path, encoding="utf-8-sig") as stream:
-            text = stream.read(MAX_BYTES + 1)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise SceneError(f"{item}.file", f"'{path}' cannot be read ({reason})", "give the path of a CSV file") from None
-    if len(text) > MAX_BYTES:
-        raise SceneError(f"{item}.file", f"'{path}' is larger than 20 MB", f"give at most {MAX_POINTS} points")
-    rows = _rows(f"{item}.file", text, names_above=columns != "grid")
+    rows = number_rows(
+        f"{item}.file", text_of(path, f"{item}.file '{path}'", "a CSV file"), names_above=columns != "grid"
+    )
     if columns == "grid":
         if len(rows) < 3 or {len(row) for row in rows[1:]} not in ({len(rows[0])}, {len(rows[0]) + 1}):
             remedy = "put y into the first row, and below it rows of x and the z of each y"
@@ -253,7 +206,7 @@ def read_points(path: str | Path, columns: Sequence[int] | Literal["grid"], item
     return {"x": x, "y": y}
 
 
-def _rows(item: str, text: str, names_above: bool) -> list[list[float]]:
+def number_rows(item: str, text: str, names_above: bool) -> list[list[float]]:
     """Rows of numbers between commas, semicolons or blanks; # begins a comment, names above may be left out."""
     found: list[list[float]] = []
     for number, line in enumerate(text.splitlines(), 1):

@@ -5,6 +5,7 @@ Files that a scene file names: meshes of shapes. They are read with the scene, w
 
 from __future__ import annotations
 
+import io
 import os
 import re
 import stat
@@ -32,25 +33,37 @@ _ESCAPES = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\t": "\\t", "\r": "\\r"}
 def read(path: str | Path) -> dict[str, Any]:
     """The contents of a TOML file; raises SceneError when it cannot be read, is not UTF-8 or not TOML."""
     item = f"file '{path}'"
+    return parse(text_of(path, item, "a scene file"), item)
+
+
+def text_of(path: str | Path, item: str, kind: str) -> str:
+    """The text of a file in UTF-8; arguments and errors as of `content_of`."""
+    try:
+        return content_of(path, item, kind).decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise SceneError(item, f"is not UTF-8 text (byte {error.start})", "save the file as UTF-8") from None
+
+
+def content_of(path: str | Path, item: str, kind: str) -> bytes:
+    """The bytes of a file; kind: what should be there, such as "a scene file".
+
+    Raises SceneError, with this item, for what is no ordinary file, larger than 50 MB or cannot be read.
+    """
     try:
         if not stat.S_ISREG(os.stat(path).st_mode):  # a pipe or a device may never end
-            raise SceneError(item, "is not an ordinary file", "give the path of a scene file")
+            raise SceneError(item, "is not an ordinary file", f"give the path of {kind}")
         with open(path, "rb") as file:
             content = file.read(MAX_BYTES + 1)
     except FileNotFoundError:
-        beside = [one.name for one in Path(path).parent.glob("*.toml")]
+        beside = [one.name for one in Path(path).parent.glob(f"*{Path(path).suffix}")]
         near = get_close_matches(Path(path).name[:80], beside, 1)
         raise SceneError(item, "does not exist", f"did you mean '{near[0]}'?" if near else "check the path") from None
     except (OSError, ValueError, TypeError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise SceneError(item, f"cannot be read ({reason})", "give a readable scene file") from None
+        raise SceneError(item, f"cannot be read ({reason})", f"give the path of {kind}") from None
     if len(content) > MAX_BYTES:
-        raise SceneError(item, "is larger than 50 MB", "give a scene file")
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise SceneError(item, f"is not UTF-8 text (byte {error.start})", "save the file as UTF-8") from None
-    return parse(text, item)
+        raise SceneError(item, "is larger than 50 MB", f"give the path of {kind}")
+    return content
 
 
 def parse(text: str, item: str) -> dict[str, Any]:
@@ -207,19 +220,14 @@ def read_mesh(path: str | Path, item: str = "shape") -> dict[str, Any]:
     place = Path(path)
     if place.suffix.lower() not in FORMATS:
         raise SceneError(item, f"{path} is of no known format", f"give a file that ends in {', '.join(FORMATS)}")
-    if not place.is_file():  # a pipe or a device may never end
-        raise SceneError(item, f"{path} is not there, or not an ordinary file", "give the path of a surface file")
-    if place.stat().st_size > MAX_BYTES:
-        raise SceneError(item, f"{path} is larger than 50 MB", "coarsen the mesh")
+    content = content_of(path, f"{item} '{path}'", "a surface file")
     try:
         import trimesh
     except ImportError:
         raise SceneError(item, "mesh files need trimesh", 'install it: pip install "symgen[meshes]"') from None
     try:
-        with open(place, "rb") as stream:
-            mesh = trimesh.load_mesh(
-                stream, file_type=place.suffix[1:].lower(), process=True
-            )  # equal corners: one vertex
+        mesh = trimesh.load_mesh(io.BytesIO(content), file_type=place.suffix[1:].lower(), process=True)
+        # equal corners are one vertex
         vertices, triangles = np.asarray(mesh.vertices, dtype=float), np.asarray(mesh.faces, dtype=int)
     except Exception as error:  # its readers raise whatever they meet in a damaged file
         raise SceneError(item, f"{path} cannot be read as a surface ({error})", "give a file of triangles") from None

@@ -4,10 +4,6 @@ Python's `ast` reads the text; only the nodes in the tables below pass. Numbers,
 parentheses, ``pi``, ``t`` and declared names, the functions of `ARITY`. Comparisons (also
 chained, ``0 <= t < 1``) stand only in the first argument of ``where(condition, a, b)``, and text only as the name of a
 declared table, ``table("name", x)`` or ``table("name", x, y)``.
-
-The immutable tree an expression is parsed into.
-
-What an expression's operators and functions mean, in CasADi: numbers are constants there.
 """
 
 from __future__ import annotations
@@ -17,9 +13,10 @@ import math
 import operator
 import re
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import reduce
+from itertools import pairwise
 from typing import Any
 
 import casadi as ca
@@ -35,24 +32,12 @@ ARITY: dict[str, tuple[int, int]] = {
     "where": (3, 3),
 }
 
-COMPARISONS: dict[str, Callable[[Any, Any], Any]] = {
-    "<": operator.lt,
-    "<=": operator.le,
-    ">": operator.gt,
-    ">=": operator.ge,
-    "==": operator.eq,
-    "!=": operator.ne,
-}
-
-ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
-    "+": operator.add,
-    "-": operator.sub,
-    "*": operator.mul,
-    "/": operator.truediv,
-    "**": operator.pow,
-}
-
-CASADI_FUNCTIONS: dict[str, Callable[..., ca.SX]] = {
+OPERATIONS: dict[str, Callable[..., ca.SX]] = {  # what operators and functions mean; numbers are constants there
+    **{"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "**": operator.pow},
+    **{"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge, "==": operator.eq, "!=": operator.ne},
+    "negative": operator.neg,
+    "all": lambda *holds: reduce(ca.logic_and, holds),
+    "where": ca.if_else,
     **{name: getattr(ca, name) for name in ("sin", "cos", "tan", "asin", "acos", "atan", "atan2")},
     **{name: getattr(ca, name) for name in ("sinh", "cosh", "tanh", "exp", "log", "sqrt", "sign")},
     "abs": ca.fabs,
@@ -67,97 +52,33 @@ def table_name(table: str, takes: int = 1) -> str:
     return f"table {table}" if takes == 1 else f"table {table} of {takes}"
 
 
-def casadi_value(node: Node, env: Mapping[str, Any]) -> ca.SX:
-    """The CasADi expression ``node`` stands for. Raises KeyError for a name that ``env`` does not hold."""
-    match node:
-        case Constant(value):
-            return ca.SX(value)
-        case NamedValue(name):
-            return ca.SX(env[name])
-        case Negative(operand):
-            return -casadi_value(operand, env)
-        case Binary(sign, left, right):
-            return ca.SX(ARITHMETIC[sign](casadi_value(left, env), casadi_value(right, env)))
-        case FunctionCall(function, arguments):
-            return CASADI_FUNCTIONS[function](*(casadi_value(part, env) for part in arguments))
-        case TableValue(table, arguments):
-            symbols = [casadi_value(part, env) for part in arguments]
-            return ca.SX(env[table_name(table, len(symbols))](*symbols))
-        case Where(condition, chosen, otherwise):
-            holds = _casadi_condition(condition, env)
-            return ca.if_else(holds, casadi_value(chosen, env), casadi_value(otherwise, env))
-
-
-def _casadi_condition(condition: Condition, env: Mapping[str, Any]) -> ca.SX:
-    values = [casadi_value(part, env) for part in condition.operands]
-    pairs = zip(condition.operators, values[:-1], values[1:], strict=True)
-    return ca.SX(reduce(ca.logic_and, (COMPARISONS[sign](left, right) for sign, left, right in pairs)))
-
-
 @dataclass(frozen=True)
-class Constant:
-    """A number."""
+class Node:
+    """A number or a name, which is its value; or what is done with parts: an entry of OPERATIONS, or the table `value`.
 
-    value: float
+    kind: "number", "name", "table", or the entry. The first part of "where" is "all" of its comparisons.
+    """
 
+    kind: str
+    parts: tuple[Node, ...] = ()
+    value: float | str = 0.0
 
-@dataclass(frozen=True)
-class NamedValue:
-    """A declared name, or ``t``."""
+    def casadi(self, env: Mapping[str, Any]) -> ca.SX:
+        """The CasADi expression that it stands for. Raises KeyError for a name that ``env`` does not hold."""
+        if self.kind == "number":
+            return ca.SX(float(self.value))
+        if self.kind == "name":
+            return ca.SX(env[str(self.value)])
+        given = [part.casadi(env) for part in self.parts]
+        act = env[table_name(str(self.value), len(given))] if self.kind == "table" else OPERATIONS[self.kind]
+        return ca.SX(act(*given))
 
-    name: str
-
-
-@dataclass(frozen=True)
-class Negative:
-    """Minus one operand."""
-
-    operand: Node
-
-
-@dataclass(frozen=True)
-class Binary:
-    """``left operator right`` with one of + - * / **."""
-
-    operator: str
-    left: Node
-    right: Node
-
-
-@dataclass(frozen=True)
-class FunctionCall:
-    """A function of the table `ARITY` with its arguments."""
-
-    function: str
-    arguments: tuple[Node, ...]
-
-
-@dataclass(frozen=True)
-class TableValue:
-    """What a declared table gives at its one or two arguments."""
-
-    table: str
-    arguments: tuple[Node, ...]
-
-
-@dataclass(frozen=True)
-class Condition:
-    """Comparisons ``operands[k] operators[k] operands[k + 1]``, all of which must hold."""
-
-    operators: tuple[str, ...]
-    operands: tuple[Node, ...]
-
-
-@dataclass(frozen=True)
-class Where:
-    """``chosen`` where the condition holds, ``otherwise`` elsewhere."""
-
-    condition: Condition
-    chosen: Node
-    otherwise: Node
-
-
-Node = Constant | NamedValue | Negative | Binary | FunctionCall | TableValue | Where
+    def names(self) -> set[str]:
+        """The entries of an environment that it uses."""
+        found = set().union(*(part.names() for part in self.parts))
+        if self.kind == "table":
+            found.add(table_name(str(self.value), len(self.parts)))
+        return found | {str(self.value)} if self.kind == "name" else found
 
 
 MAX_CHARACTERS = 10_000
@@ -195,7 +116,7 @@ class Expression:
         missing = sorted(self.names - env.keys())
         if missing:
             raise SceneError(self.item, f"nothing was given for '{missing[0]}'", "declare it as a parameter")
-        return ca.SX(casadi_value(self.node, env))
+        return self.node.casadi(env)
 
     def evaluate(self, env: Mapping[str, Any]) -> float:
         """The expression as a number; raises SceneError when it is not finite or ``env`` lacks a name."""
@@ -213,9 +134,9 @@ def parse_expression(text: str | float, names: frozenset[str], item: str) -> Exp
     Raises SceneError, with ``item`` as its item, for everything outside the language.
     """
     if not isinstance(text, str):
-        return Expression(repr(text), item, Constant(_finite(text, item)), frozenset())
+        return Expression(repr(text), item, Node("number", value=_finite(text, item)), frozenset())
     node = _Reader(names, item).node(_syntax(text, item), 0)
-    return Expression(text, item, node, frozenset(_names(node)))
+    return Expression(text, item, node, frozenset(node.names()))
 
 
 def _syntax(text: str, item: str) -> ast.expr:
@@ -261,16 +182,15 @@ class _Reader:
             raise _too_deep(self.item)
         match tree:
             case ast.Constant(value=value) if isinstance(value, int | float) and not isinstance(value, bool):
-                return Constant(_finite(value, self.item))
+                return Node("number", value=_finite(value, self.item))
             case ast.Name(id=name):
                 return self._symbol(name)
             case ast.UnaryOp(op=ast.USub(), operand=operand):
-                return Negative(self.node(operand, depth + 1))
+                return Node("negative", (self.node(operand, depth + 1),))
             case ast.UnaryOp(op=ast.UAdd(), operand=operand):
                 return self.node(operand, depth + 1)
             case ast.BinOp(op=sign) if type(sign) in _OPERATORS:
-                left, right = self.node(tree.left, depth + 1), self.node(tree.right, depth + 1)
-                return Binary(_OPERATORS[type(sign)], left, right)
+                return Node(_OPERATORS[type(sign)], self._nodes((tree.left, tree.right), depth))
             case ast.Call(func=ast.Name(id=function), args=arguments, keywords=keywords):
                 return self._call(function, arguments, bool(keywords), depth)
             case ast.Attribute(value=ast.Name(id=item), attr=name):
@@ -288,9 +208,9 @@ class _Reader:
 
     def _symbol(self, name: str) -> Node:
         if name == "pi":
-            return Constant(math.pi)
+            return Node("number", value=math.pi)
         if name in self.names:
-            return NamedValue(name)
+            return Node("name", value=name)
         if name == "t":
             raise self._error("t is not available here", "this quantity must be constant in time")
         if name in ARITY:
@@ -311,16 +231,15 @@ class _Reader:
             problem = f"{function}() takes {count} plain argument(s)"
             raise self._error(problem, f"call it with {count}; keywords are not allowed")
         if function == "where":
-            condition = self._condition(arguments[0], depth + 1)
-            return Where(condition, *(self.node(part, depth + 1) for part in arguments[1:]))
-        return FunctionCall(function, tuple(self.node(part, depth + 1) for part in arguments))
+            return Node(function, (self._condition(arguments[0], depth + 1), *self._nodes(arguments[1:], depth)))
+        return Node(function, self._nodes(arguments, depth))
 
     def _table(self, arguments: list[ast.expr], keywords: bool, depth: int) -> Node:
         match arguments:
             case [ast.Constant(value=str(name)), _, *_] if not keywords and len(arguments) <= 3:
                 takes = len(arguments) - 1
                 if table_name(name, takes) in self.names:
-                    return TableValue(name, tuple(self.node(part, depth + 1) for part in arguments[1:]))
+                    return Node("table", self._nodes(arguments[1:], depth), name)
                 if table_name(name, 3 - takes) in self.names:
                     remedy = f'write table("{name}", {"x" if takes == 2 else "x, y"})'
                     raise self._error(f"the table '{name}' takes {3 - takes} value(s), not {takes}", remedy)
@@ -329,31 +248,18 @@ class _Reader:
                 raise self._error(f"there is no table '{_short(name)}'", did_you_mean(name, known))
         raise self._error("table() takes the name of a table and one value, or two", 'write table("name", t)')
 
-    def _condition(self, tree: ast.expr, depth: int) -> Condition:
+    def _condition(self, tree: ast.expr, depth: int) -> Node:
         if not isinstance(tree, ast.Compare) or any(type(sign) not in _COMPARISONS for sign in tree.ops):
             raise self._error("the first argument of where() is not a comparison", "write where(t < 1, a, b)")
-        operands = tuple(self.node(part, depth + 1) for part in (tree.left, *tree.comparators))
-        return Condition(tuple(_COMPARISONS[type(sign)] for sign in tree.ops), operands)
+        operands = self._nodes((tree.left, *tree.comparators), depth)
+        signs = [_COMPARISONS[type(sign)] for sign in tree.ops]
+        return Node("all", tuple(Node(sign, pair) for sign, pair in zip(signs, pairwise(operands), strict=True)))
+
+    def _nodes(self, trees: Iterable[ast.expr], depth: int) -> tuple[Node, ...]:
+        return tuple(self.node(tree, depth + 1) for tree in trees)
 
     def _error(self, problem: str, remedy: str) -> SceneError:
         return SceneError(self.item, problem, remedy)
-
-
-def _names(node: Node | Condition) -> set[str]:
-    match node:
-        case NamedValue(name):
-            return {name}
-        case Negative(operand):
-            return _names(operand)
-        case Binary(_, left, right):
-            return _names(left) | _names(right)
-        case FunctionCall(_, parts) | Condition(_, parts):
-            return set().union(*(_names(part) for part in parts))
-        case Where(condition, chosen, otherwise):
-            return _names(condition) | _names(chosen) | _names(otherwise)
-        case TableValue(table, parts):
-            return {table_name(table, len(parts))}.union(*(_names(part) for part in parts))
-    return set()
 
 
 def _finite(value: float, item: str) -> float:

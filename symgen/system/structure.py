@@ -19,7 +19,7 @@ from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO, mul, total
 from symgen.scene import SceneRecord
 from symgen.scene.parts import AnyTable
-from symgen.schema.expressions import Binary, Condition, FunctionCall, Negative, Node, TableValue, Where, casadi_value
+from symgen.schema.expressions import Node
 from symgen.system.equations import Equations, blank_equations
 
 
@@ -29,41 +29,28 @@ def switching_values(node: Node, env: Mapping[str, Any]) -> Iterator[ca.SX]:
     Of `where` the two sides of each comparison, of `step`, `sign` and `abs` the argument, of `min` and `max` the
     distance to the least and largest of those before. Raises KeyError for a name that env does not hold.
     """
-    for part in _parts(node):
+    for part in node.parts:
         yield from switching_values(part, env)
-    match node:
-        case Where(condition, _, _):
-            values = [casadi_value(part, env) for part in condition.operands]
-            yield from (left - right for left, right in zip(values, values[1:], strict=False))
-        case FunctionCall("step" | "sign" | "abs", (argument,)):
-            yield casadi_value(argument, env)
-        case FunctionCall("min" | "max" as name, arguments):
-            values = [casadi_value(part, env) for part in arguments]
-            extreme = ca.fmin if name == "min" else ca.fmax
-            yield from (values[k] - reduce(extreme, values[:k]) for k in range(1, len(values)))
+    if node.kind == "where":
+        for comparison in node.parts[0].parts:
+            left, right = (side.casadi(env) for side in comparison.parts)
+            yield left - right
+    elif node.kind in ("step", "sign", "abs"):
+        yield node.parts[0].casadi(env)
+    elif node.kind in ("min", "max"):
+        values = [part.casadi(env) for part in node.parts]
+        extreme = ca.fmin if node.kind == "min" else ca.fmax
+        yield from (values[k] - reduce(extreme, values[:k]) for k in range(1, len(values)))
 
 
 def knot_values(node: Node, env: Mapping[str, Any], tables: Mapping[str, AnyTable]) -> Iterator[ca.SX]:
     """What changes sign where the tables of the expression kink: their arguments, from their points."""
-    for part in _parts(node):
+    for part in node.parts:
         yield from knot_values(part, env, tables)
-    if isinstance(node, TableValue):
-        for argument, places in zip(node.arguments, tables[node.table].kinks(), strict=True):
-            x = casadi_value(argument, env)
+    if node.kind == "table":
+        for argument, places in zip(node.parts, tables[str(node.value)].kinks(), strict=True):
+            x = argument.casadi(env)
             yield from (x - place for place in places)
-
-
-def _parts(node: Node | Condition) -> tuple[Node, ...]:
-    match node:
-        case Negative(operand):
-            return (operand,)
-        case Binary(_, left, right):
-            return (left, right)
-        case FunctionCall(_, arguments) | TableValue(_, arguments):
-            return arguments
-        case Where(condition, chosen, otherwise):
-            return (*condition.operands, chosen, otherwise)
-    return ()
 
 
 Read = Callable[[float | str, str, Mapping[str, ca.SX]], ca.SX]  # an expression, its item, its local names

@@ -8,8 +8,6 @@ Links that fixed joints hold together are one rigid body, in the frame of the li
 from __future__ import annotations
 
 import math
-import os
-import stat
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -19,6 +17,7 @@ from xml.parsers import expat
 
 import numpy as np
 
+from symgen.scene.toml_io import content_of
 from symgen.schema.errors import SceneError, did_you_mean, show
 
 TURNS_OR_SLIDES = ("revolute", "continuous", "prismatic")
@@ -284,23 +283,12 @@ def _number(element: Element, key: str, item: str, default: float | None = None)
     return float(numbers(element, key, item, str(default), 1)[0])
 
 
-MAX_BYTES = 50_000_000
 MAX_DEPTH = 100
 
 
 def read_document(path: str | Path) -> Element:
     """The root element of a file. Raises SceneError for what is no ordinary file, no XML, too large or hostile."""
-    item = f"file '{path}'"
-    try:
-        if not stat.S_ISREG(os.stat(path).st_mode):  # a pipe or a device may never end
-            raise SceneError(item, "is not an ordinary file", "give the path of a URDF file")
-        with open(path, "rb") as file:
-            content = file.read(MAX_BYTES + 1)
-    except (OSError, ValueError, TypeError) as error:
-        raise SceneError(item, f"cannot be read ({error})", "give the path of a URDF file") from None
-    if len(content) > MAX_BYTES:
-        raise SceneError(item, "is larger than 50 MB", "give a URDF file")
-    return parse_document(content, item)
+    return parse_document(content_of(path, f"file '{path}'", "a URDF file"), f"file '{path}'")
 
 
 def parse_document(content: bytes, item: str) -> Element:

@@ -21,6 +21,7 @@ from symgen.joints import JOINTS
 from symgen.joints.joint import Turn
 from symgen.scene import toml_io
 from symgen.scene.appearance import MOST_TRIANGLES
+from symgen.scene.bodies import quaternion_of
 from symgen.scene.builder import Scene
 from symgen.scene.toml_io import read_mesh
 from symgen.schema.errors import SceneError, did_you_mean
@@ -402,7 +403,7 @@ class _RobotScene:
     def _float(self, body: str, start: Pose) -> None:
         """Where a floating body starts."""
         values = {f"{body}.{axis}": float(value) for axis, value in zip("xyz", start.p, strict=True)}
-        values |= {f"{body}.e{k}": float(value) for k, value in enumerate(_quaternion(start.R))}
+        values |= {f"{body}.e{k}": float(value) for k, value in enumerate(quaternion_of(start.R))}
         self.builder.initial(values)
 
 
@@ -443,13 +444,3 @@ def _axes_with_z(z: np.ndarray) -> np.ndarray:
     x = x - z * (z @ x)
     x = x / np.linalg.norm(x)
     return np.column_stack([x, np.cross(z, x), z])
-
-
-def _quaternion(R: np.ndarray) -> np.ndarray:
-    """Euler parameters e0 ... e3 of a rotation matrix: the column of largest norm of 4 e e^T."""
-    t, a = np.trace(R), [R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]
-    whole = np.zeros((4, 4))
-    whole[0, 0], whole[0, 1:], whole[1:, 0] = 1 + t, a, a
-    whole[1:, 1:] = R + R.T + (1 - t) * np.eye(3)
-    column = whole[:, int(np.argmax(np.diag(whole)))]
-    return np.asarray(column / np.linalg.norm(column) * (1.0 if column[0] >= 0 else -1.0))

@@ -72,7 +72,7 @@ BAD: list[tuple[str, str, str, Any, str, str]] = [
     ("unknown marker", S, "joints/1/marker_a", "crank.tipp", "joints[1] 'pin'.marker_a", "no marker 'tipp'"),
     ("not a marker", S, "joints/0/marker_b", "crank", "joints[0] 'hinge'.marker_b", "does not name a marker"),
     ("unknown load marker", S, "loads/0/marker", "crank.x", "loads[0] 'motor'.marker", "no marker 'x'"),
-    ("older measure", S, "measures/0/marker_b", "crank.origin", "measures[0] 'speed'.marker_b", "written 'of'"),
+    ("key of no measure", S, "measures/0/marker_b", "crank.origin", "measures[0] 'speed'.marker_b", "unknown key"),
     ("unknown measure marker", S, "measures/0/of", "a.b", "measures[0] 'speed'.of", "no body 'a'"),
     ("joint to itself", S, "joints/0/marker_a", "crank.tip", "joints[0] 'hinge'", "to itself"),
     ("joint on the ground", M, "joints/0/marker_b", "ground.rail", "joints[0] 'drive'", "both markers are on"),

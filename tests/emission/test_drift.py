@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from runtime import ModelError, load_model
-from symgen.emission.emit import emit
+from symgen.emission.files import emit
 from symgen.emission.write import compare_model
 from symgen.generate import check, generate
 from symgen.pipeline import derive
@@ -67,7 +67,7 @@ def test_generation_is_deterministic(tmp_path: Path) -> None:
 def test_emission_does_not_depend_on_the_hash_seed() -> None:
     """Sets and dictionaries may be walked in another order in another process: the text must not show it."""
     program = (
-        "import hashlib; from symgen.emission.emit import emit; from symgen.pipeline import derive; "
+        "import hashlib; from symgen.emission.files import emit; from symgen.pipeline import derive; "
         "from symgen.scenes import SCENES; files = emit(derive(SCENES['flexible_slider_crank']())); "
         "print(hash('a'), hashlib.sha256(''.join(files.values()).encode()).hexdigest())"
     )

@@ -1,12 +1,9 @@
-"""Finite-element data from files: Matrix Market, plain rows, node tables, dof maps, Nastran OP4 and OP2."""
+"""Finite-element data from files: Matrix Market, plain rows, node tables, dof maps."""
 
 from __future__ import annotations
 
-import struct
 import sys
-from importlib import import_module
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -25,11 +22,6 @@ MESH = LineMesh(
 )
 IDS = np.array([10, 11, 12, 13, 14, 15, 16, 40])
 ENDS = {"pin": [10], "slot": [40]}
-
-
-def op4() -> ModuleType:
-    """What writes such files; its import takes two seconds, in each process that collects tests."""
-    return import_module("pyyeti.nastran.op4")
 
 
 @pytest.fixture
@@ -104,63 +96,7 @@ def test_arrays(model: FEStructure, expected: dict[str, Any]) -> None:
     same(counted, expected)
 
 
-@pytest.mark.parametrize("choices", [{"binary": True}, {"binary": False, "digits": 17}])
-def test_nastran_op4(tmp_path: Path, model: FEStructure, expected: dict[str, Any], choices: dict[str, Any]) -> None:
-    path = str(tmp_path / "model.op4")
-    op4().write(path, ["KGG", "MGG"], [model.K.toarray(), model.M.toarray()], **choices)
-    grids = "".join(
-        f"GRID,{name},,{place[0]!r},{place[1]!r},{place[2]!r}\n" for name, place in zip(IDS, MESH.nodes, strict=True)
-    )
-    (tmp_path / "model.bdf").write_text("BEGIN BULK\n" + grids + "ENDDATA\n")
-    for nodes in (tmp_path / "model.bdf", node_file(tmp_path)):
-        same(FlexibleBody.from_nastran(path, nodes, stiffness="kgg", mass="mgg", interface=ENDS, modes=4), expected)
-    with pytest.raises(FiniteElementError, match=r"no matrix \['kaa', 'maa'\].*kgg"):
-        FlexibleBody.from_nastran(path, node_file(tmp_path), interface=ENDS, modes=4)
-
-
-def op2_text(matrices: dict[str, np.ndarray]) -> bytes:
-    """An OUTPUT2 file without header: Fortran records between keys, each column as one string of doubles."""
-
-    def record(content: bytes) -> bytes:
-        return struct.pack("i", len(content)) + content + struct.pack("i", len(content))
-
-    def keys(*values: int) -> bytes:
-        return b"".join(record(struct.pack("i", value)) for value in values)
-
-    content = b""
-    for name, matrix in matrices.items():
-        rows, columns = matrix.shape
-        label = record(name.ljust(8).encode())
-        trailer = record(struct.pack("7i", 101, columns, rows, 6, 2, 2 * rows, 10000))
-        content += keys(2) + label + keys(-1, 7) + trailer + keys(-2, 1, 0, 2) + label + keys(-3, 1, 1)
-        for k, column in enumerate(matrix.T):
-            strings = record(struct.pack("i", 1) + np.ascontiguousarray(column).tobytes())
-            content += keys(1 + 2 * rows) + strings + keys(-4 - k, 1, int(k + 1 < columns))
-        content += keys(0)
-    return content + keys(0)
-
-
-def test_nastran_op2(tmp_path: Path, model: FEStructure, expected: dict[str, Any]) -> None:
-    (tmp_path / "model.op2").write_bytes(op2_text({"KAA": model.K.toarray(), "MAA": model.M.toarray()}))
-    same(FlexibleBody.from_nastran(tmp_path / "model.op2", node_file(tmp_path), interface=ENDS, modes=4), expected)
-
-
-def test_nastran_files_that_cannot_be_read(tmp_path: Path) -> None:
-    with pytest.raises(FiniteElementError, match="no file"):
-        FlexibleBody.from_nastran(tmp_path / "none.op4", [(0, 0, 0)], interface={}, modes=1)
-    (tmp_path / "bad.op2").write_bytes(b"not a file of Nastran's" * 4)
-    with pytest.raises(FiniteElementError, match="cannot be read"):
-        FlexibleBody.from_nastran(tmp_path / "bad.op2", [(0, 0, 0)], interface={}, modes=1)
-    (tmp_path / "own.bdf").write_text("BEGIN BULK\nGRID,1,5,0.,0.,0.\nENDDATA\n")
-    op4().write(str(tmp_path / "a.op4"), ["kaa", "maa"], [np.eye(6), np.eye(6)])
-    with pytest.raises(FiniteElementError, match="coordinate system"):
-        FlexibleBody.from_nastran(tmp_path / "a.op4", tmp_path / "own.bdf", interface={}, modes=1)
-
-
-def test_missing_packages_are_named(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setitem(sys.modules, "pyyeti", None)
-    with pytest.raises(FiniteElementError, match=r"symgen\[nastran\]"):
-        FlexibleBody.from_nastran(tmp_path / "a.op4", [(0, 0, 0)], interface={}, modes=1)
+def test_missing_packages_are_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "skfem", None)
     with pytest.raises(FiniteElementError, match=r"symgen\[fe\]"):
         FlexibleBody.from_mesh(object(), STEEL, interface={}, modes=1)

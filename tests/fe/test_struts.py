@@ -36,7 +36,7 @@ def test_struts_of_a_scene_name_its_markers() -> None:
     fields = bar(1, cells=2).fields()
     for change, problem in (
         ({"markers": ["root", "toe"]}, r"struts\[0\].markers: there is no marker 'toe'"),
-        ({"held": -2.0}, r"struts\[0\].held: -2 is not positive"),
+        ({"held": -2.0}, r"struts\[0\].held: -2.0 is out of range; it must be greater than 0"),
     ):
         builder = Scene("bar", space="spatial")
         builder.flexible("bar", **{**fields, "struts": [fields["struts"][0] | change]})

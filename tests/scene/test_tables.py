@@ -161,7 +161,7 @@ def test_files_are_read_with_the_scene(tmp_path: Path) -> None:
         ("0", {"x": [0, 5e-324], "y": [0, 1]}, "tables.curve: its curve is too steep"),
         ("0", {"x": [0], "y": [0]}, "from 2"),
         ("0", {"x": [0, 1], "y": [0]}, "as many"),
-        ("0", {"file": "missing.csv"}, "cannot be read"),
+        ("0", {"file": "missing.csv"}, "tables.curve.file 'missing.csv': does not exist"),
         ("0", {"x": [0, 1], "y": [0, 1], "interpolation": "quintic"}, "interpolation"),
     ],
 )

@@ -1,10 +1,23 @@
-"""model.md: what was modelled, for a person to read."""
+"""All files of a model; model.md: what was modelled, for a person to read."""
 
 from __future__ import annotations
 
 from runtime.contract.records import Parameter
+from symgen.emission.description import data_text, manifest_text
+from symgen.emission.model_text import model_text
 from symgen.pipeline import Derived
 from symgen.scene import BeamBody, Joint, ModalBody, RigidBody, SpatialModalBody
+
+
+def emit(derived: Derived) -> dict[str, str]:
+    """All files of the model by name."""
+    files = {
+        "model.py": model_text(derived),
+        "data.json": data_text(derived),
+        "model.md": model_page(derived),
+        "scene.toml": derived.scene.to_toml(),
+    }
+    return {**files, "manifest.json": manifest_text(derived, files)}
 
 
 def model_page(derived: Derived) -> str:
