@@ -105,12 +105,8 @@ def parameter_columns(model: Model) -> dict[str, list[int]]:
 
 
 def euler_angles(model: Model) -> dict[str, str]:
-    """Sequence of axes of each body whose Euler angles are input and output, by body.
-
-    In solutions of versions where angles were coordinates they still are.
-    """
-    own = set(model.coordinates)
-    return {one.name: one.orientation for one in model.description.bodies if one.angles and one.angles[0] not in own}
+    """Sequence of axes of each body whose Euler angles are input and output, by body."""
+    return {one.name: one.orientation for one in model.description.bodies if one.angles}
 
 
 def whole(model: Model, independent: np.ndarray, dependent: np.ndarray) -> np.ndarray:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import glob
 import hashlib
 import os
 import stat
@@ -58,8 +57,8 @@ def _code_in(folder: Path | str) -> Iterator[os.DirEntry[str]]:
 
 # Writing files so that a reader never sees half of one: to a temporary name first, then renamed.
 
-WRITING = ".writing-"  # what temporary files begin with; then the machine and the process that writes
-STALE = 3600.0  # s: a temporary file of another machine this old was left by a process that is gone
+WRITING = ".writing-"  # what temporary files begin with
+STALE = 3600.0  # s: a temporary file this old was left by a process that is gone
 
 
 class OutputError(SymgenError, ValueError):
@@ -101,48 +100,17 @@ def try_writing(path: str | Path) -> None:
 
 
 def _temporary(target: Path) -> Path:
-    """An empty file beside the target, on the same file system. Raises OutputError."""
+    """An empty file beside the target, on the same file system; stale ones there are removed. Raises OutputError."""
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
-        _remove_left(target.parent)
-        prefix = f"{WRITING}{_machine()}-{os.getpid()}-"
-        handle, name = tempfile.mkstemp(dir=target.parent, prefix=prefix, suffix=target.suffix)
+        for path in target.parent.glob(f"{WRITING}*"):
+            if time.time() - path.lstat().st_mtime > STALE:
+                path.unlink(missing_ok=True)
+        handle, name = tempfile.mkstemp(dir=target.parent, prefix=WRITING, suffix=target.suffix)
         os.close(handle)
     except (OSError, ValueError) as error:
         raise OutputError(_refusal(target, error)) from error
     return Path(name)
-
-
-def _machine() -> str:
-    """A word for this machine, or container, by which its processes are told from those of others on a shared disk."""
-    if not hasattr(os, "uname"):
-        return ""
-    try:
-        space = os.stat("/proc/self/ns/pid").st_ino
-    except OSError:
-        space = 0
-    return hashlib.sha256(f"{os.uname().nodename} {space}".encode()).hexdigest()[:8]
-
-
-def _remove_left(folder: Path) -> None:
-    """Remove what processes that were killed left: of this machine when they are gone, of others when it is old."""
-    for path in folder.glob(f"{glob.escape(WRITING)}*"):
-        machine, _, rest = path.name.removeprefix(WRITING).partition("-")
-        process = rest.partition("-")[0]
-        ours = machine == _machine() != "" and process.isdigit()
-        if _gone(int(process)) if ours else time.time() - path.lstat().st_mtime > STALE:
-            path.unlink(missing_ok=True)
-
-
-def _gone(process: int) -> bool:
-    """Is there no process of this number?"""
-    try:
-        os.kill(process, 0)  # signal 0 asks, and does nothing
-    except ProcessLookupError:
-        return True
-    except (OSError, OverflowError):
-        return False
-    return False
 
 
 def write_text(path: str | Path, text: str) -> None:

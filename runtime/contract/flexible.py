@@ -153,7 +153,6 @@ STRETCHING: dict[str, EndShapes] = {
 
 # end -> orders of the derivatives that vanish there
 BENDING_CONDITIONS = {"clamped": (0, 1), "pinned": (0, 2), "free": (2, 3)}
-STRETCHING_CONDITIONS = {"fixed": 0, "free": 1}
 ROOT_STEPS = 12
 
 

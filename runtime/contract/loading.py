@@ -210,12 +210,6 @@ def _module(path: Path, text: str) -> ModuleType:
 def _model(path: Path, manifest: dict[str, Any], data: dict[str, Any], module: ModuleType, scene_toml: str) -> Model:
     found = described(manifest, data["p"])
     names = [coordinate.name for coordinate in found.coordinates]
-    old = [angle for body in found.bodies for angle in body.angles if angle in names]
-    if old:
-        raise ModelError(
-            f"{path} was generated when Euler angles were coordinates ({old[0]}), which they are no longer; "
-            f"regenerate it with: symgen generate {path}"
-        )
     for name, plain in data.get("tables", {}).items():
         module.TABLES[name] = table_from(plain).shared()
     return Model(

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
 from threading import Lock
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import casadi as ca
 import numpy as np
@@ -166,6 +166,21 @@ def model_card(described: Description, sketch: str = "") -> str:
 
 
 T = TypeVar("T")
+
+
+class DrawnPoint(NamedTuple):
+    """A point of a body: marker or station of a beam (name ""), place (3,) [m] in the axes of the body while unbent.
+
+    shapes, turns (3, modes): its displacement and rotation per unit of the body's modal coordinates.
+    """
+
+    body: str
+    name: str
+    place: np.ndarray
+    shapes: np.ndarray
+    turns: np.ndarray
+
+
 LATELY = 8  # numbers of which a model keeps what was made of them
 _LOCK = Lock()  # threads may run one model at once
 
@@ -562,6 +577,21 @@ class Model:
             (p.tobytes(),),
             lambda: {name: np.asarray(value) for name, value in self.kernel("geometry")(p=p).items()},
         )
+
+    def drawn_points(self, p: np.ndarray) -> list[DrawnPoint]:
+        """Of `geometry`, in the order of the drawing."""
+        values, points = self.geometry(p), self.description.drawing.points
+        ends = np.cumsum([point.modes for point in points])
+        own = [slice(end - point.modes, end) for end, point in zip(ends, points, strict=True)]
+        return [
+            DrawnPoint(one.body, one.name, place, values["shapes"][:, modes], values["turns"][:, modes])
+            for one, place, modes in zip(points, values["positions"].T, own, strict=True)
+        ]
+
+    def columns_of(self, body: str) -> tuple[list[int], list[int]]:
+        """(columns in q of a body's frame, those of its modal coordinates)."""
+        own = [(k, one.elastic) for k, one in enumerate(self.description.coordinates) if one.owner == body]
+        return [k for k, bent in own if not bent], [k for k, bent in own if bent]
 
 
 # Who does not look for events refuses models that have them.

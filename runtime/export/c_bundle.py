@@ -27,7 +27,7 @@ from runtime.engine.prepare import Prepared
 from runtime.export.c_mathematics import own_c
 from runtime.export.c_stops import ENDS, kept, refuse_stops, stop_functions, stop_text
 from runtime.running.inputs import reading
-from runtime.running.plan import make_plan, steps_asked
+from runtime.running.problem import make_plan, steps_asked
 from runtime.running.stepping import ModelStepper
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import prepared_step, start_there

@@ -11,7 +11,7 @@ import numpy as np
 
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
-from runtime.running.plan import Plan
+from runtime.running.problem import Plan
 from runtime.schemes.switching.breaks import ON_THE_GRID, Breaks, within
 from runtime.schemes.switching.times import SwitchTime, switching_times
 

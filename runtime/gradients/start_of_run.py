@@ -20,7 +20,7 @@ from runtime.gradients.observed_program import ObservedProgram
 from runtime.gradients.variables import Variables, independent_turns, parameters_at
 from runtime.operating.given_state import given_state
 from runtime.running.monitor import Monitor
-from runtime.running.plan import Plan
+from runtime.running.problem import Plan
 from runtime.running.singular.guard import Guard
 from runtime.running.time_functions import check_time_functions
 from runtime.schemes.stage_equations import StageEquations

@@ -22,7 +22,7 @@ from runtime.engine.native import NativeProgram
 from runtime.gradients.course import Course, Stop
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.gradients.start_of_run import Begun
-from runtime.running.plan import Plan
+from runtime.running.problem import Plan
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.switching.times import has_switching_times
 

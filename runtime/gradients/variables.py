@@ -13,7 +13,7 @@ from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
 from runtime.gradients.course import Hold
 from runtime.running.inputs import InputValue, Sampled, Schedule, bound, scheduled, started
-from runtime.running.plan import Plan
+from runtime.running.problem import Plan
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -11,10 +11,7 @@ from runtime.contract.errors import ModelError
 from runtime.contract.flexible import BodyMotion, MarkerForce, cross_matrix
 from runtime.contract.model import Model
 from runtime.engine.rows import evaluate
-
-if TYPE_CHECKING:
-    from runtime.results.samples import Samples
-
+from runtime.results.samples import Samples
 
 # ---- Motion of a body's frame from its saved coordinates: rotation, angular velocity and acceleration (Eq. 17).
 #
@@ -69,6 +66,7 @@ def _turn(axis: int, angle: np.ndarray) -> np.ndarray:
 # ---- What the joints and loads of a body do to it, as forces on the coordinates of its frame and as wrenches.
 
 LONGEST = 256  # samples at once
+T = TypeVar("T")
 
 
 def attached_markers(model: Model, body: str) -> dict[str, list[str]]:
@@ -154,38 +152,27 @@ def body_motion(solution: Samples, body: str) -> BodyMotion:
     Raises ModelError for a body without modes or in the plane, and where one joint or load acts on it at two places.
     """
     model = solution.model
-    own = [(k, entry.elastic) for k, entry in enumerate(model.description.coordinates) if entry.owner == body]
-    frame, elastic = ([k for k, bent in own if bent is kind] for kind in (False, True))
+    frame, elastic = model.columns_of(body)
     if not elastic or model.description.drawing.space == "planar" or not model.has("geometry"):
         raise ModelError(f"model {model.name} has no flexible body {body!r} in space whose forces are known")
     moved = solution.q, solution.q_dot, solution.q_ddot
     motion = frame_motion(*(values[:, frame[3:]] for values in moved))
     q_f, q_f_dot, q_f_ddot = (values[:, elastic] for values in moved)
-    places, names = _places(model, body, solution.parameters), attached_markers(model, body)
+    points = {one.name: one for one in model.drawn_points(solution.parameters) if one.body == body}
+    names = attached_markers(model, body)
     forces = []
     for name, generalised in attached_forces(solution, body, frame, list(names)):
-        marker = _one(name, names[name], body)
-        position, shape = places[marker]
-        acting = wrench(generalised, 3, motion)
-        acting[:, 3:] -= np.cross(position + q_f @ shape.T, acting[:, :3])
-        forces.append(MarkerForce(marker, position, acting))
+        point, acting = points[one_place(name, names[name], body)], wrench(generalised, 3, motion)
+        acting[:, 3:] -= np.cross(point.place + q_f @ point.shapes.T, acting[:, :3])
+        forces.append(MarkerForce(point.name, point.place, acting))
     acceleration = into_body(motion, solution.q_ddot[:, frame[:3]] - np.resize(model.description.gravity or [0.0], 3))
     return BodyMotion(body, solution.t, q_f, q_f_dot, q_f_ddot, acceleration, motion.omega, motion.alpha, forces)
 
 
-def _places(model: Model, body: str, p: np.ndarray) -> dict[str, tuple[np.ndarray, np.ndarray]]:
-    """Marker -> its position (3,) and shapes (3, nf)."""
-    values = model.geometry(p)
-    found, first = {}, 0
-    for k, point in enumerate(model.description.drawing.points):
-        if point.body == body and point.name:
-            shapes = values["shapes"][:, first : first + point.modes]
-            found[point.name] = np.array(values["positions"][:, k]), np.array(shapes)
-        first += point.modes
-    return found
-
-
-def _one(name: str, markers: list[str], body: str) -> str:
-    if len(markers) > 1:
-        raise ModelError(f"{name} acts on {body} at two places, whose parts are not told apart; divide the load")
-    return markers[0]
+def one_place(name: str, places: Sequence[T], body: str) -> T:
+    """Where a joint or load acts on a body. Raises ModelError where that is at two places."""
+    if len(places) > 1:
+        raise ModelError(
+            f"{name} acts on {body} at two places, whose parts are not told apart; divide the body or the load"
+        )
+    return places[0]

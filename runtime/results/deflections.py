@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.polynomial import legendre
 
 from runtime.contract.flexible import BENDING as ENDS
 from runtime.results.body_motion import attached_forces, frame_motion, wrench
+from runtime.results.samples import Samples
 from runtime.results.section_forces import (
     ALONG_Y,
     ALONG_Z,
@@ -28,9 +28,6 @@ from runtime.results.section_forces import (
     moving_place,
     sections_of,
 )
-
-if TYPE_CHECKING:
-    from runtime.results.samples import Samples
 
 POINTS = 48  # of the bending moment along a beam, and four more for each shape
 

@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -16,15 +16,12 @@ from runtime.contract.coordinates import OMEGA, angular_velocities, euler_angles
 from runtime.contract.errors import ModelError
 from runtime.contract.files import OutputError, replacing
 from runtime.contract.model import Model
+from runtime.contract.orientations import angle_motion, angle_names
 from runtime.contract.records import as_plain, description
 from runtime.contract.status import Event, Status
 from runtime.results.friction import friction_columns, friction_units
-from runtime.results.samples import FORCE_PARTS, read_angles
+from runtime.results.samples import FORCE_PARTS, Samples
 from runtime.results.stream import read_blocks, read_header
-
-if TYPE_CHECKING:
-    from runtime.results.samples import Samples
-
 
 FORMAT = "symgen solution 6"
 ARRAYS = (
@@ -146,6 +143,17 @@ def _recorded_model(header: dict[str, Any]) -> Model:
 
 def _plain(value: Any) -> Any:
     return value.item() if isinstance(value, np.generic) else value
+
+
+def read_angles(model: Model, q: np.ndarray, q_dot: np.ndarray, q_ddot: np.ndarray, body: str) -> dict[str, np.ndarray]:
+    """(N,) angles [rad] by name, from -pi to pi and the middle one in half of it, with their `_dot` and `_ddot`."""
+    e = parameter_columns(model)[body]
+    moved = angle_motion(euler_angles(model)[body], q[:, e], q_dot[:, e], q_ddot[:, e])
+    return {
+        f"{name}{suffix}": values[:, k]
+        for suffix, values in zip(("", "_dot", "_ddot"), moved, strict=True)
+        for k, name in enumerate(angle_names(body))
+    }
 
 
 def columns(solution: Samples) -> dict[str, np.ndarray]:

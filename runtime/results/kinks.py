@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from runtime.contract.status import Event
 from runtime.engine.rows import evaluate
-
-if TYPE_CHECKING:
-    from runtime.results.samples import Samples
+from runtime.results.samples import Samples
 
 
 def crossed_kinks(solution: Samples) -> list[Event]:

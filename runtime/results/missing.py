@@ -114,11 +114,9 @@ def missing_sections(solution: Solution) -> tuple[dict[str, float], list[Event]]
 
 def _markers(solution: Solution, body: str) -> list[float]:
     """Fractions of the length at which the beam has markers."""
-    geometry = solution.model.geometry(solution.parameters)["positions"]
-    own = [k for k, one in enumerate(solution.model.description.drawing.points) if one.body == body]
-    points = [solution.model.description.drawing.points[k] for k in own]
-    length = float(geometry[0, own].max())
-    return sorted({float(geometry[0, k]) / length for k, one in zip(own, points, strict=True) if one.name})
+    own = [one for one in solution.model.drawn_points(solution.parameters) if one.body == body]
+    length = max(float(one.place[0]) for one in own)
+    return sorted({float(one.place[0]) / length for one in own if one.name})
 
 
 def missing_stresses(solution: Solution) -> tuple[dict[str, float], list[Event]]:

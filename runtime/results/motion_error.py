@@ -112,22 +112,18 @@ def amplitudes(model: Model, q: np.ndarray) -> np.ndarray:
     return np.asarray(np.where(_kinds(model)[1] & (np.ptp(q, axis=0) > ROUND), np.minimum(found, TURN), found))
 
 
-def with_rates(error: MotionError, model: Model, v: np.ndarray, other: np.ndarray) -> MotionError:
-    """The error judged by rates, too: v, other (N, n_told), by their RMS, as `<coordinate>_dot`.
+def motion_error(
+    model: Model,
+    t: np.ndarray,
+    q: np.ndarray,
+    other: np.ndarray,
+    sizes: np.ndarray,
+    rates: tuple[np.ndarray, np.ndarray] | None = None,
+) -> MotionError:
+    """The difference of two motions at times t (N,) [s]: q, other (N, n_told); sizes: amplitudes (n_told,).
 
-    What moves less than others of its kind is not judged by its own.
+    rates, of both (N, n_told): it is judged by these, too, by their RMS, as `<coordinate>_dot`.
     """
-    names = followed(model)[0]
-    sizes = np.sqrt(np.mean(np.concatenate([v, other]) ** 2, axis=0))
-    largest = _largest_of_kind(model, sizes)
-    rms = np.sqrt(np.mean((v - other) ** 2, axis=0))
-    judged = rms / np.maximum(np.maximum(sizes, STATIONARY * largest), RESTS)
-    named = {f"{name}_dot": float(value) for name, value in zip(names, judged, strict=True)}
-    return replace(error, judged=error.judged | named)
-
-
-def motion_error(model: Model, t: np.ndarray, q: np.ndarray, other: np.ndarray, sizes: np.ndarray) -> MotionError:
-    """The difference of two motions at times t (N,) [s]: q, other (N, n_told); sizes: amplitudes (n_told,)."""
     names = followed(model)[0]
     off = np.abs(q - other)
     dust = DUST * np.maximum(1.0, np.abs(q).max(axis=0))  # what stays where it is has an amplitude of rounding
@@ -137,9 +133,15 @@ def motion_error(model: Model, t: np.ndarray, q: np.ndarray, other: np.ndarray, 
     if len(t) and (off / least > 1.0).any():
         until = float(t[int(np.argmax((off / least > LOST).any(axis=1)))])
 
-    def by_name(values: np.ndarray) -> dict[str, float]:
-        return dict(zip(names, values.tolist(), strict=True))
+    def by_name(values: np.ndarray, end: str = "") -> dict[str, float]:
+        return {name + end: value for name, value in zip(names, values.tolist(), strict=True)}
 
-    return MotionError(
-        by_name(rms), by_name(off[-1]), by_name(sizes), by_name(rms / least), by_name(judged), reliable_until=until
-    )
+    by = by_name(judged) | ({} if rates is None else by_name(_of_rates(model, *rates), "_dot"))
+    return MotionError(by_name(rms), by_name(off[-1]), by_name(sizes), by_name(rms / least), by, reliable_until=until)
+
+
+def _of_rates(model: Model, v: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """(n_told,) what moves less than others of its kind is not judged by its own size."""
+    sizes = np.sqrt(np.mean(np.concatenate([v, other]) ** 2, axis=0))
+    rms = np.sqrt(np.mean((v - other) ** 2, axis=0))
+    return np.asarray(rms / np.maximum(np.maximum(sizes, STATIONARY * _largest_of_kind(model, sizes)), RESTS))

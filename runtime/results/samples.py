@@ -11,17 +11,12 @@ from typing import Any, Self
 import numpy as np
 
 from runtime.contract.coordinates import (
-    OMEGA,
-    angular_velocities,
-    euler_angles,
     independent_rates,
     named_values,
-    parameter_columns,
 )
 from runtime.contract.doors import opened
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
-from runtime.contract.orientations import NAMES, angle_motion, angle_names
 from runtime.contract.status import Event, Status
 from runtime.results.motion_error import MotionError
 
@@ -76,20 +71,6 @@ class WithLater:
         vars(found)["_later"] = {name: one for name, one in vars(self)["_later"].items() if name not in changes}
         vars(found).update(changes)
         return found
-
-
-# ---- Euler angles of a body over the saved samples, read off its Euler parameters.
-
-
-def read_angles(model: Model, q: np.ndarray, q_dot: np.ndarray, q_ddot: np.ndarray, body: str) -> dict[str, np.ndarray]:
-    """(N,) angles [rad] by name, from -pi to pi and the middle one in half of it, with their `_dot` and `_ddot`."""
-    e = parameter_columns(model)[body]
-    moved = angle_motion(euler_angles(model)[body], q[:, e], q_dot[:, e], q_ddot[:, e])
-    return {
-        f"{name}{suffix}": values[:, k]
-        for suffix, values in zip(("", "_dot", "_ddot"), moved, strict=True)
-        for k, name in enumerate(angle_names(body))
-    }
 
 
 # ---- The balance of energy and work of a motion, from its saved samples: energy - energy at the start - work.
@@ -267,37 +248,11 @@ class Samples(WithLater):
             names = [f"{coordinate}{suffix}" for coordinate in self.model.coordinates]
             if name in names:
                 return values[:, names.index(name)]
-        found = None if name in self.model.measures else self._column_of_table(name)
-        if found is not None:
-            return found
+        if name not in self.model.measures:
+            table: dict[str, np.ndarray] = opened("runtime.results.export:columns")(self)
+            if name in table:
+                return table[name]
         return self.measures[:, self.column_of(name, self.model.measures, "coordinate or measure")]
-
-    def _column_of_table(self, name: str) -> np.ndarray | None:
-        """(N,) a column of the CSV that is neither a coordinate nor a measure by its own name."""
-        if name in ("t", "constraint_error", "constraint_rate_error"):
-            return np.asarray(getattr(self, name))
-        if ".friction_" in name or name.endswith(".stop_force"):
-            found: dict[str, np.ndarray] = opened("runtime.results.friction:friction_columns")(self)
-            return found.get(name)
-        first, _, last = name.partition(".")
-        if last in OMEGA and f"{first}.e0" in self.model.coordinates:
-            return angular_velocities(self.model, self.q, self.q_dot)[name]
-        if first in euler_angles(self.model) and last.partition("_")[0] in NAMES:
-            return read_angles(self.model, self.q, self.q_dot, self.q_ddot, first).get(name)
-        if first == "energy" and last in self.energy:
-            return self.energy[last]
-        if first == "lam" and last in self.model.constraints:
-            return self.multiplier(last)
-        if first == "measure" and last in self.model.measures:
-            return self.measures[:, self.model.measures.index(last)]
-        if first == "load":
-            load, _, part = last.rpartition(".")
-            parts = FORCE_PARTS[self.load_forces.shape[-1]]
-            known = [record.name for record in self.model.description.loads]
-            return self.load_force(load)[:, parts.index(part)] if load in known and part in parts else None
-        joint, _, part = name.rpartition(".")
-        parts = FORCE_PARTS[self.joint_forces.shape[-1]] if self.joint_forces.size else ()
-        return self.joint_force(joint)[:, parts.index(part)] if joint in self.model.joints and part in parts else None
 
     def rate(self, name: str) -> np.ndarray:
         """Velocity (N,) of a coordinate [m/s, rad/s]. Raises ModelError for an unknown name."""

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -32,13 +32,11 @@ from runtime.results.body_motion import (
     attached_markers,
     frame_motion,
     into_body,
+    one_place,
     vectors,
     wrench,
 )
-
-if TYPE_CHECKING:
-    from runtime.results.samples import Samples
-
+from runtime.results.samples import Samples
 
 # ---- A beam of a model with its shapes and stiffnesses, as its results need them (Eqs. 15-20).
 
@@ -97,17 +95,11 @@ def beam_of(model: Model, name: str, p: np.ndarray) -> Beam:
     if not (model.has("geometry") and model.has("augmented")):
         raise ModelError(f"model {model.name} has no functions geometry and augmented; generate it with all functions")
     described = model.description
-    own = [(k, entry.elastic) for k, entry in enumerate(described.coordinates) if entry.owner == name]
-    frame, elastic = ([k for k, bent in own if bent is kind] for kind in (False, True))
+    frame, elastic = model.columns_of(name)
     dimension = 2 if described.drawing.space == "planar" else 3
-    geometry = model.geometry(p)
-    points = [
-        (point, float(x))
-        for point, x in zip(described.drawing.points, geometry["positions"][0], strict=True)
-        if point.body == name
-    ]
+    points = [(one.name, float(one.place[0])) for one in model.drawn_points(p) if one.body == name]
     length = max(x for _, x in points)
-    sides = geometry["sections"].reshape(2, -1)[:, described.drawing.sections.index(name)]
+    sides = model.geometry(p)["sections"].reshape(2, -1)[:, described.drawing.sections.index(name)]
     n = len(model.coordinates)
     values = model.evaluate("augmented", q=np.zeros(n), q_dot=np.zeros(n), t=0.0, c=model.constants(p))
     M, K = np.asarray(values["M"]), np.asarray(values["K"])
@@ -118,7 +110,7 @@ def beam_of(model: Model, name: str, p: np.ndarray) -> Beam:
         xi, weights = gauss_points(panels_for(one.modes))
         square = float(weights @ functions.at(xi)[:, 0] ** 2)
         sets[one.axis] = BeamShapes(one.ends, mine, functions, float(K[mine[0], mine[0]] / (eigenvalues[0] * square)))
-    places = {point.name: x / length for point, x in points if point.name}
+    places = {marker: x / length for marker, x in points if marker}
     spread = {
         one.name: one.along for one in described.loads if one.along and (name, one.name) in described.load_columns
     }
@@ -132,7 +124,7 @@ def beam_of(model: Model, name: str, p: np.ndarray) -> Beam:
         float(M[frame[0], frame[0]]),
         sides**2 / 12,
         sets,
-        any(point.stiffened for point, _ in points),
+        any(point.stiffened for point in described.drawing.points if point.body == name),
         {key: [places[marker] for marker in own] for key, own in attached.items()},
         spread,
     )
@@ -365,7 +357,7 @@ def by_equilibrium(solution: Samples, beam: Beam, field: SectionField) -> np.nda
             )
     gravity = np.resize([*solution.model.description.gravity, 0.0, 0.0, 0.0], 3)
     found = np.empty((6, len(solution.t), len(field.sections)))
-    places = {name: _one_place(name, where, beam) for name, where in beam.attached.items()}
+    places = {name: one_place(name, where, beam.name) for name, where in beam.attached.items()}
     parts = attached_forces(solution, beam.name, [*beam.place, *beam.turning], [*places, *beam.spread])
     for first in range(0, len(solution.t), LONGEST):
         rows = slice(first, first + LONGEST)
@@ -411,11 +403,3 @@ def moving_place(load: np.ndarray) -> np.ndarray:
     _, F_y, F_z, _, M_y, M_z = load.T
     size = F_y**2 + F_z**2
     return np.asarray(np.divide(M_z * F_y - M_y * F_z, size, out=np.zeros_like(size), where=size > 0))
-
-
-def _one_place(name: str, where: Sequence[float], beam: Beam) -> float:
-    if len(where) > 1:
-        raise ModelError(
-            f"{name} acts on {beam.name} at two places, whose parts are not told apart; divide the beam or the load"
-        )
-    return where[0]

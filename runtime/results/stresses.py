@@ -8,7 +8,7 @@ runtime/contract/flexible.py): the modes enter through the motion only.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -16,9 +16,7 @@ from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.flexible import UnknownInterface, causes
 from runtime.contract.records import GaugeRecord
 from runtime.results.body_motion import body_motion
-
-if TYPE_CHECKING:
-    from runtime.results.samples import Samples
+from runtime.results.samples import Samples
 
 StressWay = Literal["equilibrium", "modes"]
 COMPONENTS = ("xx", "yy", "zz", "yz", "xz", "xy")
@@ -86,7 +84,7 @@ def stresses(solution: Samples, body: str, way: StressWay = "equilibrium") -> St
             "FlexibleBody.fields(gauges=...)"
         )
     if way == "modes":
-        own = [k for k, one in enumerate(solution.model.description.coordinates) if one.owner == body and one.elastic]
+        own = solution.model.columns_of(body)[1]
         found = [solution.q[:, own] @ np.array(one.shapes).T for one in gauges]
     else:
         found = _by_equilibrium(solution, body, gauges)
@@ -95,9 +93,7 @@ def stresses(solution: Samples, body: str, way: StressWay = "equilibrium") -> St
 
 def _by_equilibrium(solution: Samples, body: str, gauges: list[GaugeRecord]) -> list[np.ndarray]:
     motion = body_motion(solution, body)
-    described = solution.model.description
-    geometry = solution.model.geometry(solution.parameters)["positions"]
-    places = {point.name: geometry[:, k] for k, point in enumerate(described.drawing.points) if point.body == body}
+    places = {one.name: one.place for one in solution.model.drawn_points(solution.parameters) if one.body == body}
     size = float(np.ptp(np.array(list(places.values())), axis=0).max())
     found = []
     for one in gauges:

@@ -11,7 +11,7 @@ import json
 import time
 import zipfile
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -24,18 +24,14 @@ from runtime.contract.files import OutputError, replacing, try_writing
 from runtime.contract.model import Model
 from runtime.contract.status import Event
 from runtime.results.solution import Solution
-from runtime.running.companion import marks_of, measured
 from runtime.running.inputs import InputValue, bound
-from runtime.running.outcome import finished
-from runtime.running.pace import Pace
-from runtime.running.plan import Plan
-from runtime.running.problem import Problem
+from runtime.running.outcome import finished, marks_of
+from runtime.running.problem import Plan, Problem
 from runtime.running.record import record_of
-from runtime.running.run import Further, Progress, Run, with_reads
+from runtime.running.run import Further, Pace, Progress, Run, with_reads
 from runtime.running.singular.exchange import variant_of
 from runtime.running.singular.guard import Guard
 from runtime.running.stepped_model import SteppedModel
-from runtime.schemes.options import SchemeError
 from runtime.schemes.switching.impulse import Impulse
 
 BROKEN = (
@@ -52,18 +48,23 @@ BROKEN = (
 REMEDY = "start again, or take an older copy"
 
 
+FORMAT = "symgen checkpoint 9"
+
+
 @dataclass(frozen=True)
 class Checkpoint:
-    """header: the run in words; z (flat): the whole state; p (n_p,): parameters; arrays: what the record keeps."""
+    """header: what `checkpoint_of` says of the run; z (flat): the whole state; p (n_p,): parameters; arrays: what the
+    record keeps.
+    """
 
-    header: CheckpointHeader
+    header: dict[str, Any]
     z: np.ndarray
     p: np.ndarray
     arrays: dict[str, np.ndarray] = field(default_factory=dict)
 
     def write(self, path: str | Path) -> None:
         """To a temporary name, then renamed: there is always a whole one. Raises OutputError."""
-        text, names = self.header.to_json(), json.dumps(list(self.arrays))
+        text, names = json.dumps({"format": FORMAT, **self.header}), json.dumps(list(self.arrays))
         with replacing(path) as temporary, open(temporary, "wb") as stream:
             np.savez(
                 stream,
@@ -74,6 +75,22 @@ class Checkpoint:
                 z=self.z,
                 p=self.p,
                 **{f"record_{name}": values for name, values in self.arrays.items()},
+            )
+
+    def check_model(self, model: Model, path: str | Path) -> None:
+        """Raises ModelError if the checkpoint belongs to another model."""
+        name, digest = self.header["model"], self.header["digest"]
+        if digest != model.digest:
+            same = " (the same scene, generated anew with other content)" if name == model.name else ""
+            raise ModelError(
+                f"checkpoint {path}",
+                f"it belongs to model {name} with manifest {digest[:12]}, not to {model.name} with "
+                f"{model.digest[:12]}{same}",
+                "give the model that it was made with",
+            )
+        if self.header["driven_by"] != model.driven_by:
+            raise ModelError(
+                f"checkpoint {path}", "its run was driven by other inputs", "give the inputs that it was made with"
             )
 
 
@@ -111,7 +128,8 @@ def read_checkpoint(path: str | Path) -> Checkpoint:
             raise ModelError(f"checkpoint {path}", f"it is damaged ({damaged})", REMEDY)
         with np.load(path, allow_pickle=False) as data:
             text = str(data["header"])
-            if json.loads(text)["format"] != FORMAT:
+            header = json.loads(text)
+            if header.pop("format") != FORMAT:
                 raise ModelError(
                     str(path), "it is a checkpoint in another format", "run it with the version that wrote it"
                 )
@@ -119,7 +137,7 @@ def read_checkpoint(path: str | Path) -> Checkpoint:
             arrays = {name: data[f"record_{name}"] for name in json.loads(str(data["names"]))}
             if str(data["sha256"]) != _digest(text, z, p, arrays):
                 raise ModelError(f"checkpoint {path}", "it was edited since it was written", REMEDY)
-            return Checkpoint(CheckpointHeader.from_json(text), z, p, arrays)
+            return Checkpoint(header, z, p, arrays)
     except ModelError:
         raise
     except BROKEN as error:
@@ -127,125 +145,50 @@ def read_checkpoint(path: str | Path) -> Checkpoint:
         raise ModelError(str(path), f"it is not a whole checkpoint ({reason})", REMEDY) from error
 
 
-FORMAT = "symgen checkpoint 9"
-
-
-@dataclass(frozen=True)
-class CheckpointHeader:
-    """The run: model (manifest, inputs, scene), numbers of its plan. How far: steps done, rows streamed, what was kept.
-
-    segments: q_i of each segment so far, in the order of the record; segment: the one under way. position: all
-    coordinates there, which tell a generator of variants where it is. monitor, guard: what checks
-    compare with. schedule: what drives it remembers. impulses: those of the segment, which may be
-    told later: time, energy, jumps of the rates. happened: latest times of each event [s].
-    """
-
-    model: str
-    digest: str
-    driven_by: str
-    scene_toml: str
-    plan: dict[str, Any]
-    initial_changes: str
-    step: int
-    last_step: int
-    rows: int
-    stream: str | None
-    events: list[Event]
-    segments: list[list[str]]
-    segment: int
-    position: list[float]
-    monitor: dict[str, list[float]]
-    guard: list[list[float]]
-    schedule: dict[str, list[float]]
-    impulses: list[list[float]]
-    happened: dict[str, list[float]]
-
-    def to_json(self) -> str:
-        """One JSON object with its format."""
-        return json.dumps({"format": FORMAT, **asdict(self)})
-
-    @classmethod
-    def from_json(cls, text: str) -> CheckpointHeader:
-        """From `to_json`. Raises KeyError, TypeError, AttributeError or ValueError for another text."""
-        values = json.loads(text)
-        del values["format"]
-        if set(values) != {entry.name for entry in fields(cls)}:
-            raise ValueError("its header has other entries than a checkpoint's")
-        return cls(**values | {"events": [Event(**event) for event in values["events"]]})
-
-    def check_model(self, model: Model, path: str | Path) -> None:
-        """Raises ModelError if the checkpoint belongs to another model."""
-        if self.digest != model.digest:
-            same = " (the same scene, generated anew with other content)" if self.model == model.name else ""
-            raise ModelError(
-                f"checkpoint {path}",
-                f"it belongs to model {self.model} with manifest {self.digest[:12]}, not to {model.name} with "
-                f"{model.digest[:12]}{same}",
-                "give the model that it was made with",
-            )
-        if self.driven_by != model.driven_by:
-            raise ModelError(
-                f"checkpoint {path}", "its run was driven by other inputs", "give the inputs that it was made with"
-            )
-
-    def check_settings(self, wanted: Mapping[str, Any], path: str | Path) -> None:
-        """Raises SchemeError if a setting that was said again is another one. None was not said."""
-        for name, value in wanted.items():
-            kept = self.plan[name]
-            if value is not None and json.loads(json.dumps(value)) != kept:
-                raise SchemeError(
-                    f"checkpoint {path}",
-                    f"it was made with {name} = {kept!r}, not {value!r}",
-                    "a run goes on with its own settings: leave this one out, or start a new run",
-                )
-
-
 def checkpoint_of(run: Run) -> Checkpoint:
-    """All that a run needs to go on from where it is."""
-    arrays, state = run.record.arrays(), run.problem.state
+    """All that a run needs to go on from where it is.
+
+    How far: steps done, rows streamed, what was kept. segments: q_i of each so far, in the order of the record;
+    segment: the one under way. position: all coordinates there, which tell a generator of variants where it is.
+    monitor, guard: what checks compare with. schedule: what drives it remembers. impulses: of the segments, which may
+    be told later: time, energy, jumps of the rates. happened: latest times of each event [s].
+    """
+    segment, z, record, state = run.segment, run.z, run.record, run.problem.state
+    model, arrays = record.segments[0].model, record.arrays()
     if run.marks is not None:
         arrays |= {f"mark_{name}": values for name, values in run.marks.arrays().items()}
     if run.earlier is not None:
         arrays["earlier"] = run.earlier
     arrays |= {"start_p": run.problem.p, "start_q": state.q, "start_q_dot": state.q_dot}
-    return Checkpoint(header_of(run), run.z, run.segment.p, arrays)
-
-
-def header_of(run: Run) -> CheckpointHeader:
-    """What a checkpoint says of a run."""
-    segment, z, record = run.segment, run.z, run.record
-    model, plan = record.segments[0].model, record.segments[0].plan
-    return CheckpointHeader(
-        model=model.name,
-        digest=model.digest,
-        driven_by=model.driven_by,
-        scene_toml=model.scene_toml,
-        plan=plan.numbers,
-        initial_changes=run.initial_changes,
-        step=int(z[1]),
-        last_step=record.last_step,
-        rows=record.rows,
-        stream=None if record.folder is None else str(record.folder),
-        events=run.events,
-        segments=[list(segment.model.q_i) for segment in record.segments],
-        segment=record.segments.index(segment),
-        position=segment.observed([segment.state(z)]).q[0].tolist(),
-        monitor=segment.monitor.memory(),
-        guard=run.guard.memory(),
-        schedule={} if run.schedule is None else run.schedule.memory(),
-        impulses=[
-            [at, one.energy, *one.jumps.tolist()]
-            for each in record.segments
-            for at, one in sorted(each.impulses.items())
-        ],
-        happened=run.happenings.memory(),
-    )
+    impulses = [(at, one) for each in record.segments for at, one in sorted(each.impulses.items())]
+    header = {
+        "model": model.name,
+        "digest": model.digest,
+        "driven_by": model.driven_by,
+        "scene_toml": model.scene_toml,
+        "plan": record.segments[0].plan.numbers,
+        "initial_changes": run.initial_changes,
+        "step": run.step,
+        "last_step": record.last_step,
+        "rows": record.rows,
+        "stream": None if record.folder is None else str(record.folder),
+        "events": [asdict(event) for event in run.events],
+        "segments": [list(segment.model.q_i) for segment in record.segments],
+        "segment": record.segments.index(segment),
+        "position": segment.observed([segment.state(z)]).q[0].tolist(),
+        "monitor": segment.monitor.memory(),
+        "guard": run.guard.memory(),
+        "schedule": {} if run.schedule is None else run.schedule.memory(),
+        "impulses": [[at, one.energy, *one.jumps.tolist()] for at, one in impulses],
+        "happened": run.happenings.memory(),
+    }
+    return Checkpoint(header, z, segment.p, arrays)
 
 
 # ---- Go on with a run from its checkpoint.
 
 
-@arguments(options=BY_NAME, inputs=BY_NAME, progress=CALLED, stream=PLACE, checkpoint=PLACE, path=PLACE)
+@arguments(inputs=BY_NAME, progress=CALLED, stream=PLACE, checkpoint=PLACE, path=PLACE)
 def resume(
     model: Model,
     path: str | Path,
@@ -255,34 +198,28 @@ def resume(
     progress: Progress | None = None,
     checkpoint: str | Path | None = None,
     checkpoint_every: int | None = None,
-    scheme: str | None = None,
-    dt: float | None = None,
-    m: list[int] | None = None,
-    options: Mapping[str, Any] | None = None,
     inputs: Mapping[str, InputValue] | None = None,
 ) -> Solution:
     """Continue a run from its checkpoint to its end; the Solution is that of an uninterrupted run, bit for bit.
 
     stream: the run's folder, if it was moved. checkpoint: where further ones go (the same file by default). inputs:
-    those of the run, where they are functions of time, samples or controllers. scheme, dt [s], m, options: need not be
-    given; if they are, they must be those of the run. Raises ModelError for a checkpoint of another model or a damaged
-    file, SchemeError for other settings, and what `simulate` raises.
+    those of the run, where they are functions of time, samples or controllers. Raises ModelError for a checkpoint of
+    another model or a damaged file, and what `simulate` raises.
     """
     kept, model = read_checkpoint(path), bound(model, inputs)
     header = kept.header
-    header.check_model(model, path)
-    header.check_settings({"scheme": scheme, "dt": dt, "m": m, "options": options}, path)
+    kept.check_model(model, path)
     further = Further(progress=progress, checkpoint=checkpoint or path, checkpoint_every=checkpoint_every).checked()
     started = time.perf_counter()
     segments = _segments(model, kept, engine, path)
-    segment, z = segments[header.segment], kept.z.copy()
-    segment.monitor.resume(segment.state(z), header.monitor)
-    segment.impulses.update({at: Impulse(energy, np.array(jumps)) for at, energy, *jumps in header.impulses})
-    keep_rows = bool(header.plan["outputs"]) or header.stream is not None
-    record = record_of(segment, z, stream or header.stream, keep_rows, resumed=True)
+    segment, z = segments[header["segment"]], kept.z.copy()
+    segment.monitor.resume(segment.state(z), header["monitor"])
+    segment.impulses.update({at: Impulse(energy, np.array(jumps)) for at, energy, *jumps in header["impulses"]})
+    keep_rows = bool(header["plan"]["outputs"]) or header["stream"] is not None
+    record = record_of(segment, z, stream or header["stream"], keep_rows, resumed=True)
     record.segments[:] = segments
     with record.closed_on_error():
-        record.restore(kept.arrays, header.rows, header.last_step)
+        record.restore(kept.arrays, header["rows"], header["last_step"])
     plan = segments[0].plan
     begin = ConsistentState(kept.arrays["start_q"], kept.arrays["start_q_dot"], {})
     problem = Problem(model, kept.arrays["start_p"], begin, plan.t0, plan.t_end, dict(inputs or {}), engine)
@@ -292,10 +229,10 @@ def resume(
         z,
         record,
         further,
-        header.initial_changes,
+        header["initial_changes"],
         Pace.of(segment.stepper.operations),
-        list(header.events),
-        guard=Guard.remembered(header.guard),
+        [Event(**event) for event in header["events"]],
+        guard=Guard.remembered(header["guard"]),
         earlier=kept.arrays.get("earlier"),
         marks=marks_of(problem, plan),
     )
@@ -304,23 +241,23 @@ def resume(
         run.marks.segments = record.segments
         run.marks.restore(marks, 0, -1)
         run.marks.last_step = max(run.marks.steps(), default=-1)
-    run.happenings.resume(header.happened)
+    run.happenings.resume(header["happened"])
     schedule = problem.schedule(plan.grid.dt_L)
-    schedule.resume(header.schedule)
+    schedule.resume(header["schedule"])
     run.schedule = with_reads(schedule, run)
     run.set_up = time.perf_counter() - started
-    return finished(run, measured)
+    return finished(run)
 
 
 def _segments(model: Model, kept: Checkpoint, engine: str, path: str | Path) -> list[SteppedModel]:
     """Those that the run has had, built again. Raises ModelError if z does not fit the one under way."""
     header = kept.header
-    plan = Plan.of_numbers(model, header.plan)
+    plan = Plan.of_numbers(model, header["plan"])
     segments = [SteppedModel.of_run(model, plan, kept.p, engine)]
-    for q_i in header.segments[1:]:
-        variant = model if q_i == model.q_i else variant_of(model, q_i, np.array(header.position))
+    for q_i in header["segments"][1:]:
+        variant = model if q_i == model.q_i else variant_of(model, q_i, np.array(header["position"]))
         segments.append(SteppedModel.of_run(variant, plan.on(variant), kept.p, engine))
-    current = segments[header.segment]
+    current = segments[header["segment"]]
     fitting = current.stepper.start(0.0, model.initial_q, model.initial_q_dot, current.c, plan.grid.dt_L)
     if len(fitting) != len(kept.z):
         raise ModelError(

@@ -20,13 +20,21 @@ from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.operating.mode_solver import ModeSolver, State
-from runtime.results.motion_error import MotionError, amplitudes, motion_error, with_rates
+from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.results.solution import Solution
-from runtime.running.companion import FINER, loads_missed, marks_of
 from runtime.running.monitor import known_slopes
-from runtime.running.outcome import LARGEST, finished, passed_by
-from runtime.running.plan import AUTO, DEFAULT, MAX_SAMPLES, Plan, make_plan, refuse_alike
-from runtime.running.problem import ROUNDING, Problem, common_time
+from runtime.running.outcome import FINER, LARGEST, finished, loads_missed, marks_of, passed_by
+from runtime.running.problem import (
+    AUTO,
+    DEFAULT,
+    MAX_SAMPLES,
+    ROUNDING,
+    Plan,
+    Problem,
+    common_time,
+    make_plan,
+    refuse_alike,
+)
 from runtime.running.record import Marks, told_by
 from runtime.running.run import Further, Run, begun, integrate
 from runtime.running.time_functions import OfTime, force_of_time
@@ -237,8 +245,7 @@ class Ladder:
         samples = [rows for own, rows in record.samples if record.segments[own] is segment]
         seen = [mine, theirs, *([told_by(segment, np.concatenate(samples), model)[0]] if samples else [])]
         t = segment.plan.t0 + common * rung.marks.every * segment.plan.grid.dt_L
-        found = motion_error(model, t, mine, theirs, amplitudes(model, np.concatenate(seen)))
-        rung.told = with_rates(found, model, v, other)
+        rung.told = motion_error(model, t, mine, theirs, amplitudes(model, np.concatenate(seen)), (v, other))
         rung.error = rung.differs = self._asked(rung.told)
         if len(before) > 1 and 0 < rung.error < last.differs:
             shown = np.log(last.differs / rung.differs) / np.log(rung.steps / last.steps)
@@ -263,9 +270,7 @@ class Ladder:
         (mine, v), (theirs, rates) = run.record.told(model, at), other.record.told(model, [FINER * k for k in at])
         if mine.shape == theirs.shape:
             sizes = np.array(list(rung.told.amplitude.values()))
-            early = with_rates(
-                motion_error(model, plan.t0 + np.array(at) * plan.grid.dt_L, mine, theirs, sizes), model, v, rates
-            )
+            early = motion_error(model, plan.t0 + np.array(at) * plan.grid.dt_L, mine, theirs, sizes, (v, rates))
             if self._asked(early) > rung.error:
                 rung.error, rung.told = self._asked(early), early
 
@@ -303,7 +308,7 @@ class Ladder:
         chance = rungs[-1].lost and not interrupted and not (whole and whole[-1].told.measured)
         if not whole or chance:  # a motion that coarse steps alone bring to its end is none
             rungs[-1].run.events += loads_missed(rungs[-1].run)
-            return finished(rungs[-1].run, lambda run, solution: rungs[-1].told)
+            return finished(rungs[-1].run, rungs[-1].told)
         answer = whole[-1]
         error = _doubted(answer, rungs)
         run = answer.run
@@ -312,7 +317,7 @@ class Ladder:
             run = begun(self.problem, plan, marks_of(self.problem, plan), further)
         else:
             run.events[:0] = loads_missed(run)
-        found = finished(run, lambda run, solution: error)
+        found = finished(run, error)
         stats: dict[str, float | int | str] = dict(found.stats) | {
             "tolerance": self.tolerance,
             "rungs": len(rungs),

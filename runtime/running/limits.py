@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
 from runtime.contract.doors import opened
+from runtime.contract.model import DrawnPoint
 from runtime.contract.records import Description
 from runtime.contract.status import Event, Status
 from runtime.results.body_motion import poses_of
@@ -62,12 +63,11 @@ def off_a_beam(solution: Solution) -> Status | None:
     if not rails or not (model.has("poses") and model.has("geometry")):
         return None
     (r, A), drawing = poses_of(model, solution.q), model.description.drawing
-    places = model.geometry(solution.parameters)["positions"].T
-    positions = {f"{one.body}.{one.name}": place for one, place in zip(drawing.points, places, strict=True)}
+    points = model.drawn_points(solution.parameters)
     for joint in rails:
         a, beam = drawing.poses.index(joint.body_a), joint.body_a
-        length = max(place[0] for one, place in zip(drawing.points, places, strict=True) if one.body == beam)
-        point = positions[joint.marker_b]
+        length = max(_places(points, beam).values(), key=lambda place: place[0])[0]
+        point = _places(points, joint.body_b)[joint.marker_b]
         if joint.body_b in drawing.poses:
             point = r[:, (b := drawing.poses.index(joint.body_b))] + A[:, b] @ point
         way = np.einsum("sj,sj->s", A[:, a, :, 0], point - r[:, a])
@@ -114,8 +114,9 @@ def buckling(solution: Solution) -> tuple[dict[str, float], list[Event]]:
     model = solution.model
     if not model.elastic or not model.has("geometry"):
         return {}, []
-    geometry = model.geometry(solution.parameters)
-    struts = [*beam_struts(model.description, geometry), *element_struts(model.description, geometry)]
+    points = model.drawn_points(solution.parameters)
+    rigidities = model.geometry(solution.parameters).get("rigidities", np.zeros(0))  # none without beams
+    struts = [*beam_struts(model.description, points, rigidities), *element_struts(model.description, points)]
     acting = acting_forces(solution) if struts else []
     shares: dict[str, float] = {}
     events: dict[str, Event] = {}
@@ -134,39 +135,27 @@ def buckling(solution: Solution) -> tuple[dict[str, float], list[Event]]:
     return shares, list(events.values())
 
 
-def beam_struts(described: Description, geometry: Mapping[str, np.ndarray]) -> Iterator[Strut]:
-    """Beams, whatever their shapes; geometry: what the function of that name gives."""
-    if "rigidities" not in geometry:  # a model that was generated before there were any
-        return
-    bending, first = dict.fromkeys(described.drawing.sections, np.zeros(3)), 0
-    for point in described.drawing.points:
-        if point.body in bending:
-            shapes = np.abs(geometry["shapes"][:, first : first + point.modes])
-            bending[point.body] = bending[point.body] + shapes.sum(axis=1)
-        first += point.modes
-    for body, moved in bending.items():
-        axes = [axis for axis in (ALONG_Y, ALONG_Z) if moved[axis] > 0.0]
-        if axes:
-            yield beam_strut(described, body, axes, geometry)
+def beam_struts(described: Description, points: Sequence[DrawnPoint], rigidities: np.ndarray) -> Iterator[Strut]:
+    """Beams, whatever their shapes; rigidities: of `geometry`."""
+    stiffness = rigidities.reshape(2, -1)
+    for k, body in enumerate(described.drawing.sections):
+        moved = np.sum([np.abs(one.shapes).sum(axis=1) for one in points if one.body == body], axis=0)
+        weakest = min((float(stiffness[axis - 1, k]) for axis in (ALONG_Y, ALONG_Z) if moved[axis] > 0.0), default=None)
+        if weakest is None:
+            continue
+        places = {name: float(place[0]) for name, place in _places(points, body).items()}
+        length = max(places.values())
+        start = {marker for marker, x in places.items() if x <= END * length}
+        end = {marker for marker, x in places.items() if x >= (1 - END) * length}
+        held = [is_held(described, body, markers) for markers in (start, end)]
+        effective = length * (2.0 if sum(held) == 1 else 1.0)
+        yield Strut(body, start, end, np.eye(3)[0], math.pi**2 * weakest / effective**2)
 
 
-def beam_strut(described: Description, body: str, axes: list[int], geometry: Mapping[str, np.ndarray]) -> Strut:
-    """The beam as a strut that bends along these axes."""
-    places = {name: float(place[0]) for name, place in _places(described, body, geometry).items()}
-    length = max(places.values())
-    start = {marker for marker, x in places.items() if x <= END * length}
-    end = {marker for marker, x in places.items() if x >= (1 - END) * length}
-    held = [is_held(described, body, markers) for markers in (start, end)]
-    stiffness = geometry["rigidities"].reshape(2, -1)[:, described.drawing.sections.index(body)]
-    weakest = min(float(stiffness[axis - 1]) for axis in axes)
-    effective = length * (2.0 if sum(held) == 1 else 1.0)
-    return Strut(body, start, end, np.eye(3)[0], math.pi**2 * weakest / effective**2)
-
-
-def element_struts(described: Description, geometry: Mapping[str, np.ndarray]) -> Iterator[Strut]:
+def element_struts(described: Description, points: Sequence[DrawnPoint]) -> Iterator[Strut]:
     """Finite-element bodies between two of their interfaces."""
     for record in described.struts:
-        places = _places(described, record.body, geometry)
+        places = _places(points, record.body)
         first, second = (places[f"{record.body}.{name}"] for name in record.markers)
         apart = second - first
         length = float(np.linalg.norm(apart))
@@ -180,13 +169,9 @@ def element_struts(described: Description, geometry: Mapping[str, np.ndarray]) -
             yield Strut(record.body, start, end, apart / length, critical)
 
 
-def _places(described: Description, body: str, geometry: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+def _places(points: Sequence[DrawnPoint], body: str) -> dict[str, np.ndarray]:
     """Reference of each point of a body -> its place (3,) [m]."""
-    return {
-        f"{body}.{point.name}": place
-        for point, place in zip(described.drawing.points, geometry["positions"].T, strict=True)
-        if point.body == body
-    }
+    return {f"{body}.{one.name}": one.place for one in points if one.body == body}
 
 
 def is_held(described: Description, body: str, markers: set[str]) -> bool:

@@ -294,22 +294,15 @@ def observed_constants(scheme: Scheme, z: ca.SX, c: ca.SX) -> ca.SX:
 
 def flexible_bodies(model: Model, p: np.ndarray) -> list[Body]:
     """(name, columns in q, length [m], shapes and turns of its points (points, 3, modes)) of each flexible body."""
-    if not model.elastic or not model.has("geometry"):
-        return []
-    values = model.geometry(p)
-    found: dict[str, list[tuple[np.ndarray, np.ndarray, np.ndarray]]] = {}
-    first = 0
-    for k, point in enumerate(model.description.drawing.points):
-        if point.modes:
-            own = slice(first, first + point.modes)
-            part = values["positions"][:, k], values["shapes"][:, own], values["turns"][:, own]
-            found.setdefault(point.body, []).append(part)
-            first += point.modes
-    bodies = []
-    for name, parts in found.items():
-        columns = [k for k, one in enumerate(model.description.coordinates) if one.elastic and one.owner == name]
-        positions, shapes, turns = (np.array(part) for part in zip(*parts, strict=True))
-        length = float(np.linalg.norm(np.ptp(positions, axis=0)))
-        if length > 0:
-            bodies.append((name, columns, length, shapes, turns))
-    return bodies
+
+    def found() -> list[Body]:
+        points, bodies = [one for one in model.drawn_points(p) if one.shapes.size], list[Body]()
+        for name in dict.fromkeys(one.body for one in points):
+            parts = zip(*(one[2:] for one in points if one.body == name), strict=True)
+            places, shapes, turns = (np.array(part) for part in parts)
+            length = float(np.linalg.norm(np.ptp(places, axis=0)))
+            if length > 0:
+                bodies.append((name, model.columns_of(name)[1], length, shapes, turns))
+        return bodies
+
+    return model.of_numbers("flexible bodies", (p.tobytes(),), found) if model.elastic and model.has("geometry") else []

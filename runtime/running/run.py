@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import signal
+import threading
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from types import FrameType
+from typing import Self
 
 import numpy as np
 
@@ -16,14 +20,90 @@ from runtime.results.solution import Solution
 from runtime.running.events import EventActions, note_impulses
 from runtime.running.inputs import EndlessInput, Schedule
 from runtime.running.monitor import Failure
-from runtime.running.pace import Interrupts, Pace
-from runtime.running.plan import Plan, whole_number
-from runtime.running.problem import Problem
+from runtime.running.problem import Plan, Problem, whole_number
 from runtime.running.record import Marks, Record, record_of
 from runtime.running.singular.guard import Guard
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import check_time_functions
 from runtime.schemes.options import SchemeError
+
+# ---- How long a native call lasts, so that progress and Ctrl-C stay responsive, and who hears Ctrl-C ------------
+
+CALL_SECONDS = 0.25  # a call lasts about this long
+OPERATIONS = 5_000_000  # of a first call
+LONGEST_CALL = 1 << 20
+FIRST_SAVED = 32  # of the first look: what goes wrong and heals within a stretch is not seen
+MOST_SAVED = 256  # states that are saved between two looks
+
+
+@dataclass
+class Pace:
+    """steps: most of a call; saves: the save at which it ends; slow_until: until then it ends at the next one.
+
+    Looks cost as much as some hundred steps of a small mechanism, so there are few of them while all is well.
+    """
+
+    steps: int
+    saves: int = FIRST_SAVED
+    slow_until: int = 0
+
+    @classmethod
+    def of(cls, operations: int) -> Pace:
+        """Of steps that take so many operations."""
+        return cls(max(1, 1 << (OPERATIONS // max(1, operations)).bit_length() - 1))
+
+    def slow(self, step: int) -> bool:
+        """Is each saved state looked at closely here?"""
+        return step < self.slow_until
+
+    def next_steps(self, step: int, seen_steps: int) -> int:
+        """The length of the next call."""
+        saves = 1 if self.slow(step) else self.saves
+        return min(self.steps, saves * seen_steps - step % seen_steps)
+
+    def took(self, seconds: float) -> None:
+        """Double or halve: the interpreted engine builds one Function per batch length, so there should be few."""
+        if seconds < CALL_SECONDS / 4:
+            self.steps = min(self.steps * 2, LONGEST_CALL)
+        elif seconds > CALL_SECONDS:
+            self.steps = max(1, self.steps // 2)
+
+    def went_well(self) -> None:
+        """Nothing was found: look at twice as many saved states at once."""
+        self.saves = min(2 * self.saves, MOST_SAVED)
+
+    def went_wrong(self, until: int) -> None:
+        """Steps until there are made again, one save at a time."""
+        self.saves, self.slow_until = 1, until
+
+
+class Interrupts:
+    """Hears Ctrl-C inside a `with`. asked: was it pressed? A second press stops at once.
+
+    Outside the main thread, and where the caller has a handler, nothing changes.
+    """
+
+    asked = False
+    _ours = False
+
+    def __enter__(self) -> Self:
+        own = signal.getsignal(signal.SIGINT) is signal.default_int_handler
+        self._ours = own and threading.current_thread() is threading.main_thread()
+        if self._ours:
+            signal.signal(signal.SIGINT, self._heard)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._ours:
+            signal.signal(signal.SIGINT, signal.default_int_handler)
+
+    def _heard(self, number: int, frame: FrameType | None) -> None:
+        if self.asked:
+            raise KeyboardInterrupt
+        self.asked = True
+
+
+# ---- A run ----------------------------------------------------------------------------------------------------------
 
 Progress = Callable[[float, float], None]
 CHECKPOINT_SECONDS = 60.0
@@ -142,7 +222,9 @@ class Run:
             self.settle()
 
     def settle(self, told: bool = True) -> None:
-        """Decide which elements stick from here on."""
+        """Decide which elements stick from here on, if there are any."""
+        if not self.segment.model.element_modes.size:
+            return
         self._hold(self.happenings.settle(self.z))
         if not told:
             self.segment.impulses.clear()  # the first sample shows what is after them

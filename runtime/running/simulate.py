@@ -15,11 +15,19 @@ from runtime.contract.model import Model, refuse_events
 from runtime.operating.given_state import given_state
 from runtime.results.motion_error import MotionError
 from runtime.results.solution import Solution
-from runtime.running.companion import marks_of, measured
 from runtime.running.inputs import InputValue, bound, scheduled, started
-from runtime.running.outcome import finished
-from runtime.running.plan import AUTO, make_plan, tolerance_of
-from runtime.running.problem import Problem, common_time, own_spacing, seen_every_of, spacing_of, span_of
+from runtime.running.outcome import finished, marks_of
+from runtime.running.problem import (
+    AUTO,
+    Problem,
+    common_time,
+    make_plan,
+    own_spacing,
+    seen_every_of,
+    spacing_of,
+    span_of,
+    tolerance_of,
+)
 from runtime.running.run import Further, Progress, begun
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
@@ -128,9 +136,7 @@ def simulate(
     plan = replace(plan, force=force, outputs=tuple(outputs or ()))
     problem = Problem.of(model, end, parameters, initial, start, begin, inputs, engine, plan.grid.dt_L)
     run = begun(problem, plan, marks_of(problem, plan) if error == MEASURED else None, further)
-    if error == OFF:
-        return finished(run, lambda run, solution: MotionError(reason="it was switched off"))
-    return finished(run, measured)
+    return finished(run, MotionError(reason="it was switched off") if error == OFF else None)
 
 
 def _made_once(problem: Problem, wanted: str) -> str:

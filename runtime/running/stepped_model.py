@@ -20,7 +20,7 @@ from runtime.contract.status import Status
 from runtime.results.observe import observe_samples
 from runtime.results.solution import Solution
 from runtime.running.monitor import Monitor
-from runtime.running.plan import Plan
+from runtime.running.problem import Plan
 from runtime.running.time_functions import all_stops
 from runtime.schemes.stepper import Stepper, kept_stepper
 from runtime.schemes.switching.impulse import Impulse

@@ -22,7 +22,7 @@ from runtime.results.solution import Solution
 from runtime.running.events import EventActions
 from runtime.running.inputs import reading
 from runtime.running.monitor import Monitor
-from runtime.running.plan import make_plan, steps_asked
+from runtime.running.problem import make_plan, steps_asked
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import refuse_position_jumps
 from runtime.schemes.scheme import Scheme
@@ -173,21 +173,6 @@ class ModelStepper:
             own[k] = value
         if self.scheme.remembers:
             self._own.hold(self._z, own)
-
-    def run(self, n: int, call: Callable[[ModelStepper], Any], every: int = 1) -> None:
-        """Make n major steps, call(self) before each block of `every`, up to an event that ends them.
-
-        Raises ArgumentError for counts below 1.
-        """
-        if n < 1 or every < 1:
-            raise ArgumentError(f"n and every must be at least 1, not {n} and {every}")
-        if not callable(call):
-            raise ArgumentError("call", f"is {call!r}", "give a function of the stepper")
-        for first in range(0, n, every):
-            if self.ended is not None:
-                return
-            call(self)
-            self.step(min(every, n - first))
 
     def change(self, parameters: Mapping[str, float]) -> None:
         """Change parameters by name from the next step on; the others stay as they are. Raises ModelError.

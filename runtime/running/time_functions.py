@@ -22,9 +22,9 @@ from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.contract.status import Event
 from runtime.engine.rows import ManyPoints
-from runtime.running.plan import Plan
+from runtime.running.problem import Plan
 from runtime.schemes.stage_equations import is_long_tree
-from runtime.schemes.switching.times import MARGIN, SwitchTime, switching_times
+from runtime.schemes.switching.times import MARGIN, SwitchTime, has_switching_times, switching_times
 
 INSIDE = 8  # points a step, where there are not too many steps
 MOST_POINTS = 200_000
@@ -43,6 +43,8 @@ def check_time_functions(
 
     switches: where steps end; None where they do not. Then a jump of velocity is refused, too.
     """
+    if not depends_on_time(model):
+        return []
     known = switching_times(model, c, plan.t0, plan.t_end) if switches is None else switches
     refuse_position_jumps(model, c, state, known, plan.t0, plan.t_end)
     steps = plan.steps * prod(plan.grid.m)
@@ -79,6 +81,12 @@ def refuse_position_jumps(
             f"its position jumps by {jumps[row, k]:.4g} at t = {switches[k].time:.6g} s",
             "let it go there in a finite time; a jump of its velocity is possible, one of its position is not",
         )
+
+
+def depends_on_time(model: Model) -> bool:
+    """Does anything of the equations but their state, a load or a prescribed motion, change with time?"""
+    names = ("constraints", "forward_dynamics" if is_long_tree(model) else "condensed")
+    return has_switching_times(model) or any(model.has(one) and "t" in model.kernel(one).name_in() for one in names)
 
 
 OfTime = Callable[[np.ndarray], np.ndarray]  # (n, N) at times (N,)
@@ -172,6 +180,9 @@ def all_stops(
     state: at the start of the run. step [s]: no longer ones are made, so that those may stay out which lie farther
     apart.
     """
+
+    if not depends_on_time(model):
+        return []
 
     def found() -> tuple[list[SwitchTime], list[tuple[float, float]]]:
         forces = _forces_nearby(model, c, state)

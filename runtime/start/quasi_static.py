@@ -10,6 +10,7 @@ the order of (rigid rate / elastic frequency)^2.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import casadi as ca
@@ -166,13 +167,9 @@ def settled(
     """
     if not settles(model):
         return None
-    elastic, q_i, v = positions(model), q_i.copy(), v.copy()
-    rigid = [k for k in range(len(q_i)) if k not in elastic]
     loop = q_d[[model.q_d.index(name) for name in model.loop_unknowns]]
-    lead = float(leading(model)(q_i, v, q_d, t, c))
-    later, before = (float(side) for side in smooth_sides(model)(t, lead, c))
 
-    def solved(t: float, start: np.ndarray) -> np.ndarray | None:
+    def solved(t: float, start: np.ndarray, v: np.ndarray) -> np.ndarray | None:
         q, before = start, LARGEST
         for _ in range(MAX_STEPS):
             q, open_, valley, before = settling(model)(t, q, v, loop, c, before)
@@ -182,8 +179,26 @@ def settled(
                 return np.asarray(q).ravel()
         return None
 
+    return _along(model, c, t, (q_i, v, q_d), solved)
+
+
+Solve = Callable[[float, np.ndarray, np.ndarray], np.ndarray | None]  # (t, q_i, q_i_dot) -> q_i in equilibrium
+
+
+def _along(
+    model: Model, c: np.ndarray, t: float, start: tuple[np.ndarray, np.ndarray, np.ndarray], solve: Solve
+) -> tuple[np.ndarray, np.ndarray] | None:
+    """(q, q_dot) with elastic coordinates in equilibrium and its rates along the motion; None where `solve` gives none.
+
+    start: q_i, q_i_dot, q_d.
+    """
+    (q_i, v), q_d = (part.copy() for part in start[:2]), start[2]
+    elastic = positions(model)
+    rigid = [k for k in range(len(q_i)) if k not in elastic]
+    lead = float(leading(model)(q_i, v, q_d, t, c))
+    later, before = (float(side) for side in smooth_sides(model)(t, lead, c))
     for _ in range(PASSES):
-        found = solved(t, q_i)
+        found = solve(t, q_i, v)
         if found is None:
             return None
         q_i = found
@@ -192,11 +207,12 @@ def settled(
             for at in (later * lead, -before * lead):
                 moved = q_i.copy()
                 moved[rigid] = moved[rigid] + at * v[rigid]
-                end = solved(t + at, moved)
+                end = solve(t + at, moved, v)
                 if end is None:
                     return None
                 ends.append(end[elastic])
             v[elastic] = (ends[0] - ends[1]) / ((later + before) * lead)
+    loop = q_d[[model.q_d.index(name) for name in model.loop_unknowns]]
     q_d, q_d_dot = elastic_residual(model)(t, q_i, v, loop, c)[3:]
     return whole(model, q_i, np.asarray(q_d).ravel()), whole(model, v, np.asarray(q_d_dot).ravel())
 
@@ -216,24 +232,13 @@ def quasi_static_state(
     if not elastic:
         return state
     q_i, v = independent(model, state.q, state.q_dot)
-    quick = settled(model, c, t, q_i, v, dependent_part(model, state.q))
-    if quick is not None:
-        return _told(model, c, t, _with_elastic(model, state, *quick))
-    solver = ElasticEquilibrium(model, elastic, c, unstable)
-    loop = loop_part(model, state.q)
-    rigid = [k for k in range(len(q_i)) if k not in elastic]
-    step, _ = small_motion(model, state.q_dot)
-    later, before = (float(side) for side in smooth_sides(model)(t, step, c))
-    for _ in range(PASSES):
-        q_i = solver.solve(t, q_i, v, loop)
-        if step > 0 and later + before > 0:
-            moved = []
-            for sign in (later, -before):
-                at = q_i.copy()
-                at[rigid] += sign * step * v[rigid]
-                moved.append(solver.solve(t + sign * step, at, v, loop)[elastic])
-            v[elastic] = (moved[0] - moved[1]) / ((later + before) * step)
-    return _told(model, c, t, _with_elastic(model, state, *solver.closed(t, q_i, v, loop)))
+    q_d, loop = dependent_part(model, state.q), loop_part(model, state.q)
+    found = settled(model, c, t, q_i, v, q_d)
+    if found is None:
+        solver = ElasticEquilibrium(model, elastic, c, unstable)
+        found = _along(model, c, t, (q_i, v, q_d), lambda t, q_i, v: solver.solve(t, q_i, v, loop))
+    assert found is not None
+    return _told(model, c, t, _with_elastic(model, state, *found))
 
 
 def _with_elastic(model: Model, state: ConsistentState, q: np.ndarray, q_dot: np.ndarray) -> ConsistentState:
@@ -309,11 +314,6 @@ class ElasticEquilibrium:
                 "elastic coordinate a small value to start from, or ask for it with start = quasi_static_unstable"
             )
         return q
-
-    def closed(self, t: float, q_i: np.ndarray, v: np.ndarray, loop: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """All coordinates and rates."""
-        q_d, q_d_dot = self._residual(t, q_i, v, loop, self.c)[3:]
-        return whole(self.model, q_i, np.asarray(q_d).ravel()), whole(self.model, v, np.asarray(q_d_dot).ravel())
 
 
 def _curvatures(at: Balance) -> np.ndarray:

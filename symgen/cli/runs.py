@@ -50,9 +50,9 @@ def resume(arguments: argparse.Namespace) -> Outcome:
         try_leaving_model(keep)
     header = read_checkpoint(arguments.file).header
     model = (
-        opened_model(arguments.scene, keep=keep, digest=header.digest)
+        opened_model(arguments.scene, keep=keep, digest=header["digest"])
         if arguments.scene
-        else opened_text(header.model, header.scene_toml, header.digest, keep)
+        else opened_text(header["model"], header["scene_toml"], header["digest"], keep)
     )
     with Progress(f"symgen {model.name}") as progress:
         how = settings(arguments, ("stream", "engine", "checkpoint_every"))

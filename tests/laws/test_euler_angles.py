@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from runtime import Model, ModelError, Solution, ensemble, equilibrium, load_model, simulate
+from runtime import Model, Solution, ensemble, equilibrium, simulate
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.orientations import (
     angle_motion,
@@ -22,7 +22,6 @@ from runtime.contract.orientations import (
     turning_axes,
     turning_axes_rate,
 )
-from symgen.generate import generate
 from symgen.scene import Scene, SceneError, SceneRecord
 from tests.laws.test_random_spatial import turned_place
 from tests.support.model_values import Array, evaluate, make_state, random_states, relative_error
@@ -236,11 +235,3 @@ def test_what_angles_cannot_be(change: Callable[[Any], Any], item: str, problem:
     with pytest.raises(SceneError) as caught:
         change(free("zyx", {}, {})).build()
     assert caught.value.item == item and problem in caught.value.problem and caught.value.remedy
-
-
-def test_a_model_with_angles_as_coordinates_is_refused(tmp_path: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    """As versions generated it in which they were: here with names of coordinates that still are."""
-    monkeypatch.setattr("symgen.emission.description.angle_names", lambda body: [f"{body}.{axis}" for axis in "xyz"])
-    folder = generate(free("zyx", {}, {}).build(), tmp_path / "old", frozenset({"condensed"}))
-    with pytest.raises(ModelError, match=r"Euler angles were coordinates \(body.x\).*regenerate"):
-        load_model(folder)

@@ -14,7 +14,7 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
-from runtime.running.plan import make_plan
+from runtime.running.problem import make_plan
 from runtime.running.singular import exchange
 from runtime.running.singular.exchange import carried, use_generator, variant_of
 from runtime.running.stepped_model import SteppedModel

@@ -13,7 +13,7 @@ from scipy.integrate import solve_ivp
 from runtime import Model, ModelError, Sampled, Solution, reference_solution, simulate
 from runtime.contract.coordinates import followed
 from runtime.results.motion_error import floored
-from runtime.running.companion import coprime, steps_of_mark
+from runtime.running.outcome import coprime, steps_of_mark
 from symgen.scene import Scene, SceneRecord
 from tests.support.scenes import driven_bob, on_hinge
 
@@ -289,12 +289,12 @@ def test_the_price_is_less_than_that_of_the_run(built_in: Load, monkeypatch: pyt
 
 
 def test_ctrl_c_while_an_error_is_measured_leaves_the_run(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
-    from runtime.running import companion
+    from runtime.running import outcome
 
     def pressed(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(companion, "_compared", pressed)
+    monkeypatch.setattr(outcome, "_compared", pressed)
     run = simulate(built_in("pendulum"), scheme="single_rate", dt=0.01, t_end=1.0)
     assert run.status.ok and run.t[-1] == pytest.approx(1.0) and "user" in run.error.reason
 

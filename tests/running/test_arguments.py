@@ -116,9 +116,8 @@ def test_what_a_stepper_cannot_take_is_named(model_of: Callable[..., Model]) -> 
     for wrong in (-1, 1.5, {"force": [1.0]}, {"force": abs}, "abc"):
         with pytest.raises(ArgumentError):
             stepper.step(wrong)
-    for call in (lambda: stepper.run(3, 5), lambda: stepper.restore(None)):
-        with pytest.raises(ArgumentError):
-            call()
+    with pytest.raises(ArgumentError):
+        stepper.restore(None)
     assert stepper.time == 0.0
     stepper.step({"force": np.array(2.0)}, 1000)
     assert stepper.state["cart.x"] == pytest.approx(0.5, rel=1e-12)  # F t^2 / 2 m, m = 2 kg

@@ -190,12 +190,6 @@ def test_checkpoint_of_another_model_is_refused(built_in: Load, checkpoint: Path
         resume(load_model(generate(changed, tmp_path / "model")), checkpoint)
 
 
-@pytest.mark.parametrize("said", [{"scheme": "rk4"}, {"dt": 1e-5}, {"m": [3]}, {"options": {"closure_iterations": 3}}])
-def test_other_settings_are_refused(built_in: Load, checkpoint: Path, said: dict[str, Any]) -> None:
-    with pytest.raises(SchemeError, match=f"made with {next(iter(said))} ="):
-        resume(built_in("slider_crank"), checkpoint, **said)
-
-
 def test_a_state_of_another_length_is_refused(built_in: Load, checkpoint: Path, tmp_path: Path) -> None:
     kept, path = read_checkpoint(checkpoint), tmp_path / "short.npz"
     replace(kept, z=kept.z[:-1]).write(path)
@@ -203,19 +197,6 @@ def test_a_state_of_another_length_is_refused(built_in: Load, checkpoint: Path, 
         ModelError, match=f"{len(kept.z) - 1} numbers, where .* single_rate prepared here have {len(kept.z)}"
     ):
         resume(built_in("slider_crank"), path)
-
-
-def test_the_same_settings_may_be_said_again(built_in: Load, checkpoint: Path, tmp_path: Path) -> None:
-    again = resume(
-        built_in("slider_crank"),
-        checkpoint,
-        scheme="single_rate",
-        dt=2e-5,
-        m=[],
-        options={},
-        checkpoint=tmp_path / "further.npz",
-    )
-    assert again.status.ok
 
 
 def test_damaged_checkpoints_are_refused(built_in: Load, checkpoint: Path, tmp_path: Path) -> None:

@@ -188,7 +188,7 @@ def test_chattering_across_a_resume_is_found_when_it_would_have_been(model_of: B
 
     assert simulate(model, **settings, checkpoint=path, progress=interrupt).status.name == "interrupted"
     kept = read_checkpoint(path)
-    assert 10 < len(kept.header.events) < len(whole.events) - 10
+    assert 10 < len(kept.header["events"]) < len(whole.events) - 10
     again = resume(model, path)
     assert again.status == whole.status and again.events == whole.events and whole.status.name == "chattering"
 

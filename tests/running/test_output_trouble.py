@@ -103,16 +103,16 @@ def test_a_stream_that_takes_no_more_ends_the_run_by_name(built_in: Load, tmp_pa
 
 
 def test_what_a_killed_process_left_is_removed_at_the_next_write(tmp_path: Path) -> None:
-    """Of this machine as soon as the process is gone, whichever file it wrote; of another one after an hour."""
+    """After an hour, whichever file it wrote; what is younger may be written still."""
     program = (
         "import os, sys\nfrom runtime.contract.files import replacing\n"
         "with replacing(sys.argv[1] + '/killed.npz'): os.kill(os.getpid(), 9)"
     )
     subprocess.run([sys.executable, "-c", program, str(tmp_path)], check=False)
-    assert [path.name[:9] for path in tmp_path.iterdir()] == [".writing-"]
-    stale, recent = tmp_path / ".writing-elsewhere-1-a.npz", tmp_path / ".writing-elsewhere-1-b.npz"
-    for path in (stale, recent):
-        path.write_text("")
+    (stale,) = tmp_path.iterdir()
+    assert stale.name.startswith(".writing-")
+    recent = tmp_path / ".writing-b.npz"
+    recent.write_text("")
     old = time.time() - STALE - 10
     os.utime(stale, (old, old))
     with replacing(tmp_path / "other.npz") as mine:

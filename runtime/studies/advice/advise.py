@@ -20,8 +20,7 @@ from runtime.contract.errors import NoResult, SymgenError
 from runtime.contract.model import Model
 from runtime.contract.status import card, line, table
 from runtime.running.ladder import Ladder, Method, Rung, chosen_method
-from runtime.running.plan import AUTO, tolerance_of
-from runtime.running.problem import Problem
+from runtime.running.problem import AUTO, Problem, tolerance_of
 from runtime.studies.advice.methods import candidates, checked_grades, left_out, multirate
 
 if TYPE_CHECKING:

@@ -13,10 +13,8 @@ from runtime.contract.doors import BY_NAME, CALLED, NAMES, arguments
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
 from runtime.results.meter import Meter
-from runtime.running.pace import Interrupts
-from runtime.running.plan import make_plan, whole_number
-from runtime.running.problem import seen_every_of, span_of
-from runtime.running.run import Progress
+from runtime.running.problem import make_plan, seen_every_of, span_of, whole_number
+from runtime.running.run import Interrupts, Progress
 from runtime.running.time_functions import check_time_functions
 from runtime.schemes.switching.times import switching_times
 from runtime.start.start_state import start_state

@@ -16,7 +16,7 @@ from runtime.contract.model import Model
 from runtime.contract.tape import read_tape
 from runtime.engine.ensemble_code import blocks_of
 from runtime.running.events import state_of
-from runtime.running.plan import Plan
+from runtime.running.problem import Plan
 from runtime.running.time_functions import all_stops
 from runtime.schemes.switching.breaks import Breaks
 from runtime.schemes.switching.impulse import may_give_impulses

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
 from runtime.results.named_outputs import column
-from runtime.running.plan import Plan
+from runtime.running.problem import Plan
 from runtime.studies.ensemble.account import REDUCTIONS
 
 LOOK_STEPS, MOST_LOOKS = 250, 16  # a run is looked at about every so many steps, at most so often
