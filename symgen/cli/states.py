@@ -144,19 +144,25 @@ def _where_there(values: Iterable[float]) -> list[float | None]:
 
 
 def response(arguments: argparse.Namespace) -> Outcome:
-    """Frequency response about an equilibrium, or the whirl of a rotor under an unbalance.
+    """Frequency response of outputs to inputs about an equilibrium.
 
     With --out it leaves response.csv: amplitude and phase of each output.
     """
     import numpy as np
 
     from runtime.contract.files import write_text
+    from runtime.operating.linearise import linearise
 
     if arguments.points < 2:
         raise UsageError("--points must be at least 2")
-    name, values, labels, answers = _unbalance(arguments) if arguments.unbalance is not None else _response(arguments)
+    model = opened_model(arguments.scene, arguments.made_with)
+    found = found_equilibrium(model, arguments)
+    system = linearise(model, found, inputs=arguments.input, outputs=arguments.output, locked=arguments.locked)
+    values = np.geomspace(*arguments.frequencies, arguments.points)
+    labels = [f"{output} / {given}" for output in system.output_names for given in system.input_names]
+    answers = system.frequency_response(values).reshape(len(values), -1)
     largest = np.abs(answers).argmax(axis=0)
-    lines = [f"{name}: largest of {len(values)} from {values[0]:g} to {values[-1]:g} rad/s"]
+    lines = [f"{model.name}: largest of {len(values)} from {values[0]:g} to {values[-1]:g} rad/s"]
     lines += [
         f"{label:<32} {abs(answers[k, column]):>12.6g} at {values[k]:.6g} rad/s"
         for column, (label, k) in enumerate(zip(labels, largest, strict=True))
@@ -171,45 +177,5 @@ def response(arguments: argparse.Namespace) -> Outcome:
         {"name": label, "amplitude": amplitude, "phase": phase}
         for label, amplitude, phase in zip(labels, amplitudes.T.tolist(), phases.T.tolist(), strict=True)
     ]
-    data = {"scene": name, "omega": values.tolist(), "responses": responses, "files": files}
+    data = {"scene": model.name, "omega": values.tolist(), "responses": responses, "files": files}
     return Outcome(data, [*lines, *left(files)])
-
-
-def _response(arguments: argparse.Namespace) -> Any:
-    """(model's name, frequencies (N,), labels, complex answers (N, k)) of each output to each input."""
-    import numpy as np
-
-    from runtime.operating.linearise import linearise
-
-    if not arguments.input or not arguments.frequencies or arguments.over or arguments.at:
-        raise UsageError("give --input and --frequencies, or --unbalance with --over and --at")
-    model = opened_model(arguments.scene, arguments.made_with)
-    found = found_equilibrium(model, arguments)
-    system = linearise(model, found, inputs=arguments.input, outputs=arguments.output, locked=arguments.locked)
-    first, last = arguments.frequencies
-    values = np.geomspace(first, last, arguments.points)
-    labels = [f"{output} / {given}" for output in system.output_names for given in system.input_names]
-    return model.name, values, labels, system.frequency_response(values).reshape(len(values), -1)
-
-
-def _unbalance(arguments: argparse.Namespace) -> Any:
-    """The same of a rotor at each speed."""
-    import numpy as np
-
-    from runtime.operating.campbell import unbalance_response
-
-    if not arguments.over or not arguments.at or len(arguments.at) != 2 or arguments.input or arguments.frequencies:
-        raise UsageError("--unbalance needs --over NAME=FROM:TO and --at X,Y, and neither --input nor --frequencies")
-    if arguments.rates or arguments.initial:
-        raise UsageError("--rate and --initial have no place here: --over turns the rotor from the scene's own start")
-    name, first, last = arguments.over
-    model = opened_model(arguments.scene, arguments.made_with)
-    found = unbalance_response(
-        model,
-        name,
-        np.linspace(first, last, arguments.points),
-        at=(arguments.at[0], arguments.at[1]),
-        outputs=arguments.output,
-        **settings(arguments, ("unbalance", "held", "parameters", "locked")),
-    )
-    return model.name, found.speeds, found.outputs, found.amplitudes

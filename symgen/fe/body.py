@@ -2,7 +2,7 @@
 
 Choices that a flexible body is made with, checked: interfaces, markers, origin.
 
-Matrices, node tables and dof maps from text files (Matrix Market, `id x y z`, `node component`).
+Node tables and dof maps: `id x y z`, `node component`.
 """
 
 from __future__ import annotations
@@ -10,11 +10,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 from typing import Any, TypeAlias
 
 import numpy as np
-import scipy.io
 import scipy.sparse as sp
 from numpy.typing import ArrayLike
 
@@ -63,38 +61,13 @@ from symgen.fe.structure import (
 )
 from symgen.modes.cleaning import Array, fixed
 
-MatrixSource: TypeAlias = sp.spmatrix | sp.sparray | ArrayLike | str | Path
-TableSource: TypeAlias = ArrayLike | str | Path
-COMMENTS = ("#", "%", "*", "$")
+Matrix: TypeAlias = sp.spmatrix | sp.sparray | ArrayLike
 
 
-def read_matrix(item: str, source: MatrixSource) -> sp.csr_matrix:
-    """A sparse matrix: given as one, as an array, or as the path of a file.
+def read_nodes(source: ArrayLike) -> tuple[Integers, Array]:
+    """Ids (n,) and positions (n, 3) [m] of a node table: rows `x y z` (ids count from 1) or `id x y z`.
 
-    The file is Matrix Market, or plain rows `i j value` counted from 1, where one triangle stands for both
-    (CalculiX writes so). Raises FiniteElementError if it cannot be read.
-    """
-    if not isinstance(source, str | Path):
-        return sp.csr_matrix(source)
-    path = Path(source)
-    try:
-        with path.open(encoding="ascii", errors="replace") as file:
-            has_header = file.readline().lower().startswith("%%matrixmarket")
-        return sp.csr_matrix(scipy.io.mmread(path)) if has_header else _triplets(item, path)
-    except (OSError, ValueError) as error:
-        if isinstance(error, FiniteElementError):
-            raise
-        raise FiniteElementError(
-            item,
-            f"{path.name} cannot be read as a matrix ({error})",
-            "give a Matrix Market file, or rows of 'row column value'",
-        ) from error
-
-
-def read_nodes(source: TableSource) -> tuple[Integers, Array]:
-    """Ids (n,) and positions (n, 3) [m] of a node table: rows `x y z` (ids count from 1) or `id x y z`, or a path.
-
-    Raises FiniteElementError if it cannot be read.
+    Raises FiniteElementError for anything else.
     """
     table = _table("nodes", source)
     if table.ndim != 2 or table.shape[1] not in (AXES, AXES + 1) or not len(table):
@@ -104,21 +77,17 @@ def read_nodes(source: TableSource) -> tuple[Integers, Array]:
     return _whole("nodes", table[:, 0]), table[:, 1:]
 
 
-def read_dofs(source: int | TableSource, ids: Integers) -> tuple[Integers, Integers]:
+def read_dofs(source: int | ArrayLike, ids: Integers) -> tuple[Integers, Integers]:
     """Place of the node and component 0 ... 5 of each row of the matrices.
 
     `source` is 3 or 6 for so many per node, node by node; or rows `node component`, components counted from 1
-    (4, 5, 6 are rotations); or the path of such a file, where `node.component` is understood too.
-    Raises FiniteElementError for anything else and for nodes that are not in the table.
+    (4, 5, 6 are rotations). Raises FiniteElementError for anything else and for nodes that are not in the table.
     """
     if isinstance(source, int):
         if source not in (AXES, RIGID_MOTIONS):
             raise FiniteElementError("dofs", f"{source} per node", "give 3, 6, or a dof map")
         return np.repeat(np.arange(len(ids)), source), np.tile(np.arange(source), len(ids))
     table = _table("dofs", source)
-    if table.ndim == 2 and table.shape[1] == 1:  # node.component, as CalculiX writes
-        node = np.floor(table[:, 0])
-        table = np.stack([node, np.round(10.0 * (table[:, 0] - node))], axis=1)
     if table.ndim != 2 or table.shape[1] != 2:
         raise FiniteElementError("dofs", f"the dof map has shape {table.shape}", "give rows of node, component")
     node, component = _whole("dofs", table[:, 0]), _whole("dofs", table[:, 1])
@@ -130,42 +99,16 @@ def read_dofs(source: int | TableSource, ids: Integers) -> tuple[Integers, Integ
     return np.array([place[int(name)] for name in node], dtype=np.int64), component - 1
 
 
-def _triplets(item: str, path: Path) -> sp.csr_matrix:
-    rows = _table(item, path)
-    if rows.ndim != 2 or rows.shape[1] != 3:
-        raise FiniteElementError(
-            item,
-            f"{path.name} is not Matrix Market and not rows of 'row column value'",
-            "export the matrix in one of these forms",
-        )
-    i, j = _whole(item, rows[:, 0]) - 1, _whole(item, rows[:, 1]) - 1
-    size = int(max(i.max(), j.max())) + 1
-    if min(i.min(), j.min()) < 0:
-        raise FiniteElementError(item, f"{path.name} counts rows from 0", "count from 1")
-    matrix = sp.csr_matrix((rows[:, 2], (i, j)), shape=(size, size))
-    if np.all(i <= j) or np.all(i >= j):
-        matrix = matrix + matrix.T - sp.diags(matrix.diagonal())
-    return sp.csr_matrix(matrix)
-
-
-def _table(item: str, source: TableSource) -> Array:
-    """Numbers in rows; separated by blanks or commas in a file, lines beginning with # % * $ left out."""
-    if not isinstance(source, str | Path):
-        try:
-            return np.asarray(source, dtype=np.float64)
-        except (TypeError, ValueError) as error:
-            raise FiniteElementError(item, "not a table of numbers", "give an array or the path of a file") from error
-    path = Path(source)
+def _table(item: str, source: ArrayLike) -> Array:
     try:
-        lines = [line.replace(",", " ").split() for line in path.read_text(encoding="utf-8").splitlines()]
-        numbers = [[float(word) for word in words] for words in lines if words and not words[0].startswith(COMMENTS)]
-        return np.array(numbers, dtype=np.float64)
-    except (OSError, ValueError) as error:
-        raise FiniteElementError(
-            item,
-            f"{path.name} cannot be read as a table of numbers ({error})",
-            "give rows of equal length, with blanks or commas between the numbers",
-        ) from error
+        return np.asarray(source, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        remedy = "give an array; np.loadtxt and scipy.io.mmread read files"
+        raise FiniteElementError(item, "not a table of numbers", remedy) from error
+
+
+def _matrix(item: str, source: Matrix) -> sp.csr_matrix:
+    return sp.csr_matrix(source if sp.issparse(source) else _table(item, source))
 
 
 def _whole(item: str, values: Sequence[float] | Array) -> Integers:
@@ -253,17 +196,18 @@ class FlexibleBody:
 
     @classmethod
     def from_matrices(
-        cls, K: MatrixSource, M: MatrixSource, nodes: TableSource, *, dofs: int | TableSource = 3, **choices: Any
+        cls, K: Matrix, M: Matrix, nodes: ArrayLike, *, dofs: int | ArrayLike = 3, **choices: Any
     ) -> FlexibleBody:
-        """From stiffness [N/m] and mass [kg], as matrices or files, and the node table `id x y z` [m].
+        """From stiffness [N/m] and mass [kg] and the node table `id x y z` [m]; `scipy.io.mmread` reads matrices.
 
         dofs: 3 or 6 per node, or a dof map with rows `node component`.  choices: those of `from_structure`.
         The matrices are those of the body without supports. Raises FiniteElementError.
         """
         ids, positions = read_nodes(nodes)
         node, component = read_dofs(dofs, ids)
-        matrices = read_matrix("stiffness", K), read_matrix("mass", M)
-        return cls.from_structure(structure(*matrices, ids, positions, node, component), **choices)
+        return cls.from_structure(
+            structure(_matrix("stiffness", K), _matrix("mass", M), ids, positions, node, component), **choices
+        )
 
     @classmethod
     def from_mesh(cls, mesh: Any, material: Material, *, order: int = 2, **choices: Any) -> FlexibleBody:

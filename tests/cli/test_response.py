@@ -1,4 +1,4 @@
-"""`symgen response`: frequency responses and unbalances on the command line, against closed forms."""
+"""`symgen response`: frequency responses on the command line, against closed forms."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ import pytest
 
 from symgen.cli import main
 from symgen.scene import Scene
-from tests.support.rotor_scenes import jeffcott
 
 
 def test_frequency_response(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -37,22 +36,10 @@ def test_frequency_response(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     np.testing.assert_allclose(rows, np.column_stack([w, np.abs(exact), np.angle(exact)]), rtol=1e-12)
 
 
-def test_unbalance(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Jeffcott: U W^2 / (k - m W^2 + i c W)."""
-    (tmp_path / "rotor.toml").write_text(jeffcott(8.0).to_toml(), encoding="utf-8")
-    words = ["response", str(tmp_path / "rotor.toml"), "--over", "disk.omega=5:60", "--unbalance", "2e-4"]
-    assert main([*words, "--at", "disk.x,disk.y", "--output", "x", "--points", "3", "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
-    W = np.linspace(5, 60, 3)
-    exact = 2e-4 * W**2 / (800 - 2 * W**2 + 8j * W)
-    np.testing.assert_allclose(found["responses"][0]["amplitude"], np.abs(exact), rtol=1e-12)
-
-
 @pytest.mark.parametrize(
     "words, told",
     [
-        ([], "--input and --frequencies"),
-        (["--unbalance", "1"], "--at X,Y"),
+        ([], "required: --input, --frequencies"),
         (["--input", "hub.theta", "--frequencies", "5:1"], "rising"),
         (["--input", "hub.theta", "--frequencies", "1:5", "--points", "1"], "at least 2"),
         (["--input", "hub.phi", "--frequencies", "1:5"], "no input 'hub.phi'"),

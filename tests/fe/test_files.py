@@ -1,4 +1,4 @@
-"""Finite-element data from files: Matrix Market, plain rows, node tables, dof maps."""
+"""Finite-element data of other programs: matrices, node tables, dof maps."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 import pytest
 import scipy.io
-import scipy.sparse as sp
 from numpy.testing import assert_allclose
 
 from symgen.fe import STEEL, FiniteElementError, FlexibleBody, LineMesh, Section
@@ -42,48 +41,16 @@ def same(found: FlexibleBody, expected: dict[str, Any]) -> None:
     assert_allclose(fields["markers"]["slot"]["shape"], expected["markers"]["slot"]["shape"], atol=1e-7)
 
 
-def node_file(folder: Path, separator: str = " ") -> Path:
-    path = folder / "nodes.txt"
-    rows = [
-        separator.join([str(name), *map(repr, map(float, place))]) for name, place in zip(IDS, MESH.nodes, strict=True)
-    ]
-    path.write_text("# id x y z\n" + "\n".join(rows) + "\n")
-    return path
-
-
-@pytest.mark.parametrize("symmetry", ["symmetric", "general"])
-def test_matrix_market(tmp_path: Path, model: FEStructure, expected: dict[str, Any], symmetry: str) -> None:
-    for name, matrix in (("K", model.K), ("M", model.M)):
-        scipy.io.mmwrite(tmp_path / f"{name}.mtx", matrix, symmetry=symmetry, precision=17)
-    same(
-        FlexibleBody.from_matrices(
-            tmp_path / "K.mtx", str(tmp_path / "M.mtx"), node_file(tmp_path, ","), dofs=6, interface=ENDS, modes=4
-        ),
-        expected,
-    )
-
-
-def test_rows_of_one_triangle_and_a_dof_file(tmp_path: Path, model: FEStructure, expected: dict[str, Any]) -> None:
-    """As CalculiX writes: `row column value` of one triangle, `node.component`, here in another order of rows."""
+def test_matrix_market(tmp_path: Path, model: FEStructure, expected: dict[str, Any]) -> None:
+    """Matrices by `scipy.io.mmread`, nodes and dofs by `numpy.loadtxt`, rows in another order."""
     order = np.random.default_rng(2).permutation(model.n_dof)
-    for name, matrix in (("job.sti", model.K), ("job.mas", model.M)):
-        upper = sp.triu(matrix[order][:, order]).tocoo()
-        rows = zip(upper.row + 1, upper.col + 1, upper.data, strict=True)
-        (tmp_path / name).write_text(
-            "".join(f"{i} {j} {value!r}\n" for i, j, value in ((int(i), int(j), float(value)) for i, j, value in rows))
-        )
-    (tmp_path / "job.dof").write_text("".join(f"{IDS[model.node[row]]}.{model.component[row] + 1}\n" for row in order))
-    same(
-        FlexibleBody.from_matrices(
-            tmp_path / "job.sti",
-            tmp_path / "job.mas",
-            node_file(tmp_path),
-            dofs=tmp_path / "job.dof",
-            interface=ENDS,
-            modes=4,
-        ),
-        expected,
-    )
+    for name, matrix in (("K", model.K), ("M", model.M)):
+        scipy.io.mmwrite(tmp_path / f"{name}.mtx", matrix[order][:, order], symmetry="symmetric", precision=17)
+    np.savetxt(tmp_path / "nodes.txt", np.column_stack([IDS, np.array(MESH.nodes)]), header="id x y z")
+    np.savetxt(tmp_path / "dofs.txt", np.column_stack([IDS[model.node], model.component + 1])[order])
+    K, M = (scipy.io.mmread(tmp_path / f"{name}.mtx") for name in "KM")
+    nodes, dofs = (np.loadtxt(tmp_path / f"{name}.txt") for name in ("nodes", "dofs"))
+    same(FlexibleBody.from_matrices(K, M, nodes, dofs=dofs, interface=ENDS, modes=4), expected)
 
 
 def test_arrays(model: FEStructure, expected: dict[str, Any]) -> None:
