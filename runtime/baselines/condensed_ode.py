@@ -15,12 +15,12 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from runtime.contract.coordinates import charts_in, independent, loop_part
+from runtime.contract.coordinates import charts_in, independent, loop_part, whole
 from runtime.contract.model import Model, refuse_events
 from runtime.contract.status import Status
 from runtime.contract.tape import shared
 from runtime.engine.rows import evaluate
-from runtime.results.observe import assemble_solution, join
+from runtime.results.observe import assemble_solution
 from runtime.results.solution import Solution
 from runtime.schemes.charts import Charts
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
@@ -119,9 +119,9 @@ def observed_solution(
     return assemble_solution(
         model,
         t,
-        join(model, seen["q_i"], seen["q_d"]),
-        join(model, seen["q_i_dot"], seen["q_d_dot"]),
-        join(model, seen["q_i_ddot"], seen["q_d_ddot"]),
+        whole(model, seen["q_i"], seen["q_d"]),
+        whole(model, seen["q_i_dot"], seen["q_d_dot"]),
+        whole(model, seen["q_i_ddot"], seen["q_d_ddot"]),
         start.p,
         start.c,
         name,

@@ -1,4 +1,5 @@
-"""What the shapes of flexible bodies leave out of a motion: deflections, section forces, stresses.
+"""What a motion has missed: what shapes of flexible bodies leave out of deflections, section forces and stresses,
+angles that are read off near a singular orientation, kinks of loads that no step ended at.
 
 Deflections are asked only of beams whose shapes cannot carry what is attached to them.
 """
@@ -13,6 +14,7 @@ from runtime.contract.errors import ModelError
 from runtime.contract.orientations import NEAR_SINGULAR, angles, regularity
 from runtime.contract.records import BeamRecord
 from runtime.contract.status import Event
+from runtime.engine.rows import evaluate
 from runtime.results.solution import Solution
 
 LOOKS = 100  # samples at most
@@ -198,3 +200,28 @@ def singular_angles(solution: Solution) -> list[Event]:
             )
             events.append(Event(float(solution.t[k]), "angles_singular", text))
     return events
+
+
+# ---- Kinks of loads that a run has crossed: where the motion came to a condition of theirs and no step ended.
+
+
+def crossed_kinks(solution: Solution) -> list[Event]:
+    """The first one of each load between two samples, for the inputs at the end."""
+    model = solution.model
+    owners = model.description.kinks
+    first = sum(not event.mode for event in model.description.events)
+    if not owners or len(solution.t) < 2:
+        return []
+    at = {"q": solution.q, "q_dot": solution.q_dot, "t": solution.t[:, None]}
+    values = evaluate(model.kernel("events"), at, model.constants(solution.parameters))["events"][:, first:]
+    passes = (values[:-1] < 0) & (values[1:] >= 0) | (values[:-1] > 0) & (values[1:] <= 0)
+    found: dict[str, float] = {}
+    for owner, column in zip(owners, passes.T, strict=True):
+        if column.any():
+            time = float(solution.t[1 + int(column.argmax())])
+            found[owner] = min(time, found.get(owner, np.inf))
+    text = (
+        "a step crosses a kink of {}, so that errors are those of order 1 or 2; "
+        'take options = {{"kinks": "located"}}, or declare an event there'
+    )
+    return [Event(time, "kink_crossed", text.format(owner), owner) for owner, time in found.items()]

@@ -68,9 +68,9 @@ def observe_samples(
         c[:, -model.signals.size :] = samples[:, scheme.layout.slice("inputs")]
     if model.loop_unknowns:
         _close_tightly(model, observed, c)
-    q = join(model, observed["q_i"], observed["q_d"])
-    q_dot = join(model, observed["q_i_dot"], observed["q_d_dot"])
-    q_ddot = join(model, observed["q_i_ddot"], observed["q_d_ddot"])
+    q = whole(model, observed["q_i"], observed["q_d"])
+    q_dot = whole(model, observed["q_i_dot"], observed["q_d_dot"])
+    q_ddot = whole(model, observed["q_i_ddot"], observed["q_d_ddot"])
     t = observed["t"][:, 0]
     stats = {**stats, "closure_error": float(samples[-1][scheme.layout.slice("closure_error")][0])}
     return assemble_solution(model, t, q, q_dot, q_ddot, p, c, name, scheme.grid.dt_L, scheme.grid.m, stats, status)
@@ -207,8 +207,3 @@ def _constraint_errors(model: Model) -> ca.Function:
         list(values),
         ["C", "C_t", "C_dot"],
     )
-
-
-def join(model: Model, independent: np.ndarray, dependent: np.ndarray) -> np.ndarray:
-    """(N, n) in coordinate order from (N, n_i) and (N, n_d)."""
-    return whole(model, independent, dependent)

@@ -23,7 +23,7 @@ from runtime.operating.balance import Clamped
 from runtime.operating.equilibrium import NoEquilibrium
 from runtime.operating.functions import PointFunctions
 from runtime.operating.given_state import given_position
-from runtime.results.observe import assemble_solution, join
+from runtime.results.observe import assemble_solution
 from runtime.results.solution import Solution
 from runtime.running.inputs import Schedule
 from runtime.running.outcome import with_limits
@@ -199,7 +199,7 @@ def quasi_static_motion(
     if model.q_d:
         values["q_d_dot"] = evaluate(model.kernel("velocities"), values, c)["q_d_dot"]
         q_d_ddot = evaluate(model.kernel("accelerations"), values, c)["q_d_ddot"]
-    q_dot, q_ddot = join(model, q_i_dot, values["q_d_dot"]), join(model, still, q_d_ddot)
+    q_dot, q_ddot = whole(model, q_i_dot, values["q_d_dot"]), whole(model, still, q_d_ddot)
     status = Status("completed", float(times[-1]))
     return with_limits(assemble_solution(model, times, q, q_dot, q_ddot, p, c, QUASI_STATIC, step, [], {}, status))
 

@@ -61,7 +61,7 @@ def _ended(run: Run, error: MotionError | None) -> Solution:
     stats = {**statistics(run.segment, run.z, run.set_up, run.seconds), **solution.stats, **_circumstances(run)}
     events = sorted((event for event in run.events if event.kind != "kink"), key=lambda event: event.time)
     if run.segment.model.description.kinks and run.segment.plan.scheme.options.kinks == "crossed":
-        events += opened("runtime.results.kinks:crossed_kinks")(solution)
+        events += opened("runtime.results.missing:crossed_kinks")(solution)
     elif len(events) < len(run.events):
         stats["kinks"] = len(run.events) - len(events)
     solution = solution.but(status=status, stats=stats, events=events, parameters=run.segment.p, stops=_stops(run))

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import importlib.util
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -16,7 +17,7 @@ from runtime import simulate
 from runtime.contract.model import Model
 from runtime.running.problem import make_plan
 from runtime.running.singular import exchange
-from runtime.running.singular.exchange import carried, use_generator, variant_of
+from runtime.running.singular.exchange import carried, variant_of
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.catalogue import SCHEMES
 from symgen.scene import Scene, SceneRecord
@@ -26,13 +27,6 @@ pytestmark = pytest.mark.long
 
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
-
-
-@pytest.fixture(autouse=True)
-def generator() -> Iterator[None]:
-    use_generator(generate_variant)
-    yield
-    use_generator(None)
 
 
 def slider_crank(crank: float, rod: float, independent: str, theta: float = 0.5, rate: float = 8.0) -> SceneRecord:
@@ -182,7 +176,6 @@ def test_a_run_finds_the_q_i_that_it_needs(
 def test_without_a_generator_the_run_says_what_to_do(
     model_of: Build, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    use_generator(None)
     monkeypatch.setattr(exchange, "entry_points", lambda group: [])
     monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path))
     run = simulate(model_of(slider_crank(0.3, 1.0, "slider.x")), scheme="rk4")
@@ -205,7 +198,7 @@ def test_a_variant_of_another_generator_is_not_taken(
         asked.append(arguments[1])
         return generate_variant(*arguments, **further)
 
-    use_generator(counted)
+    monkeypatch.setattr(exchange, "entry_points", lambda group: [SimpleNamespace(load=lambda: counted)])
     for version in ("one", "one", "two"):
         monkeypatch.setattr(exchange, "made_by", lambda generate, version=version: version)
         variant_of(model, ["slider.x"], model.initial_q)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -15,10 +15,8 @@ from runtime import Solution, resume, simulate
 from runtime.contract.model import Model
 from runtime.running.singular import crossing, passage
 from runtime.running.singular.crossing import BranchLost
-from runtime.running.singular.exchange import use_generator
 from symgen.generate import model_of as model_of_scene
 from symgen.scene import Scene, SceneRecord
-from symgen.variants import generate_variant
 from tests.support.slider_cranks import driven_slider_crank, equal_slider_crank, loop
 
 pytestmark = pytest.mark.long
@@ -32,13 +30,6 @@ TIPS = {
     10.0: (0.32845811154082, 0.9445185381786),
 }
 SERIES = ("t", "q", "q_dot", "q_ddot", "q_i", "lam")
-
-
-@pytest.fixture(autouse=True)
-def generator() -> Iterator[None]:
-    use_generator(generate_variant)
-    yield
-    use_generator(None)
 
 
 def tip_error(solution: Solution) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -10,22 +10,13 @@ from scipy.integrate import solve_ivp
 
 from runtime import simulate
 from runtime.contract.model import Model
-from runtime.running.singular.exchange import use_generator
 from symgen.scene import Scene, SceneRecord
-from symgen.variants import generate_variant
 from tests.support.slider_cranks import driven_slider_crank, loop
 
 pytestmark = pytest.mark.long
 
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
-
-
-@pytest.fixture(autouse=True)
-def generator() -> Iterator[None]:
-    use_generator(generate_variant)
-    yield
-    use_generator(None)
 
 
 @pytest.mark.parametrize(

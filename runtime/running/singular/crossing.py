@@ -15,10 +15,11 @@ from typing import Any
 import numpy as np
 
 from runtime.baselines.condensed_ode import CondensedOde, integrated
+from runtime.contract.coordinates import whole
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.engine.rows import evaluate
-from runtime.results.observe import assemble_solution, join
+from runtime.results.observe import assemble_solution
 from runtime.results.solution import Solution
 from runtime.running.singular.guard import LoopDeterminants
 
@@ -239,7 +240,7 @@ class TightIntegrator:
         """Closed q, q_dot, q_ddot (N, n) at times t (N,), y (N, size)."""
         found = evaluate(self._observe, {"t": t[:, None], "y": y}, self.c)
         return {
-            name: join(self.model, found[f"q_i{end}"], found[f"q_d{end}"])
+            name: whole(self.model, found[f"q_i{end}"], found[f"q_d{end}"])
             for name, end in (("q", ""), ("q_dot", "_dot"), ("q_ddot", "_ddot"))
         }
 

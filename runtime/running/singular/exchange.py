@@ -190,23 +190,16 @@ def closed(model: Model, c: np.ndarray, t: float, q_i: np.ndarray, q_d: np.ndarr
     return q_d
 
 
-# ---- variants of a model: by the entry point `symgen.variants`, or handed over with `use_generator` --------------
+# ---- variants of a model, by the entry point `symgen.variants` ----------------------------------------------------
+#
+# generate(scene_toml_text, independent, groups, folder, state=..., redundant=...) writes a model into the folder.
 
 ENTRY_POINTS = "symgen.variants"
 Generate = Callable[..., Path]
-_handed: list[Generate] = []
 
 
 class NoVariant(ModelError):
     """A variant that cannot be had; the message says why and what to do."""
-
-
-def use_generator(generate: Generate | None) -> None:
-    """Take this function for the one of the entry point; None: take the entry point again.
-
-    generate(scene_toml_text, independent, groups, folder, state=..., redundant=...) writes a model into the folder.
-    """
-    _handed[:] = [] if generate is None else [generate]
 
 
 def variant_of(model: Model, q_i: Sequence[str], q: np.ndarray) -> Model:
@@ -215,7 +208,7 @@ def variant_of(model: Model, q_i: Sequence[str], q: np.ndarray) -> Model:
     Raises NoVariant.
     """
     groups = [(group.name, [q_i[k] for k in group.positions]) for group in model.groups]
-    generate = _generator()
+    generate: Generate | None = next((entry.load() for entry in entry_points(group=ENTRY_POINTS)), None)
     if generate is None or not model.scene_toml:
         raise NoVariant(
             f"no generator of variants is installed; set partition.independent = {list(q_i)} in the scene, "
@@ -280,12 +273,3 @@ def _generate(
                 path.replace(folder / path.name)
     except (OSError, SymgenError) as error:
         raise NoVariant(f"a variant with q_i = {', '.join(q_i)} cannot be generated: {error}") from error
-
-
-def _generator() -> Generate | None:
-    if _handed:
-        return _handed[0]
-    for entry in entry_points(group=ENTRY_POINTS):
-        found: Generate = entry.load()
-        return found
-    return None
