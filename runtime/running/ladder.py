@@ -23,7 +23,7 @@ from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.results.solution import Solution
 from runtime.running.monitor import known_slopes
-from runtime.running.outcome import FINER, LARGEST, finished, loads_missed, marks_of, passed_by
+from runtime.running.outcome import EARLY, FINER, LARGEST, compared, finished, loads_missed, marks_of, passed_by
 from runtime.running.problem import (
     AUTO,
     DEFAULT,
@@ -35,7 +35,7 @@ from runtime.running.problem import (
     make_plan,
     refuse_alike,
 )
-from runtime.running.record import Marks, told_by
+from runtime.running.record import Marks
 from runtime.running.run import Further, Run, begun, integrate
 from runtime.running.time_functions import OfTime, force_of_time
 from runtime.schemes.catalogue import scheme_kind
@@ -49,7 +49,6 @@ SAFETY = 0.9  # of a tolerance, and of a stability limit
 MOST = 2.5  # times the steps of the rung before
 AFTER_LOST = 3.0  # the same, where the motion was lost
 SHOWN = 0.8  # of the order of a method: where three rungs show that much, the error is half of the difference
-EARLY = 0.05  # of a motion is made again with far shorter steps, of a method that damps
 SEEN = 1000  # samples of a rung that is kept
 MOST_STEPS = 10**8
 MOST_OPERATIONS = 10**12  # of all rungs: some minutes
@@ -110,8 +109,8 @@ class Rung:
     @cached_property
     def seen(self) -> tuple[np.ndarray, np.ndarray]:
         """(numbers of its marks (N,), what tells the motion and its rates at them (2, N, n_told))."""
-        steps = self.marks.steps()
-        return np.array(steps, dtype=int) // self.marks.every, self.marks.told(self.run.problem.model)
+        steps = [step for step in self.marks.steps() if step % self.marks.every == 0]
+        return np.array(steps, dtype=int) // self.marks.every, self.marks.told(self.run.problem.model, steps)
 
     @property
     def lost(self) -> bool:
@@ -201,8 +200,10 @@ class Ladder:
             order = plan.scheme.order
             if rungs and not rung.lost and not rungs[-1].lost:
                 self.judge(rungs, rung, order)
-                if plan.scheme.damps and rung.error <= self.tolerance:
-                    self.judge_early(rung)
+                if plan.scheme.damps and rung.error <= self.tolerance:  # rungs that have lost a vibration agree
+                    told = compared(rung.run, rung.marks, rung.run.record.told(self.problem.model)[0], 1 / FINER, True)
+                    if told.measured and self._asked(told) > rung.error:
+                        rung.error, rung.told = self._asked(told), told
             rungs.append(rung)
             yield rung
             spent += plan.steps * rung.run.segment.stepper.operations
@@ -226,7 +227,8 @@ class Ladder:
 
     def rung(self, plan: Plan, like: Run | None = None) -> Rung:
         """A whole motion, of which one is known with other steps; nobody looks whether steps see what loads do."""
-        marks = Marks(plan.steps // self.unit * max(1, self.unit // FIRST))
+        every = plan.steps // self.unit * max(1, self.unit // FIRST)
+        marks = Marks(every, every // min(EARLY, every) if plan.scheme.damps else 0)
         further = Further(progress=self.further.progress)
         run = begun(self.problem, replace(plan, outputs=()), marks, further, quiet=True, like=like)
         began = time.process_time()
@@ -240,12 +242,11 @@ class Ladder:
         common = rung.seen[0][here]
         if not len(common):
             return
-        model, segment, record = self.problem.model, rung.run.segment, rung.run.record
+        model, plan = self.problem.model, rung.run.plan
         (mine, v), (theirs, other) = (rung.seen[1].compress(here, axis=1), last.seen[1].compress(there, axis=1))
-        samples = [rows for own, rows in record.samples if record.segments[own] is segment]
-        seen = [mine, theirs, *([told_by(segment, np.concatenate(samples), model)[0]] if samples else [])]
-        t = segment.plan.t0 + common * rung.marks.every * segment.plan.grid.dt_L
-        rung.told = motion_error(model, t, mine, theirs, amplitudes(model, np.concatenate(seen)), (v, other))
+        sizes = amplitudes(model, np.concatenate([mine, theirs, rung.run.record.told(model)[0]]))
+        t = plan.t0 + common * rung.marks.every * plan.grid.dt_L
+        rung.told = motion_error(model, t, mine, theirs, sizes, (v, other))
         rung.error = rung.differs = self._asked(rung.told)
         if len(before) > 1 and 0 < rung.error < last.differs:
             shown = np.log(last.differs / rung.differs) / np.log(rung.steps / last.steps)
@@ -253,26 +254,6 @@ class Ladder:
                 richer = max(2.0, (rung.steps / last.steps) ** min(shown, order) - 1)
                 rung.error *= min(0.5, RICHARDSON / richer)
                 rung.told = rung.told.scaled(1 / richer)
-
-    def judge_early(self, rung: Rung) -> None:
-        """The same of a method that damps: rungs that have lost a vibration agree, far shorter steps still have it.
-
-        The first part of the motion is made with them, and compared with the samples of the rung.
-        """
-        run, plan, model = rung.run, rung.run.record.segments[0].plan, self.problem.model
-        shown = min(plan.steps // plan.seen_steps, ceil(EARLY * plan.steps / plan.seen_steps))
-        steps = shown * plan.seen_steps * FINER
-        short = replace(plan.with_steps(model, plan.grid.dt_L / FINER, steps), seen_steps=FINER * plan.seen_steps)
-        other = begun(self.problem, replace(short, outputs=(), force=True), None, quiet=True, like=run)
-        if not integrate(other).ok:
-            return
-        at = [k * plan.seen_steps for k in range(1, shown + 1)]
-        (mine, v), (theirs, rates) = run.record.told(model, at), other.record.told(model, [FINER * k for k in at])
-        if mine.shape == theirs.shape:
-            sizes = np.array(list(rung.told.amplitude.values()))
-            early = motion_error(model, plan.t0 + np.array(at) * plan.grid.dt_L, mine, theirs, sizes, (v, rates))
-            if self._asked(early) > rung.error:
-                rung.error, rung.told = self._asked(early), early
 
     def _asked(self, error: MotionError) -> float:
         """What is compared with the tolerance; of rates, and of what is not graded, a run has to be accurate."""

@@ -220,30 +220,26 @@ def measured(run: Run, solution: Solution) -> MotionError:
         return MotionError(reason="the run was not looked at on its way")
     if not run.problem.forgets:
         return MotionError(reason="a controller keeps a memory of its own: give its numbers as Sampled(memory=...)")
+    q = solution.q[:, followed(run.problem.model)[1]]
     try:
         if any(event.kind == "load_missed" for event in run.events):  # other steps of this length miss it, too
-            if (short := _too_short(run)) is not None:
-                return MotionError(reliable_until=short.time, reason=short.text)
-            return _compared(run, marks, solution, 1 / INSIDE)
+            for short in passed_by(run, LEAST / INSIDE)[:1]:  # even steps of an eighth may pass it by
+                return MotionError(reliable_until=short.told.time, reason=short.told.text)
+            return compared(run, marks, q, 1 / INSIDE)
         if marks.last_step < marks.every:  # an event has ended it soon
-            return _compared(run, marks, solution, 1 / FINER, early=True)
-        found = _compared(run, marks, solution, _ratio(plan))
+            return compared(run, marks, q, 1 / FINER, early=True)
+        found = compared(run, marks, q, _ratio(plan))
         if not found.measured or max(found.judged.values()) > LARGEST:
-            shorter = _compared(run, marks, solution, 1 / _ratio(plan))
+            shorter = compared(run, marks, q, 1 / _ratio(plan))
             found = min((one for one in (found, shorter) if one.measured), key=lambda one: one.largest, default=found)
         if not found.measured:
-            found = _compared(run, marks, solution, 1 / FINER)
+            found = compared(run, marks, q, 1 / FINER)
         if found.measured and plan.scheme.damps:
-            early = _compared(run, marks, solution, 1 / FINER, early=True)
+            early = compared(run, marks, q, 1 / FINER, early=True)
             found = max((one for one in (found, early) if one.measured), key=lambda one: max(one.judged.values()))
     except KeyboardInterrupt:
         return MotionError(reason="stopped by the user while it was measured")
     return found
-
-
-def _too_short(run: Run) -> Event | None:
-    """What acts so shortly that even steps of an eighth may pass it by."""
-    return next((one.told for one in passed_by(run, LEAST / INSIDE)), None)
 
 
 def _ratio(plan: Plan) -> float:
@@ -255,8 +251,11 @@ def _steps_of_mark(problem: Problem, plan: Plan) -> int:
     return steps_of_mark(plan.steps, _ratio(plan), base if base is not None and base < plan.steps else None)
 
 
-def _compared(run: Run, marks: Marks, solution: Solution, ratio: float, early: bool = False) -> MotionError:
-    """The difference to a companion whose steps are about `ratio` times as long; or why there is none."""
+def compared(run: Run, marks: Marks, q: np.ndarray, ratio: float, early: bool = False) -> MotionError:
+    """The difference to a companion whose steps are about `ratio` times as long; or why there is none.
+
+    q (N, n_told): samples of the run, which tell its amplitudes. early: until the first mark only.
+    """
     problem, plan = run.problem, run.record.segments[0].plan
     if plan.scheme.adaptive:
         a = b = marks.early if early else marks.every
@@ -288,7 +287,7 @@ def _compared(run: Run, marks: Marks, solution: Solution, ratio: float, early: b
     mine, v = marks.told(model, [k * step for k in common])
     theirs, other_v = other.record.told(model, [k * every for k in common])
     t = np.array([plan.time(k * step) for k in common])
-    sizes = amplitudes(model, np.concatenate([mine, theirs, solution.q[:, followed(model)[1]]]))
+    sizes = amplitudes(model, q if early else np.concatenate([mine, theirs, q]))  # of the whole motion
     return motion_error(model, t, mine, theirs, sizes, (v, other_v))
 
 

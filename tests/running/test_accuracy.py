@@ -294,7 +294,7 @@ def test_ctrl_c_while_an_error_is_measured_leaves_the_run(built_in: Load, monkey
     def pressed(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(outcome, "_compared", pressed)
+    monkeypatch.setattr(outcome, "compared", pressed)
     run = simulate(built_in("pendulum"), scheme="single_rate", dt=0.01, t_end=1.0)
     assert run.status.ok and run.t[-1] == pytest.approx(1.0) and "user" in run.error.reason
 
