@@ -22,8 +22,7 @@ from runtime.contract.files import replacing
 from runtime.contract.model import Model
 from runtime.engine.c_source import find_compiler
 from runtime.export.c_bundle import Exported, c_files, exported
-from runtime.export.fmu_description import description
-from runtime.export.fmu_source import fmu_source
+from runtime.export.fmu_texts import description, fmu_source
 
 FLAGS = ("-std=c99", "-O2", "-shared", "-fPIC", "-ffp-contract=off", "-fvisibility=hidden")
 

@@ -27,7 +27,7 @@ from runtime.contract.signals import SUFFIXES
 from runtime.operating.balance import Balance, Clamped, Found, balanced, clamped_directions, steady_rates, trimmed
 from runtime.operating.functions import PointFunctions, PointValues, has_drives, independent_turns, row_names
 from runtime.operating.given_state import given_position, given_state
-from runtime.operating.modal import modal_analysis
+from runtime.operating.linearisation import modal_analysis
 from runtime.operating.mode_solver import State
 
 ROUNDING = 1e-13  # of the largest stiffness

@@ -1,8 +1,7 @@
-"""The report of one run: a section is a function from a solution to plain values; `SECTIONS` lists them in order."""
+"""The report of one run: plain numbers, texts, lists and dictionaries by section, SI units."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,54 +10,45 @@ if TYPE_CHECKING:
     from runtime.results.solution import Solution
 
 
-Section = Callable[["Solution"], dict[str, Any]]
-
-
 def run_report(solution: Solution) -> dict[str, Any]:
-    """All sections by name: plain numbers, texts, lists and dictionaries, SI units."""
-    return {name: section(solution) for name, section in SECTIONS.items()}
+    """All sections by name: what was run, how it ended, and what came of it."""
+    return {**_run(solution), "energy": _energy(solution), **_outcome(solution)}
 
 
-def _model(solution: Solution) -> dict[str, Any]:
-    model = solution.model
-    return {
-        "name": model.name,
-        "title": model.title,
-        "coordinates": len(model.coordinates),
-        "independent": list(model.q_i),
-        "elastic": len(model.elastic),
-        "constraints": len(model.constraints),
-        "loop_unknowns": list(model.loop_unknowns),
-        "groups": {group.name: [model.q_i[k] for k in group.positions] for group in model.groups},
-    }
-
-
-def _scheme(solution: Solution) -> dict[str, Any]:
-    steps = [float(solution.dt)]
+def _run(solution: Solution) -> dict[str, Any]:
+    """Model, scheme, time, status. Of parameters what a person declared; precomputed data (mode integrals) stay out."""
+    model, status, steps = solution.model, solution.status, [float(solution.dt)]
     for ratio in solution.m:
         steps.append(steps[-1] / ratio)
+    told = {key: getattr(status, key) for key in ("ok", "name", "coordinate", "cause", "advice")}
+    values = zip(model.parameters, solution.parameters, strict=True)
     return {
-        "name": solution.scheme,
-        "dt": float(solution.dt),
-        "m": [int(ratio) for ratio in solution.m],
-        "step_of_each_group": steps,
+        "model": {
+            "name": model.name,
+            "title": model.title,
+            "coordinates": len(model.coordinates),
+            "independent": list(model.q_i),
+            "elastic": len(model.elastic),
+            "constraints": len(model.constraints),
+            "loop_unknowns": list(model.loop_unknowns),
+            "groups": {group.name: [model.q_i[k] for k in group.positions] for group in model.groups},
+        },
+        "scheme": {
+            "name": solution.scheme,
+            "dt": float(solution.dt),
+            "m": [int(ratio) for ratio in solution.m],
+            "step_of_each_group": steps,
+        },
+        "time": {"start": float(solution.t[0]), "end": float(solution.t[-1]), "saved_samples": len(solution.t)},
+        "status": {**told, "time": float(status.time)},
+        "statistics": {k: v.item() if isinstance(v, np.generic) else v for k, v in solution.stats.items()},
+        "parameters": {
+            entry.name: {"value": float(value), "default": float(entry.default), "unit": entry.unit}
+            for entry, value in values
+            if entry.kind != "data"
+        },
+        "operations": dict(model.operations),
     }
-
-
-def _status(solution: Solution) -> dict[str, Any]:
-    status = solution.status
-    return {
-        "ok": status.ok,
-        "name": status.name,
-        "time": float(status.time),
-        "coordinate": status.coordinate,
-        "cause": status.cause,
-        "advice": status.advice,
-    }
-
-
-def _time(solution: Solution) -> dict[str, Any]:
-    return {"start": float(solution.t[0]), "end": float(solution.t[-1]), "saved_samples": len(solution.t)}
 
 
 def _energy(solution: Solution) -> dict[str, Any]:
@@ -81,72 +71,24 @@ def _energy(solution: Solution) -> dict[str, Any]:
     }
 
 
-def _constraints(solution: Solution) -> dict[str, Any]:
-    error = solution.constraint_error
-    return {"largest_error": float(error.max(initial=0.0)), "final_error": float(error[-1])}
-
-
-def _statistics(solution: Solution) -> dict[str, Any]:
-    return {key: value.item() if isinstance(value, np.generic) else value for key, value in solution.stats.items()}
-
-
-def _final_state(solution: Solution) -> dict[str, Any]:
-    model, q, q_dot = solution.model, solution.q[-1], solution.q_dot[-1]
+def _outcome(solution: Solution) -> dict[str, Any]:
+    """Constraint errors, the last state, and how far measures and elastic coordinates went."""
+    model, error = solution.model, solution.constraint_error
     return {
-        name: {"value": float(q[k]), "rate": float(q_dot[k]), "unit": model.coordinate(name).unit}
-        for k, name in enumerate(model.coordinates)
+        "constraints": {"largest_error": float(error.max(initial=0.0)), "final_error": float(error[-1])},
+        "final_state": {
+            name: {"value": float(q), "rate": float(rate), "unit": model.coordinate(name).unit}
+            for name, q, rate in zip(model.coordinates, solution.q[-1], solution.q_dot[-1], strict=True)
+        },
+        "measures": {
+            name: {"final": float(values[-1]), **_span(values)}
+            for name, values in zip(model.measures, solution.measures.T, strict=True)
+        },
+        "elastic_extremes": {
+            name: {**_span(solution[name]), "unit": model.coordinate(name).unit} for name in model.elastic
+        },
     }
 
 
-def _measures(solution: Solution) -> dict[str, Any]:
-    """Last, smallest and largest value of each measure."""
-    columns = solution.measures
-    return {
-        name: {
-            "final": float(columns[-1, k]),
-            "smallest": float(columns[:, k].min()),
-            "largest": float(columns[:, k].max()),
-        }
-        for k, name in enumerate(solution.model.measures)
-    }
-
-
-def _extremes(solution: Solution) -> dict[str, Any]:
-    """Smallest and largest value of each elastic coordinate."""
-    return {
-        name: {
-            "smallest": float(solution[name].min()),
-            "largest": float(solution[name].max()),
-            "unit": solution.model.coordinate(name).unit,
-        }
-        for name in solution.model.elastic
-    }
-
-
-def _parameters(solution: Solution) -> dict[str, Any]:
-    """What a person declared or wrote in the scene; precomputed data (mode integrals) stay out."""
-    return {
-        entry.name: {"value": float(value), "default": float(entry.default), "unit": entry.unit}
-        for entry, value in zip(solution.model.parameters, solution.parameters, strict=True)
-        if entry.kind != "data"
-    }
-
-
-def _operations(solution: Solution) -> dict[str, Any]:
-    return dict(solution.model.operations)
-
-
-SECTIONS: dict[str, Section] = {
-    "model": _model,
-    "scheme": _scheme,
-    "time": _time,
-    "status": _status,
-    "energy": _energy,
-    "constraints": _constraints,
-    "statistics": _statistics,
-    "final_state": _final_state,
-    "measures": _measures,
-    "elastic_extremes": _extremes,
-    "parameters": _parameters,
-    "operations": _operations,
-}
+def _span(values: np.ndarray) -> dict[str, float]:
+    return {"smallest": float(values.min()), "largest": float(values.max())}

@@ -28,8 +28,7 @@ READERS_OF_TEXT = {
     "runtime/engine/c_source.py",  # C
     "runtime/export/c_bundle.py",  # names in C
     "runtime/export/fmu.py",  # names of files, commands
-    "runtime/export/fmu_description.py",  # units, as XML says them; rates by their ending
-    "runtime/export/fmu_source.py",  # rates by their ending
+    "runtime/export/fmu_texts.py",  # units, as XML says them; rates by their ending
     "runtime/contract/tape.py",  # names of functions in emitted code
     "runtime/results/stream.py",
     "runtime/results/export.py",

@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 
 from runtime import equilibrium, linearise, modes
 from runtime.contract.model import Model
-from runtime.operating.modal import modal_analysis
+from runtime.operating.linearisation import modal_analysis
 from symgen.scene import Scene, SceneRecord
 from symgen.scenes.beams import spin_up_beam
 from tests.support.rotor_scenes import UNIT, gimbal

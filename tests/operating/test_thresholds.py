@@ -14,8 +14,8 @@ from runtime.operating.balance import Balance, Clamped, balanced, trimmed
 from runtime.operating.campbell import ModeState, tracked
 from runtime.operating.equilibrium import NoEquilibrium, equilibrium, is_steady
 from runtime.operating.functions import PointFunctions, PointValues
+from runtime.operating.linearisation import modal_analysis
 from runtime.operating.linearise import linearise
-from runtime.operating.modal import modal_analysis
 from symgen.scene import Scene, SceneRecord
 
 UNIT = np.eye(2)

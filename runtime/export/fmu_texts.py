@@ -1,13 +1,178 @@
-"""modelDescription.xml of an FMU, for version 2 and 3 of the standard."""
+"""The texts of an FMU: what `fmi/core.c` and `fmi/fmiN.c` need to know of a model, and modelDescription.xml."""
 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from importlib.resources import files
 from xml.sax.saxutils import quoteattr
 
-from runtime.export.c_bundle import Exported
-from runtime.export.fmu_source import SINCE, indicator_names, nominal, state_names
+import casadi as ca
+
+from runtime.baselines.condensed_ode import CondensedOde
+from runtime.contract.coordinates import joined
+from runtime.contract.model import Model
+from runtime.contract.tape import Tape, shared
+from runtime.engine.c_source import Style, named, source, tape_code
+from runtime.export.c_bundle import Exported, constant_array, quoted
+from runtime.export.c_stops import event_table, sets_of, whole_numbers
+from runtime.running.stepping import may_jump
+from runtime.schemes.switching.times import switches_by_inputs
+from runtime.schemes.switching.watched import event_outputs, watched_events
+
+_BOUNDS = {"any": 0, "not negative": 1, "positive": 2}
+SINCE = "inputs.since"
+_HEAD = """
+#include "{stem}.h"
+
+#if defined(__GNUC__) /* the standard has arguments that this unit has no use for */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+
+#define M(name) {p}##name
+#define N(name) {p}##name
+#define TOKEN {token}
+#define NX {nx} /* states of model exchange; 0: it is not offered */
+#define NE {events} /* events that the scene declares */
+#define NG {indicators} /* event indicators of model exchange */
+#define NM {modes} /* elements that stick, stops that close: the last of them */
+#define NI {free}
+#define V_AT {rates}
+#define NAT {places}
+#define NJ {jumps} /* loads that jump in time */
+#define JUMPS_BY_INPUTS {by_inputs}
+#define NSETS {sets}
+#define WORK ({p}W > {work} ? {p}W : {work})
+#define INPUTS_IN_C {inputs}
+#define SINCE {since} /* which input is the time that inputs with rates count from */
+#if defined(_WIN32)
+#define DOOR __declspec(dllexport)
+#elif defined(__GNUC__)
+#define DOOR __attribute__((visibility("default")))
+#else
+#define DOOR
+#endif
+int {p}settle(double *at, double *u, const double *c, const int *happened, double *w);
+int {p}next_jump(double *found, const double *c, double t, double until, double *w);
+"""
+
+
+def state_names(model: Model) -> list[str]:
+    """Coordinates, rates and loop unknowns that are the states of model exchange.
+
+    None where bodies turn freely: masters do not know rotations.
+    """
+    if model.places.turns.size:
+        return []
+    return [*model.q_i, *(f"{name}_dot" for name in model.q_i), *model.loop_unknowns]
+
+
+def indicator_names(one: Exported) -> list[str]:
+    """What passes zero in model exchange: at events, where loads kink; where they jump in time is known beforehand."""
+    return [event.name for event in watched_events(one.scheme)] if state_names(one.model) else []
+
+
+def fmu_source(one: Exported, fmi: int, token: str) -> str:
+    """The file beside NAME.c that makes it an FMU; fmi: 2 or 3."""
+    model, p = one.model, one.prefix
+    states, shown = state_names(model), [quantity.name for quantity in one.outputs]
+    rates = [name.removesuffix("_dot") + ("_ddot" if name.endswith("_dot") else "_dot") for name in states]
+    inputs = [quantity.name for quantity in one.inputs]
+    style, code = Style(p), []
+    if states:
+        ode, along = equations(one)
+        code = [
+            tape_code(f"{p}ode", named(ode, "x", "t", "c"), ["y"], style),
+            tape_code(f"{p}ode_along", _with_all_arguments(named(along, "x", "t", "c", "dx", "du")), ["dy"], style),
+        ]
+    indicators, sets = indicator_names(one), sets_of(one.scheme) if states else []
+    if indicators:
+        found = event_equations(one)
+        code += [tape_code(f"{p}{name}", named(made, "x", "t", "c"), ["y"], style) for name, made in found.items()]
+    head = _HEAD.format(
+        stem=p[:-1],
+        work=max([1, *(part.work for part in code)]),
+        p=p,
+        token=quoted(token),
+        nx=len(states),
+        events=len(model.description.events) if states else 0,
+        modes=len(model.element_modes) if states else 0,
+        free=len(model.q_i),
+        rates=len(model.coordinates),
+        places=2 * len(model.coordinates) + 1,
+        jumps=len(model.description.switching) if states and may_jump(model) else 0,
+        by_inputs=int(switches_by_inputs(model)),
+        indicators=len(indicators),
+        sets=len(sets),
+        inputs=model.c_size - model.signals.size,
+        since=inputs.index(SINCE) if SINCE in inputs else -1,
+    )
+    places = {name: k for k, name in enumerate(shown)}
+    modal = {entry.name for entry in model.description.coordinates if entry.elastic}
+    tables = [
+        whole_numbers("state_of", [places[name] for name in states]),
+        whole_numbers("derivative_of", [places[name] for name in rates]),
+        whole_numbers("start_of", [places.get(quantity.name, -1) for quantity in one.x]),
+        whole_numbers("bound_of", [_BOUNDS[parameter.bound] for parameter in model.parameters]),
+        constant_array("nominal_of", [nominal(name, modal) for name in states] or [1.0]),
+    ]
+    if states and model.description.events:
+        tables += [*event_table(one.scheme), whole_numbers("sets_of", sets)]
+    body = [
+        files("runtime.export.fmi").joinpath(name).read_text(encoding="utf-8") for name in ("core.c", f"fmi{fmi}.c")
+    ]
+    return "\n".join([source(code, style, head), *tables, *body])
+
+
+def nominal(name: str, modal: set[str]) -> float:
+    """Of what size a state is, for the tolerances of integrators: deflections are small."""
+    return 1e-3 if name in modal else 1.0
+
+
+def equations(one: Exported) -> tuple[ca.Function, ca.Function]:
+    """((x, t, c) -> y, (x, t, c, dx, du) -> dy along directions of the states and of the inputs)."""
+    model, system = one.model, CondensedOde(one.model, 1)
+    a, a_d = system.accelerations(), ca.SX(0, 1)
+    if model.q_d:
+        a_d = system.equations.dependent_accelerations(system.motion, system.v, a)
+    q = joined(model, system.q_i, system.motion.q_d)
+    q_dot, q_ddot = joined(model, system.v, system.v_d), joined(model, a, a_d)
+    seen = [q, q_dot, ca.vertcat(*(q_ddot[model.coordinates.index(name)] for name in model.q_i))]
+    if model.measures:
+        seen.append(model.evaluate("measures", q=q, q_dot=q_dot, t=system.t, c=system.c)["measures"])
+    (y,) = shared([ca.densify(ca.vertcat(*seen))])
+    first = model.c_size - model.signals.size
+    u = system.c[first:]
+    dx, du = ca.SX.sym("dx", system.y.numel()), ca.SX.sym("du", u.numel())
+    dy = ca.jtimes(y, system.y, dx) + (ca.jtimes(y, u, du) if u.numel() else 0)
+    arguments = [system.y, system.t, system.c]
+    along = shared([ca.densify(dy)])
+    return ca.Function("ode", arguments, [y]), ca.Function("along", [*arguments, dx, du], along)
+
+
+def event_equations(one: Exported) -> dict[str, ca.Function]:
+    """(x, t, c) -> `indicators` by indicator_names, what inputs become by `acts`, and the `place` (q_i, q_d, rates of
+    both, t) where elements are held and let go; those that there are.
+    """
+    model, system = one.model, CondensedOde(one.model, 1)
+    seen = event_outputs(one.scheme, system.equations, system.motion, system.v, system.v_d)
+    found = {"indicators": seen["events"], "acts": seen.get("actions", ca.SX(0, 1))}
+    if model.element_modes.size:
+        found["place"] = ca.vertcat(system.q_i, system.motion.q_d, system.v, system.v_d, system.t)
+    arguments = [system.y, system.t, system.c]
+    return {
+        name: ca.Function(name, arguments, shared([ca.densify(value)]))
+        for name, value in found.items()
+        if value.numel()
+    }
+
+
+def _with_all_arguments(tape: Tape) -> Tape:
+    """C declares those without entries, too."""
+    return replace(tape, input_sizes=[max(1, size) for size in tape.input_sizes])
+
+
+# modelDescription.xml, for version 2 and 3 of the standard.
 
 _BASE = {
     "m": {"m": 1},
