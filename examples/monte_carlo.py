@@ -25,7 +25,7 @@ def main(picture: Path | None = None, cases: int = 2000) -> None:
     points = CENTRE + SPREAD * scatter
     found = model.ensemble(
         parameters={"slider.mass": points[:, 2]},
-        initial={("crank.theta_dot", "crank.theta"): points[:, :2]},
+        initial={"crank.theta_dot": points[:, 0], "crank.theta": points[:, 1]},
         scheme="exponential",
         dt=4e-5,
         t_end=0.01,

@@ -110,13 +110,10 @@ class Largest:
 
     Its derivative is that of the sample where it is: right to first order wherever only one sample is the largest, for
     at a maximum in time a shift of time changes nothing. Where two are, it has none, and that of the first is given.
-    sharpness (None: the rule above): for optimisation, the smooth bound from below log(mean of exp(s y)) / s with
-    s = sharpness / largest.
     """
 
     output: str
     magnitude: bool = True
-    sharpness: float | None = None
 
     @property
     def outputs(self) -> tuple[str, ...]:
@@ -128,17 +125,8 @@ class Largest:
         values, sign = (np.abs(y), np.sign(y)) if self.magnitude else (y, np.ones_like(y))
         top = int(values.argmax())
         largest, slope = float(values[top, 0]), np.zeros_like(y)
-        if self.sharpness is None or largest == 0:
-            slope[top] = sign[top]
-            return largest, slope
-        share = values / largest
-        weights = np.exp(self.sharpness * (share - 1.0))
-        mean = float(weights.mean())
-        smooth = 1.0 + np.log(mean) / self.sharpness
-        by_share = weights / weights.sum()
-        slope = sign * by_share
-        slope[top] += sign[top] * (smooth - float(np.sum(by_share * share)))
-        return largest * smooth, slope
+        slope[top] = sign[top]
+        return largest, slope
 
 
 @dataclass(frozen=True)

@@ -1,9 +1,7 @@
-"""The mechanism in motion as a GIF, or an MP4 where ffmpeg is installed: the lines of a film, drawn with Agg."""
+"""The mechanism in motion as a GIF: the lines of a film, drawn with Agg."""
 
 from __future__ import annotations
 
-import shutil
-import subprocess
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -46,22 +44,19 @@ def animate(
     fps: float = 20.0,
     exaggeration: float | None = None,
 ) -> Film:
-    """Write a film of bodies, ghosts of the undeformed ones, springs, joints, ground, time. Returns what was drawn.
+    """Write a GIF that repeats of bodies, ghosts of the undeformed ones, springs, joints, ground, time.
 
-    The name's ending chooses a GIF that repeats or, with ffmpeg on the machine, an MP4. Raises ModelError (nothing to
-    draw), ValueError (frames, fps), OutputError (place not writable, another ending, no ffmpeg).
+    Returns what was drawn. Raises ModelError (nothing to draw), ValueError (frames, fps), OutputError (place not
+    writable, another ending).
     """
-    ending = Path(path).suffix.lower()
-    if ending not in (".gif", ".mp4"):
-        raise OutputError(f"{path}: a film's name must end in .gif or .mp4")
-    if ending == ".mp4" and shutil.which("ffmpeg") is None:
-        raise OutputError(f"{path}: ffmpeg is not installed; install it, or give a name that ends in .gif")
+    if Path(path).suffix.lower() != ".gif":
+        raise OutputError(f"{path}: a film's name must end in .gif; the page of `run.view` records a video")
     if not 0.1 <= fps <= 50.0:
         raise ArgumentError(f"fps must be between 0.1 and 50 (what GIF players show), not {fps}")
     shown = film(solution, frames, exaggeration)
     images = _images(solution, shown)
     with replacing(path) as temporary:
-        (_save_gif if ending == ".gif" else _save_mp4)(list(images), temporary, fps)
+        _save_gif(list(images), temporary, fps)
     return shown
 
 
@@ -77,16 +72,6 @@ def _save_gif(images: list[Image.Image], path: Path, fps: float) -> None:
         loop=0,
         optimize=False,
     )
-
-
-def _save_mp4(images: list[Image.Image], path: Path, fps: float) -> None:
-    width, height = (side - side % 2 for side in images[0].size)  # the encoder wants even sides
-    command = ["ffmpeg", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}"]
-    command += ["-r", f"{fps:g}", "-i", "-", "-pix_fmt", "yuv420p", str(path)]
-    raw = b"".join(image.crop((0, 0, width, height)).tobytes() for image in images)
-    done = subprocess.run(command, input=raw, capture_output=True)
-    if done.returncode:
-        raise OutputError(f"{path}: ffmpeg failed ({done.stderr.decode(errors='replace').strip()})")
 
 
 def _images(solution: Solution, shown: Film) -> Iterator[Image.Image]:
@@ -134,12 +119,7 @@ def _actors(ax: Axes, shown: Film) -> tuple[Callable[[int], None], list[Any]]:
     """(function that moves everything to frame k, the artists in drawing order)."""
     pieces: list[tuple[Any, Line]] = []
     for line in shown.lines:
-        style = dict(STYLES[line.kind])
-        if line.kind in ("beam", "body", "outline") and line.colour >= 0:
-            style["color"] = COLOURS[line.colour % len(COLOURS)]
-            if line.xy.shape[2] == 1:
-                style |= {"marker": "s", "ms": 10, "mec": "white", "mew": 0.8}
-        (artist,) = ax.plot([], [], animated=True, **style)
+        (artist,) = ax.plot([], [], animated=True, **_style(line))
         pieces.append((artist, line))
     clock = ax.text(0.99, 1.02, "", transform=ax.transAxes, ha="right", va="bottom", fontsize=9, animated=True)
     decimals = int(np.clip(3 - np.floor(np.log10(max(float(shown.t[-1]), 1e-9))), 0, 9))
@@ -187,7 +167,7 @@ def snapshots(
         last = frame == len(times) - 1
         for line in shown.lines:
             if last or line.kind not in LAST_ONLY:
-                ax.plot(*line.xy[frame], **_style(line, frame, len(times)))
+                ax.plot(*line.xy[frame], **_faded(line, (frame + 1) / len(times)))
     ax.set_aspect("equal")
     ax.set_xlabel(shown.axes[0], fontsize=9)
     ax.set_ylabel(shown.axes[1], fontsize=9)
@@ -217,13 +197,18 @@ def _path(solution: Solution, name: str, factor: float) -> np.ndarray:
     return projected(solution.model, scene.place(name, factor).T)
 
 
-def _style(line: Line, frame: int, count: int) -> dict[str, Any]:
-    share = (frame + 1) / count
+def _style(line: Line) -> dict[str, Any]:
     style = dict(STYLES[line.kind])
     if line.kind in ("beam", "body", "outline") and line.colour >= 0:
         style["color"] = COLOURS[line.colour % len(COLOURS)]
         if line.xy.shape[2] == 1:
-            style |= {"marker": "s", "ms": 8, "mec": "white", "mew": 0.8}
+            style |= {"marker": "s", "ms": 9, "mec": "white", "mew": 0.8}
+    return style
+
+
+def _faded(line: Line, share: float) -> dict[str, Any]:
+    """The style at a share of the time."""
+    style = _style(line)
     if line.kind != "ground":
         style["alpha"] = PALEST + (1.0 - PALEST) * share**2
         style["zorder"] = style["zorder"] + 0.5 * share

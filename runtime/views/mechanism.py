@@ -10,6 +10,7 @@ import numpy as np
 
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
+from runtime.contract.orientations import tilde
 from runtime.contract.records import ShapeRecord
 from runtime.results.body_motion import poses_of
 
@@ -292,9 +293,9 @@ def following(markers: Points, joints: list[int]) -> Following:
         b = markers.turns[joints[0]]
         rigid = np.vstack([shapes[0] - np.cross(b.T, at[0]).T, b])
     else:
-        rows = np.vstack([np.hstack([np.eye(3), -_tilde(x)]) for x in at])
+        rows = np.vstack([np.hstack([np.eye(3), -tilde(x)]) for x in at])
         rigid = np.linalg.lstsq(rows, shapes.reshape(-1, nf), rcond=1e-9)[0]
-    fitted = np.einsum("kij,ja->kia", np.stack([np.hstack([np.eye(3), -_tilde(x)]) for x in at]), rigid)
+    fitted = np.einsum("kij,ja->kia", np.stack([np.hstack([np.eye(3), -tilde(x)]) for x in at]), rigid)
     return Following(rigid, at, shapes - fitted)
 
 
@@ -307,11 +308,6 @@ def exaggerated(points: Points, follow: Following, q_f: np.ndarray, factor: floa
         return np.repeat(points.position[None], len(q_f), axis=0)
     followed = follow.displacement(points.position, q_f)
     return np.asarray(points.position + followed + factor * (points.linear(q_f) - followed) + points.shortening(q_f))
-
-
-def _tilde(x: np.ndarray) -> np.ndarray:
-    """The matrix of the cross product x x ."""
-    return np.array([[0.0, -x[2], x[1]], [x[2], 0.0, -x[0]], [-x[1], x[0], 0.0]])
 
 
 # ---- All that moves in a picture: bodies with poses over time, joints and loads at their points.

@@ -83,7 +83,7 @@ def compare(arguments: argparse.Namespace) -> Outcome:
 
 
 def animate(arguments: argparse.Namespace) -> Outcome:
-    """Write a film of the moving mechanism: GIF, or MP4 where ffmpeg is installed.
+    """Write a film of the moving mechanism: a GIF that repeats.
 
     RESULTS is a folder left by `simulate --out` or `demo`; a SCENE is simulated first.
     """

@@ -48,13 +48,12 @@ def ensemble(
 ) -> Any:
     """Run many cases of a model side by side; each is, bit for bit, the run that `simulate` makes.
 
-    parameters, initial: names (rates as `<coordinate>_dot`) to arrays (cases,) or to one number for all; a DataFrame;
-    or ("a", "b"): array (cases, 2), as scipy.stats.qmc samples them. inputs: by name numbers, arrays (cases,), or
-    functions of time that all cases share (called once with a symbolic t). scheme, dt [s], m, options, t0,
-    t_end [s], start: as for `simulate`. outputs: names of coordinates, rates, accelerations, measures, energies,
-    `lam.row` or joint forces. reduce: output to one or several of max, min, peak (largest magnitude), mean, rms, end,
-    over all steps; an output without any is kept at its end. seen_every [s] or samples: histories instead, by the
-    time between samples or their number.
+    parameters, initial: names (rates as `<coordinate>_dot`) to arrays (cases,) or to one number for all; a DataFrame.
+    inputs: by name numbers, arrays (cases,), or functions of time that all cases share (called once with a symbolic t).
+    scheme, dt [s], m, options, t0, t_end [s], start: as for `simulate`. outputs: names of coordinates, rates,
+    accelerations, measures, energies, `lam.row` or joint forces. reduce: output to one or several of max, min, peak
+    (largest magnitude), mean, rms, end, over all steps; an output without any is kept at its end. seen_every [s] or
+    samples: histories instead, by the time between samples or their number.
 
     workers: threads (None: as many as processors). progress(cases done, cases), or True for a line on the terminal.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -124,8 +124,7 @@ def table_of(model: Model, parameters: Any, initial: Any) -> tuple[tuple[list[st
     """((names of parameters, names of initial values), samples (cases, names)).
 
     parameters, initial: mappings of names to arrays (cases,) or to one number for all cases, or tables with named
-    columns (a DataFrame); ("a", "b"): array (cases, 2) gives several names the columns of an array, as scipy.stats.qmc
-    makes them. Raises ArgumentError or ModelError.
+    columns (a DataFrame). Raises ArgumentError or ModelError.
     """
     groups = [columns_by_name("parameters", parameters), columns_by_name("initial", _values(initial))]
     known = {parameter.name for parameter in model.parameters}
@@ -173,32 +172,20 @@ def _values(initial: Any) -> Any:
 
 def columns_by_name(argument: str, given: Any) -> dict[str, np.ndarray]:
     """Values of each name: (cases,), or () where all cases share one. Raises ArgumentError."""
-    return dict(_columns(argument, given))
-
-
-def _columns(argument: str, given: Any) -> Iterator[tuple[str, np.ndarray]]:
-    """(name, values) of each column."""
+    found: dict[str, np.ndarray] = {}
     if given is None:
-        return
-    if hasattr(given, "columns") and hasattr(given, "__getitem__"):
-        given = {str(name): given[name] for name in given.columns}
-    if not isinstance(given, Mapping):
+        return found
+    if not hasattr(given, "items"):
         raise ArgumentError(argument, "must map names to arrays", 'such as {"rod.density": [7800.0, 7900.0]}')
     for name, values in given.items():
         try:
             array = np.asarray(values, dtype=float)
         except (TypeError, ValueError):
             raise ArgumentError(str(name), "does not hold numbers", "give an array of one value a case") from None
-        if isinstance(name, tuple):
-            if array.ndim != 2 or array.shape[1] != len(name):
-                raise ArgumentError(
-                    f"{argument}[{name!r}]", f"needs {len(name)} columns, not shape {array.shape}", "one a name"
-                )
-            yield from ((str(one), array[:, k]) for k, one in enumerate(name))
-        elif array.ndim > 1:
+        if array.ndim > 1:
             raise ArgumentError(str(name), f"has shape {array.shape}", "give one value a case")
-        else:
-            yield str(name), array
+        found[str(name)] = array
+    return found
 
 
 def _refuse_unusable(model: Model, parameters: list[str], names: list[str], table: np.ndarray) -> None:
