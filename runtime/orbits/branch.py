@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zipfile
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -10,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from runtime.contract.doors import opened
-from runtime.contract.files import write_text
+from runtime.contract.errors import ArgumentError
+from runtime.contract.files import replacing, write_text
 from runtime.contract.model import Model
 from runtime.orbits.controllers import remembering
 from runtime.orbits.floquet import UNSTABLE, Floquet
@@ -185,3 +187,57 @@ class PeriodicBranch:
             f"<PeriodicBranch of {self.model.name}: {len(self.points)} motions over {self.over} from "
             f"{self.values[0]:g} to {self.values[-1]:g}, {told}, errors up to {self.errors.max():.2g}{more}{ended}>"
         )
+
+
+# A branch in a file: its points and what passes between them, so that a continuation goes on after the last of them.
+#
+# Only places are kept, (value, period, states, tangent); what is known of them is computed anew. The file is written
+# behind every point, under another name first.
+
+
+@dataclass(frozen=True)
+class Place:
+    """Of a point, or of a special one by its kind ("": none)."""
+
+    kind: str
+    value: float
+    period: float
+    x: np.ndarray
+    tangent: np.ndarray
+    begins: bool
+
+
+class KeptBranch:
+    """In `path`, of a question that is a text: what tells one branch from another."""
+
+    def __init__(self, path: Path, question: str) -> None:
+        self._path, self._question = path, question
+
+    def places(self) -> tuple[list[Place], bool]:
+        """(what is kept, is the branch complete?). Raises ArgumentError for another branch's file, or a broken one."""
+        if not self._path.exists():
+            return [], False
+        try:
+            with np.load(self._path, allow_pickle=False) as kept:
+                question, complete = str(kept["question"]), bool(kept["complete"])
+                columns = [kept[name] for name in ("kind", "value", "period", "x", "tangent", "begins")]
+        except (OSError, ValueError, KeyError, zipfile.BadZipFile) as error:
+            problem = f"{self._path} cannot be read: {error}"
+            raise ArgumentError("resume", problem, "name another folder, or remove the file") from None
+        if question != self._question:
+            problem = f"{self._path} holds the branch of another model, range, period or scheme"
+            raise ArgumentError("resume", problem, "ask as it was asked, or name another folder")
+        rows = zip(*columns, strict=True)
+        return [Place(str(a), float(b), float(c), x, tangent, bool(d)) for a, b, c, x, tangent, d in rows], complete
+
+    def keep(self, points: Sequence[Point], specials: Sequence[Special], complete: bool) -> None:
+        """Write them. Raises OutputError."""
+        kinds = [*("" for _ in points), *(one.kind for one in specials)]
+        all_ = [*points, *(one.point for one in specials)]
+        with replacing(self._path) as temporary, temporary.open("wb") as file:
+            np.savez(
+                file, question=np.array(self._question), complete=np.array(complete), kind=np.array(kinds),
+                value=np.array([one.value for one in all_]), period=np.array([one.period for one in all_]),
+                x=np.array([one.x for one in all_]), tangent=np.array([one.tangent for one in all_]),
+                begins=np.array([one.begins for one in all_]),
+            )  # fmt: skip

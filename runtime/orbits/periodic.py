@@ -15,10 +15,9 @@ from runtime.contract.errors import ArgumentError, SymgenError
 from runtime.contract.model import Model, refuse_events
 from runtime.gradients.variables import parameters_at
 from runtime.operating.given_state import given_state
-from runtime.orbits.controllers import controllers_in, refuse_controllers, samples_in, states_of
+from runtime.orbits.controllers import controllers_in, period_map, refuse_controllers, samples_in, states_of
 from runtime.orbits.floquet import MARGIN, Floquet, floquet
 from runtime.orbits.motion import PeriodicMotion
-from runtime.orbits.sampled import period_map
 from runtime.orbits.shooting import Closed, Conditions, NoPeriodicMotion, PeriodMap, Setting, closed, closed_beside
 from runtime.orbits.states import States
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
