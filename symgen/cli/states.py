@@ -158,7 +158,8 @@ def response(arguments: argparse.Namespace) -> Outcome:
     model = opened_model(arguments.scene, arguments.made_with)
     found = found_equilibrium(model, arguments)
     system = linearise(model, found, inputs=arguments.input, outputs=arguments.output, locked=arguments.locked)
-    values = np.geomspace(*arguments.frequencies, arguments.points)
+    first, last = arguments.frequencies
+    values = np.geomspace(first, last, arguments.points)
     labels = [f"{output} / {given}" for output in system.output_names for given in system.input_names]
     answers = system.frequency_response(values).reshape(len(values), -1)
     largest = np.abs(answers).argmax(axis=0)

@@ -80,7 +80,7 @@ MOTION = Group(
         pairs("--initial", "initial", "change a starting coordinate, or a rate by NAME_dot"),
         opt(
             "--start",
-            "elastic coordinates as given, or in equilibrium with the rigid motion (stable, or any); or all at rest",
+            "elastic coordinates as given or in (stable, or any) equilibrium with the rigid motion; all at rest",
             choices=("given", "quasi_static", "quasi_static_unstable", "equilibrium"),
         ),
     ),
@@ -106,8 +106,7 @@ RUN = (
             M,
             opt(
                 "--scheme NAME",
-                "time stepping scheme, such as exponential or single_rate; auto: steps that follow from --tolerance, "
-                "by the method that the stiffness of the motion asks for",
+                "such as exponential or single_rate; auto: a method and steps that follow from --tolerance",
             ),
             opt("--tolerance ERROR", "relative error instead of a step (with auto, the default then: 1e-3)", positive),
             SCHEME_OPTION,
@@ -126,12 +125,7 @@ LONG_RUN = Group(
     ),
 )
 ACCURACY = (
-    opt(
-        "--tolerance ERROR",
-        "RMS error over the motion relative to each amplitude (default: %(default)s)",
-        positive,
-        default=1e-3,
-    ),
+    opt("--tolerance ERROR", "RMS error over amplitude (default: %(default)s)", positive, default=1e-3),
     opt("--graded NAMES", "coordinates that are graded, by commas (default: all independent ones)", names),
 )
 STATE = Group(
@@ -256,20 +250,14 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
         (
             opt("what WHAT", "what is handed on: %(choices)s", choices=("results", "c", "fmu")),
             opt("source SOURCE", "results: folder that `symgen simulate --out` left; else a scene or generated folder"),
-            opt(
-                "--out PATH",
-                "results: a .csv, .mat or .parquet; fmu: a .fmu; c: a folder",
-                required=True,
-            ),
+            opt("--out PATH", "results: a .csv, .mat or .parquet; fmu: a .fmu; c: a folder", required=True),
             WITH,
             Group(
                 "of c and fmu",
                 FROM_THE_SCENE,
                 (DT, M, SCHEME, SCHEME_OPTION, SET, opt("--name NAME", "in the code (default: the scene's)")),
             ),
-            opt(
-                "--fmi VERSION", "fmu: version of the standard (default: %(default)s)", choices=("2", "3"), default="2"
-            ),
+            opt("--fmi VERSION", "fmu: of the standard (default: %(default)s)", choices=("2", "3"), default="2"),
             opt(
                 "--platform A,B",
                 "fmu: binaries for these of linux64, win64, darwin64, aarch64, aarch64-darwin (default: this machine)",
@@ -316,11 +304,7 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
             opt("--out FILE", "the .gif to write (default: RESULTS/motion.gif or SCENE.gif)"),
             opt("--frames COUNT", "number of frames (default: %(default)s)", int, default=60),
             opt("--fps RATE", "frames a second (default: %(default)s)", number, default=20.0),
-            opt(
-                "--exaggeration FACTOR",
-                "scale of the deformation (default: the largest becomes 5 %% of the mechanism's size)",
-                number,
-            ),
+            opt("--exaggeration FACTOR", "of the deformation (default: the largest becomes 5 %% of the size)", number),
             *RUN,
         ),
     ),
@@ -333,12 +317,7 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
         states.campbell,
         (
             *SCENE,
-            opt(
-                "--over NAME=FROM:TO",
-                "what changes: a parameter, or the rate of a coordinate such as hub.omega=0:12",
-                words.span,
-                required=True,
-            ),
+            opt("--over NAME=FROM:TO", "a parameter, or a rate such as hub.omega=0:12", words.span, required=True),
             POINTS.but(default=25),
             STATE,
             LOCKED,

@@ -40,7 +40,6 @@ from symgen.fe.stresses import (
     EquilibriumStresses,
     Gauges,
     ModalStresses,
-    SolidStress,
     equilibrium_stresses,
     gauge_fields,
     modal_stresses,
@@ -287,8 +286,7 @@ class FlexibleBody:
         """Plain numbers and lists for a spatial modal body of a scene; `damping_ratio` of all modes or of each.
 
         surface: how many triangles of its surface go with it at most, for pictures; 0: none.
-        gauges: where the stress of a solid is known: a place [m] from the origin or the id of a node by name, or how
-        many to find, where the stresses of its modes are largest.
+        gauges: where the stress of a solid is known: a place [m] from the origin or the id of a node by name.
         M_ff = 1 [kg], K_ff = omega^2 [N/m] and D_ff = 2 zeta omega [N s/m] are diagonal.
         Raises FiniteElementError for a ratio that is negative, for a wrong number of ratios, and for gauges that are no
         places or on a body without known stresses.
@@ -308,20 +306,15 @@ class FlexibleBody:
         """
         return struts(self.structure, self.modes.shapes, list(self.interfaces.values()))
 
-    def surface(self, max_triangles: int = 20_000, triangles: ArrayLike | None = None) -> dict[str, Array]:
-        """The boundary as triangles: vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf).
+    def surface(self, max_triangles: int = 20_000) -> dict[str, Array]:
+        """The boundary of a solid: vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf), stresses (n, 6, nf) [Pa].
 
-        Of a solid also stresses (n, 6, nf) [Pa] there, xx yy zz yz xz xy.
-
-        triangles: places of three nodes each, where the body was not made from a solid mesh. Raises FiniteElementError.
+        Stresses are xx yy zz yz xz xy. Raises FiniteElementError for a body that is not made from a solid mesh.
         """
-        body, faces = self.structure, self.structure.facets
-        if triangles is not None:
-            faces = np.asarray(triangles, dtype=np.int64).reshape(-1, AXES)
-        found = surface_data(body.positions, body.nodal(self.modes.shapes, 0), faces, self.origin, max_triangles)
-        if isinstance(body.stress, SolidStress):
-            found["stresses"] = self.stresses().at(found["vertices"])
-        return found
+        body = self.structure
+        shapes, faces = body.nodal(self.modes.shapes, 0), body.facets
+        found = surface_data(body.positions, shapes, faces, self.origin, max_triangles)
+        return {**found, "stresses": self.stresses().at(found["vertices"])}
 
     def stresses(self) -> ModalStresses:
         """Stress tensors per unit of q_f inside the elements of a solid; `von_mises(q_f)` of a motion's coordinates.

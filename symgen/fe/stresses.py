@@ -10,7 +10,7 @@ The sum of modal stresses needs the static shapes of all loads among its modes. 
 what loads it at each moment. That is linear in its causes (runtime/contract/flexible.py), so that one static
 solution of the free body (balanced by its rigid acceleration) for each unit cause suffices.
 
-Gauges: places of a solid whose stress a scene knows, named by the user or found where stresses are largest.
+Gauges: places of a solid whose stress a scene knows.
 """
 
 from __future__ import annotations
@@ -113,30 +113,8 @@ def _along_axes(body: FEStructure, nodal: Array) -> Array:
     return fields.reshape(body.n_dof, -1)
 
 
-Gauges = Mapping[str, int | ArrayLike] | int  # node id or place [m] by name; or how many to find
+Gauges = Mapping[str, int | ArrayLike]  # node id or place [m] by name
 MOST_GAUGES = 200
-DRAWS = 400  # random deflections of equal energy in every mode, among which the largest stresses are looked for
-
-
-def gauge_places(
-    body: FEStructure,
-    origin: Array,
-    gauges: Gauges,
-    stresses: ModalStresses,
-    omega: Array,
-    parts: Mapping[str, Interface],
-) -> dict[str, Array]:
-    """Name -> place (3,) [m] from `origin`; omega (nf,) [rad/s] of the modes. Raises FiniteElementError."""
-    if isinstance(gauges, int):
-        if isinstance(gauges, bool) or not 1 <= gauges <= MOST_GAUGES:
-            raise FiniteElementError(
-                "gauges", f"{gauges!r} cannot be found", f"ask for 1 to {MOST_GAUGES}, or name them"
-            )
-        found = most_stressed(body, origin, gauges, stresses, omega, parts)
-        return {f"g{k + 1}": place for k, place in enumerate(found)}
-    if len(gauges) > MOST_GAUGES:
-        raise FiniteElementError("gauges", f"{len(gauges)} are named", f"name at most {MOST_GAUGES}")
-    return {name: _place(body, origin, name, given) for name, given in gauges.items()}
 
 
 def gauge_fields(
@@ -144,9 +122,11 @@ def gauge_fields(
 ) -> dict[str, dict[str, Any]]:
     """What a scene holds of each gauge, about `origin` (3,) [m]. Raises FiniteElementError."""
     stresses = modal_stresses(body, modes.shapes, origin)
-    places = gauge_places(body, origin, gauges, stresses, np.sqrt(modes.eigenvalues), interfaces)
-    if not places:
+    if not gauges:
         return {}
+    if len(gauges) > MOST_GAUGES:
+        raise FiniteElementError("gauges", f"{len(gauges)} are named", f"name at most {MOST_GAUGES}")
+    places = {name: _place(body, origin, name, given) for name, given in gauges.items()}
     recovered = equilibrium_stresses(body, modes.shapes, origin, interfaces, list(places.values()))
     near, weights = linear_fit(stresses.points, np.array(list(places.values())))
     modal = np.stack([np.einsum("amk,mk->ma", stresses.tensors[:, i, j][:, near], weights) for i, j in VOIGT], axis=1)
@@ -166,37 +146,6 @@ def gauge_fields(
             "forces": forces,
         }
     return found
-
-
-def most_stressed(
-    body: FEStructure, origin: Array, count: int, stresses: ModalStresses, omega: Array, parts: Mapping[str, Interface]
-) -> Array:
-    """(count, 3) places of the surface which together come nearest to the largest von Mises stress of deflections.
-
-    One after another, the next where it adds most, over random deflections. Nearer to an interface than its own size
-    stresses tell how its force is spread: no place is there.
-    """
-    from scipy.spatial import KDTree  # when it is needed: importing it takes long
-
-    surface = np.unique(body.facets)
-    for part in parts.values():
-        own = body.positions[part.places]
-        apart = KDTree(own).query(body.positions[surface])[0]
-        surface = surface[apart > float(np.linalg.norm(np.ptp(own, axis=0)))]
-    if len(surface) < count:
-        raise FiniteElementError(
-            "gauges", f"the surface has {len(surface)} nodes away from the interfaces", "ask for fewer, or name them"
-        )
-    places = body.positions[surface] - origin
-    draws = np.random.default_rng(0).standard_normal((DRAWS, len(omega))) / omega
-    xx, yy, zz, yz, xz, xy = np.moveaxis(stresses.at(places) @ draws.T, 1, 0)  # (nodes, draws) each
-    mises = np.sqrt(((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * (yz**2 + xz**2 + xy**2))
-    mises /= mises.max(axis=0)
-    best, chosen = np.zeros(DRAWS), []
-    for _ in range(count):
-        chosen.append(int(np.maximum(mises, best).sum(axis=1).argmax()))
-        best = np.maximum(best, mises[chosen[-1]])
-    return np.asarray(places[chosen])
 
 
 def _place(body: FEStructure, origin: Array, name: str, given: int | ArrayLike) -> Array:
@@ -358,17 +307,9 @@ def surface_data(positions: Array, nodal: Array, triangles: Integers, origin: Ar
     Raises FiniteElementError without triangles, and for fewer than 4 of them.
     """
     if not len(triangles):
-        raise FiniteElementError(
-            "surface",
-            "matrices and beams have no faces",
-            "give triangles: places of three nodes each, (m, 3), or make the body from a solid mesh",
-        )
+        raise FiniteElementError("surface", "matrices and beams have no faces", "make the body from a solid mesh")
     if most < 4:
         raise FiniteElementError("max_triangles", f"is {most}", "give at least 4")
-    if triangles.min() < 0 or triangles.max() >= len(positions):
-        raise FiniteElementError(
-            "triangles", "name nodes that are not there", f"give places from 0 to {len(positions) - 1}"
-        )
     kept, found = thinned(positions, triangles, most)
     return {
         "vertices": np.array(positions[kept] - origin, dtype=np.float32),

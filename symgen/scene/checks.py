@@ -7,7 +7,7 @@ stage runs only when the stages before it found nothing, because it relies on th
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from functools import partial
 from itertools import chain
 from typing import Any
@@ -354,8 +354,8 @@ def matrix_errors(scene: SceneParts) -> Iterator[SceneError]:
 def _forms(scene: SceneParts, record: StrictModel, path: str) -> Iterator[SceneError]:
     """Matrices that are not what their fields say."""
     for key, given, wanted in sized(record):
-        if wanted.form:
-            yield from FORMS[wanted.form](f"{path}.{key}", _array(scene, given))
+        if wanted.form and (fault := _misform(wanted.form, _array(scene, given))):
+            yield SceneError(f"{path}.{key}", *fault)
 
 
 def _inertia(scene: SceneParts, body: RigidBody, path: str) -> Iterator[SceneError]:
@@ -388,26 +388,6 @@ def _differs(a: Array, b: Array) -> bool:
     return bool(np.abs(a / largest - b / largest).max(initial=0.0) > TOLERANCE)
 
 
-def _symmetric(path: str, value: Array) -> list[SceneError]:
-    if _differs(value, value.T):
-        row, column = np.unravel_index(np.argmax(np.abs(value / 2 - value.T / 2)), value.shape)
-        entries = f"[{row}][{column}] = {value[row, column]!r}, [{column}][{row}] = {value[column, row]!r}"
-        return [SceneError(path, f"is not symmetric ({entries})", "make the matrix symmetric")]
-    return []
-
-
-def _definite(path: str, value: Array) -> list[SceneError]:
-    if _is_definite(value, TOLERANCE):
-        return []
-    return [SceneError(path, "is not positive definite", "check signs and units; every mode needs a positive mass")]
-
-
-def _semidefinite(path: str, value: Array) -> list[SceneError]:
-    if _is_definite(value, -TOLERANCE):
-        return []
-    return [SceneError(path, "has a negative eigenvalue", "check signs; the matrix must be positive semi-definite")]
-
-
 def _is_definite(value: Array, least: float) -> bool:
     """Whether all eigenvalues of the matrix, scaled to a unit diagonal, exceed ``least``.
 
@@ -430,18 +410,21 @@ def _is_definite(value: Array, least: float) -> bool:
     return bool(np.linalg.eigvalsh(symmetric).min(initial=np.inf) > least)
 
 
-def _skew(path: str, value: Array) -> list[SceneError]:
-    if _differs(value, -value.T):
-        return [SceneError(path, "is not skew-symmetric", "entry [a][b] must be minus entry [b][a]")]
-    return []
+def _misform(form: str, value: Array) -> tuple[str, str] | None:
+    """What is wrong with a matrix of this form, and what to do."""
+    if form == "skew":
+        fault = "is not skew-symmetric", "entry [a][b] must be minus entry [b][a]"
+        return fault if _differs(value, -value.T) else None
+    if _differs(value, value.T):
+        row, column = np.unravel_index(np.argmax(np.abs(value / 2 - value.T / 2)), value.shape)
+        entries = f"[{row}][{column}] = {value[row, column]!r}, [{column}][{row}] = {value[column, row]!r}"
+        return f"is not symmetric ({entries})", "make the matrix symmetric"
+    if form == "positive" and not _is_definite(value, TOLERANCE):
+        return "is not positive definite", "check signs and units; every mode needs a positive mass"
+    if form == "semidefinite" and not _is_definite(value, -TOLERANCE):
+        return "has a negative eigenvalue", "check signs; the matrix must be positive semi-definite"
+    return None
 
-
-FORMS: dict[str, Callable[[str, Array], list[SceneError]]] = {
-    "symmetric": _symmetric,
-    "positive": lambda path, value: _symmetric(path, value) or _definite(path, value),
-    "semidefinite": lambda path, value: _symmetric(path, value) or _semidefinite(path, value),
-    "skew": _skew,
-}
 
 # ---- mode sets -------------------------------------------------------------------------------------------------
 

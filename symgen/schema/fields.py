@@ -222,18 +222,16 @@ def _text(value: str) -> str:
     return value
 
 
-def _marker_reference(value: object) -> str:
-    parts = value.split(".") if isinstance(value, str) else []
-    if len(parts) != 2 or not all(re.fullmatch(NAME_PATTERN, part) for part in parts):
-        raise refuse(f"{show(value)} does not name a marker", 'write "body.marker", for instance "crank.origin"')
-    return str(value)
+def _reference(what: str, example: str) -> PlainValidator:
+    """Text of two names with a dot between them."""
 
+    def checked(value: object) -> str:
+        parts = value.split(".") if isinstance(value, str) else []
+        if len(parts) != 2 or not all(re.fullmatch(NAME_PATTERN, part) for part in parts):
+            raise refuse(f"{show(value)} does not name a {what}", f"write {example}")
+        return str(value)
 
-def _gauge_reference(value: object) -> str:
-    parts = value.split(".") if isinstance(value, str) else []
-    if len(parts) != 2 or not all(re.fullmatch(NAME_PATTERN, part) for part in parts):
-        raise refuse(f"{show(value)} does not name a gauge", 'write "body.gauge", or "body.all" for the largest')
-    return str(value)
+    return PlainValidator(checked, json_schema_input_type=str)
 
 
 def _coordinate(value: object) -> str:
@@ -249,8 +247,8 @@ Inertia = Annotated[
     float | str | tuple[float | str, ...],
     PlainValidator(_inertia, json_schema_input_type=float | str | list[float | str]),
 ]
-MarkerRef = Annotated[str, PlainValidator(_marker_reference, json_schema_input_type=str)]
-GaugeRef = Annotated[str, PlainValidator(_gauge_reference, json_schema_input_type=str)]
+MarkerRef = Annotated[str, _reference("marker", '"body.marker", for instance "crank.origin"')]
+GaugeRef = Annotated[str, _reference("gauge", '"body.gauge", or "body.all" for the largest')]
 Coordinate = Annotated[str, PlainValidator(_coordinate, json_schema_input_type=str)]
 Text = Annotated[str, Strict(), Field(max_length=MAX_TEXT)]
 Flag = Annotated[bool, Strict()]
