@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -22,7 +21,6 @@ from runtime.results.stream import StreamFile, Table, split
 from runtime.running.record import Record, by_segment
 from runtime.running.stepped_model import SteppedModel
 
-Columns = list[tuple[str, tuple[int, ...]]]
 BLOCK = 256  # samples that wait to be written
 SERIES = tuple(key for key in export.ARRAYS if key not in ("parameters", "t"))
 
@@ -34,7 +32,7 @@ class ColumnRecord(Record):
         super().__init__([segment], segment.plan.seen_steps, segment.plan.steps)
         self.outputs, self.first = segment.plan.outputs, None
         seen = segment.observed([segment.state(z)])
-        columns = columns_of(seen, self.outputs)
+        columns = [(name, values.shape[1:]) for name, values in columns_of(seen, self.outputs).items()]
         self._table = Table(columns) if stream is None else StreamFile(stream, columns, resumed)
         self._stream = self._table if isinstance(self._table, StreamFile) else None
         self.folder = None if self._stream is None else self._stream.folder
@@ -122,12 +120,11 @@ class ColumnRecord(Record):
         return found[:1] if len(found) == 2 and found[0][1][1] == found[1][1][1] else found
 
 
-def columns_of(solution: Solution, outputs: Sequence[str]) -> Columns:
-    """Names and shapes of the columns of a sample; of all there are if no outputs are named. Raises ModelError."""
+def columns_of(solution: Solution, outputs: Sequence[str]) -> dict[str, np.ndarray]:
+    """(N, ...) by name, "t" first: what a sample keeps, all there is if no outputs are named. Raises ModelError."""
     if not outputs:
-        series = {key: np.asarray(getattr(solution, key)) for key in SERIES}
         energies = {f"energy_{key}": values for key, values in solution.energy.items()}
-        return [("t", ()), *((name, values.shape[1:]) for name, values in {**series, **energies}.items())]
+        return {key: np.asarray(getattr(solution, key)) for key in ("t", *SERIES)} | energies
     known = output_values(solution)
     for name in outputs:
         if name not in known:
@@ -135,7 +132,7 @@ def columns_of(solution: Solution, outputs: Sequence[str]) -> Columns:
                 f"model {solution.model.name} has no output {name!r}; it has "
                 f"{', '.join(list(known)[1:25])}{', ...' if len(known) > 25 else ''}"
             )
-    return [("t", ()), *((name, ()) for name in outputs if name != "t")]
+    return {name: known[name] for name in ("t", *outputs)}
 
 
 def output_values(solution: Solution) -> dict[str, np.ndarray]:
@@ -150,16 +147,5 @@ def output_values(solution: Solution) -> dict[str, np.ndarray]:
 
 def rows_of(solution: Solution, outputs: Sequence[str]) -> np.ndarray:
     """(N, width) of the columns of `columns_of`."""
-    values: dict[str, Any] = (
-        output_values(solution)
-        if outputs
-        else {
-            "t": solution.t,
-            **{key: getattr(solution, key) for key in SERIES},
-            **{f"energy_{key}": series for key, series in solution.energy.items()},
-        }
-    )
-    n = len(solution.t)
-    return np.concatenate(
-        [np.asarray(values[name], dtype=float).reshape(n, -1) for name, _ in columns_of(solution, outputs)], axis=1
-    )
+    n, columns = len(solution.t), columns_of(solution, outputs).values()
+    return np.concatenate([np.asarray(values, dtype=float).reshape(n, -1) for values in columns], axis=1)

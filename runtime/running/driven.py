@@ -65,17 +65,25 @@ def driven_solution(
     q_d = follower.along(times, dependent_part(model, state.q))
     lost = len(q_d) < len(times)
     times, c = times[: len(q_d)], c if c.ndim == 1 else c[: len(q_d)]
-    values = {"q_d": q_d, "t": times[:, None], "q_i": np.zeros((len(times), 0)), "q_i_dot": np.zeros((len(times), 0))}
-    values["q_d_dot"] = evaluate(model.kernel("velocities"), values, c)["q_d_dot"]
-    values["q_i_ddot"] = np.zeros((len(times), 0))
-    q_d_ddot = evaluate(model.kernel("accelerations"), values, c)["q_d_ddot"]
     none = np.zeros((len(times), 0))
-    q, q_dot, q_ddot = (whole(model, none, own) for own in (q_d, values["q_d_dot"], q_d_ddot))
+    motion = _motion(model, times, c, none, none, q_d)
     status = Status("completed", float(times[-1])) if not lost else _lost(float(times[-1]))
     events = _impulses(follower, t0, float(times[-1]), dependent_part(model, state.q))
     stats: dict[str, float | int | str] = {"seconds": time.perf_counter() - started, "closures": follower.closures}
-    found = assemble_solution(model, times, q, q_dot, q_ddot, p, c, SCHEME, dt, [], stats, status)
+    found = assemble_solution(model, times, *motion, p, c, SCHEME, dt, [], stats, status)
     return with_limits(replace(found, events=events))
+
+
+def _motion(
+    model: Model, times: np.ndarray, c: np.ndarray, q_i: np.ndarray, q_i_dot: np.ndarray, q_d: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """q, q_dot, q_ddot (N, n) where q_i has no acceleration (Eqs. 36, 35)."""
+    still, q_d_dot, q_d_ddot = np.zeros_like(q_i_dot), np.zeros_like(q_d), np.zeros_like(q_d)
+    values = {"q_i": q_i, "q_d": q_d, "q_i_dot": q_i_dot, "q_i_ddot": still, "t": times[:, None]}
+    if model.q_d:
+        q_d_dot = values["q_d_dot"] = evaluate(model.kernel("velocities"), values, c)["q_d_dot"]
+        q_d_ddot = evaluate(model.kernel("accelerations"), values, c)["q_d_ddot"]
+    return whole(model, q_i, q_d), whole(model, q_i_dot, q_d_dot), whole(model, still, q_d_ddot)
 
 
 def _impulses(follower: _Follower, t0: float, t_end: float, q_d: np.ndarray) -> list[Event]:
@@ -193,15 +201,9 @@ def quasi_static_motion(
     p = model.parameter_vector(parameters)
     c = model.constants(p)
     q, q_i_dot = _followed(model, PointFunctions(model, c), times, *given_position(model, p, c, t0, {}))
-    (independent, dependent), still = parts(model, q), np.zeros_like(q_i_dot)
-    values = {"q_i": independent, "q_d": dependent, "q_i_dot": q_i_dot, "t": times[:, None]}
-    values["q_d_dot"], values["q_i_ddot"], q_d_ddot = np.zeros_like(dependent), still, np.zeros_like(dependent)
-    if model.q_d:
-        values["q_d_dot"] = evaluate(model.kernel("velocities"), values, c)["q_d_dot"]
-        q_d_ddot = evaluate(model.kernel("accelerations"), values, c)["q_d_ddot"]
-    q_dot, q_ddot = whole(model, q_i_dot, values["q_d_dot"]), whole(model, still, q_d_ddot)
-    status = Status("completed", float(times[-1]))
-    return with_limits(assemble_solution(model, times, q, q_dot, q_ddot, p, c, QUASI_STATIC, step, [], {}, status))
+    q_i, q_d = parts(model, q)
+    motion, status = _motion(model, times, c, q_i, q_i_dot, q_d), Status("completed", float(times[-1]))
+    return with_limits(assemble_solution(model, times, *motion, p, c, QUASI_STATIC, step, [], {}, status))
 
 
 def _followed(

@@ -80,7 +80,7 @@ def approach(
     now = abs(float(integrator.determinants(t, y)[0][block]))
     if now <= height:
         return (t, y) if now > 0.5 * height else None
-    return integrator.descend(t, y, t + AHEAD * left, block, height)
+    return integrator.until(t, y, t + AHEAD * left, block, height, -1)
 
 
 def cross(integrator: TightIntegrator, t: float, y: np.ndarray, block: int, largest: float) -> Crossing:
@@ -150,8 +150,9 @@ def _step(integrator: TightIntegrator, t: float, y: np.ndarray, H: float) -> tup
 def _time_to_zero(integrator: TightIntegrator, t: float, y: np.ndarray, block: int) -> float:
     """By u = det / det', which falls linearly to zero at a root of any multiplicity."""
     left = integrator.time_left(t, y, block)
-    earlier_t, earlier = integrator.run(t, y, t - 0.5 * left)
-    slope = (integrator.time_left(earlier_t, earlier, block) - left) / (t - earlier_t)
+    earlier = t - 0.5 * left
+    before = integrator.solved(t, y, earlier).y[:, -1].copy()
+    slope = (integrator.time_left(earlier, before, block) - left) / (t - earlier)
     return left / slope if 0.2 < slope < 2 else left
 
 
@@ -201,15 +202,6 @@ class BranchLost(Exception):
     """No step over the singular position keeps the branch and the energy; the message says why."""
 
 
-@dataclass(frozen=True)
-class Integrated:
-    """Where an integration ended (t, y), whether an event stopped it, and y (N, size) at the times asked for."""
-
-    end: tuple[float, np.ndarray]
-    stopped: bool
-    at_times: np.ndarray
-
-
 class TightIntegrator:
     """Integrates the condensed equations of a model tightly, for short times.
 
@@ -255,32 +247,19 @@ class TightIntegrator:
         state = self.states(np.array([t]), y[None, :])
         return self.loops.determinants(t, state["q"][0], state["q_dot"][0])
 
-    def run(self, t: float, y: np.ndarray, t_end: float) -> tuple[float, np.ndarray]:
-        """(t_end, y there). Raises BranchLost."""
-        return (t, y) if t_end == t else self._solved(t, y, t_end).end
-
     def path(self, t: float, y: np.ndarray, times: np.ndarray) -> np.ndarray:
         """y (N, size) at ascending times (N,) from t on. Raises BranchLost."""
         if not len(times) or times[-1] == t:
             return np.repeat(y[None, :], len(times), axis=0)
-        return self._solved(t, y, float(times[-1]), times=times).at_times
+        return np.asarray(self.solved(t, y, float(times[-1]), t_eval=times).y.T)
 
-    def descend(
-        self, t: float, y: np.ndarray, t_end: float, block: int, height: float
-    ) -> tuple[float, np.ndarray] | None:
-        """(t, y) where the determinant of a block has come down to `height`; None if that is not before t_end.
-
-        Raises BranchLost where the motion cannot be followed.
-        """
-        return self._until(t, y, t_end, block, height, -1)
-
-    def rise(self, t: float, y: np.ndarray, t_end: float, block: int, height: float) -> tuple[float, np.ndarray] | None:
-        """(t, y) where the magnitude of the determinant has grown to `height`; None if that is not before t_end."""
-        return self._until(t, y, t_end, block, height, 1)
-
-    def _until(
+    def until(
         self, t: float, y: np.ndarray, t_end: float, block: int, height: float, direction: int
     ) -> tuple[float, np.ndarray] | None:
+        """(t, y) where the magnitude of the determinant of a block has come to `height`; None if not before t_end.
+
+        direction: -1 down, 1 up. Raises BranchLost where the motion cannot be followed.
+        """
         sign = float(np.sign(self.determinants(t, y)[0][block]))
 
         def above(t: float, y: np.ndarray) -> float:
@@ -288,21 +267,20 @@ class TightIntegrator:
 
         above.terminal, above.direction = True, direction  # type: ignore[attr-defined]
         try:
-            found = self._solved(t, y, t_end, events=above, max_step=(t_end - t) / LOOKS)
+            found = self.solved(t, y, t_end, events=above, max_step=(t_end - t) / LOOKS)
         except ValueError:  # not finite
             return None
-        return found.end if found.stopped else None
+        return (float(found.t[-1]), found.y[:, -1].copy()) if found.status == 1 else None
 
-    def _solved(
-        self, t: float, y: np.ndarray, t_end: float, times: np.ndarray | None = None, **more: Any
-    ) -> Integrated:
+    def solved(self, t: float, y: np.ndarray, t_end: float, **settings: Any) -> Any:
+        """What SciPy's solve_ivp gives. Raises BranchLost."""
         from scipy.integrate import solve_ivp  # when it is needed: importing it takes a third of a second
 
         self._left = MOST_EVALUATIONS
-        found = solve_ivp(self.slope, (t, t_end), y, t_eval=times, method="DOP853", rtol=RTOL, atol=ATOL, **more)
+        found = solve_ivp(self.slope, (t, t_end), y, method="DOP853", rtol=RTOL, atol=ATOL, **settings)
         if not found.success or not np.isfinite(found.y[:, -1]).all():
             raise BranchLost("the equations cannot be integrated near the singular position")
-        return Integrated((float(found.t[-1]), found.y[:, -1].copy()), found.status == 1, found.y.T)
+        return found
 
     def time_left(self, t: float, y: np.ndarray, block: int) -> float:
         """Time until the determinant of a block is zero, at its present rate [s]; infinite if it grows."""

@@ -139,7 +139,7 @@ class Over:
         if plan.time(allowed) <= t:
             return allowed
         if abs(float(way.behind.determinants(t, y)[0][self.block])) <= height:
-            found = way.behind.rise(t, y, plan.time(allowed), self.block, height)
+            found = way.behind.until(t, y, plan.time(allowed), self.block, height, 1)
             if found is None:
                 return allowed
             t = found[0]
