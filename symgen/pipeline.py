@@ -9,7 +9,7 @@ kernels     named functions of (q_i, q_d, q_i_dot, q_d_dot, t, p)
 tapes       straight-line code of the kernels, with all that depends on p only in `constants`
 emission    the files of the model: text, manifest, page
 
-The system is put together from what these state, each as a SymPy template evaluated on CasADi SX:
+The system is put together on CasADi SX from what these state:
 
 algebra     templates, sparse rows, small systems, the parameter vector p
 bodies      points, moments and inertia of a body            (15)-(20)

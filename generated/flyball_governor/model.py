@@ -21,8 +21,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 44) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 98) [SI]: what depends on p only, computed once a run: c = constants(p)
-    126 operations.
+    gives c (n_const = 93) [SI]: what depends on p only, computed once a run: c = constants(p)
+    121 operations.
     """
     p = ca.SX.sym("p", 44)
     gravity_z = p[0]
@@ -137,39 +137,38 @@ def constants() -> ca.Function:
         w7,  # c8
         w6 - w7,  # c9
         shaft_right_x,  # shaft_right_x
-        w8,  # c11
-        w9,  # c12
-        2 * w9,  # c13
-        w12 + w14 + (w15 + w16 + w17 + w18),  # c14
+        w9,  # c11
+        2 * w9,  # c12
+        w12 + w14 + (w15 + w16 + w17 + w18),  # c13
         slider_mass,  # slider_mass
-        w19,  # c16
-        w20,  # c17
+        w19,  # c15
+        w20,  # c16
         gravity_z,  # gravity_z
-        w21,  # c19
+        w21,  # c18
+        right_spring_stiffness,  # right_spring_stiffness
         right_spring_free_length,  # right_spring_free_length
         slider_right_x,  # slider_right_x
         right_rod_middle_x,  # right_rod_middle_x
         shaft_right_z,  # shaft_right_z
-        right_spring_stiffness,  # right_spring_stiffness
         right_spring_damping,  # right_spring_damping
+        left_spring_stiffness,  # left_spring_stiffness
         left_spring_free_length,  # left_spring_free_length
         slider_left_x,  # slider_left_x
         left_rod_middle_x,  # left_rod_middle_x
         shaft_left_z,  # shaft_left_z
-        left_spring_stiffness,  # left_spring_stiffness
         left_spring_damping,  # left_spring_damping
-        -right_spring_stiffness,  # c32
-        w24,  # c33
-        w27,  # c34
-        w28 + w29,  # c35
-        w30 + w31,  # c36
-        2 * shaft_right_x,  # c37
-        w22 - w23,  # c38
-        w26 - w25,  # c39
-        -w27,  # c40
-        2 * shaft_left_x,  # c41
-        w29 - w28,  # c42
-        w31 - w30,  # c43
+        -w8,  # c31
+        w24,  # c32
+        w27,  # c33
+        w28 + w29,  # c34
+        w30 + w31,  # c35
+        2 * shaft_right_x,  # c36
+        w22 - w23,  # c37
+        w26 - w25,  # c38
+        -w27,  # c39
+        2 * shaft_left_x,  # c40
+        w29 - w28,  # c41
+        w31 - w30,  # c42
         shaft_right_quaternion_0_0_0,  # shaft_right_quaternion_0_0_0
         right_rod_hinge_quaternion_0_0_0,  # right_rod_hinge_quaternion_0_0_0
         shaft_right_quaternion_1_0_0,  # shaft_right_quaternion_1_0_0
@@ -180,6 +179,7 @@ def constants() -> ca.Function:
         left_rod_hinge_quaternion_0_0_0,  # left_rod_hinge_quaternion_0_0_0
         left_rod_mass,  # left_rod_mass
         right_rod_mass,  # right_rod_mass
+        w8,  # c53
         w11,  # c54
         w14,  # c55
         w15,  # c56
@@ -216,14 +216,9 @@ def constants() -> ca.Function:
         right_rod_mass * gravity_z,  # c87
         left_rod_mass * gravity_z,  # c88
         -w24,  # c89
-        0.5 * right_spring_stiffness,  # c90
-        0.5 * left_spring_stiffness,  # c91
-        2 * right_spring_damping,  # c92
-        2 * left_spring_damping,  # c93
-        -w21,  # c94
-        -left_spring_stiffness,  # c95
-        2 * w6 - 2 * w7,  # c96
-        2 * w1 - 2 * w2,  # c97
+        -w21,  # c90
+        2 * w6 - 2 * w7,  # c91
+        2 * w1 - 2 * w2,  # c92
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -234,14 +229,14 @@ def condensed() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 98) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 93) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 4 x 4) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 4) [N, N m]: condensed force S^T (Q* - M s)
-    128 operations.
+    124 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 98)
+    c = ca.SX.sym("c", 93)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
@@ -263,26 +258,25 @@ def condensed() -> ca.Function:
     c11 = c[11]
     c12 = c[12]
     c13 = c[13]
-    c14 = c[14]
-    slider_mass = c[15]
+    slider_mass = c[14]
+    c15 = c[15]
     c16 = c[16]
-    c17 = c[17]
-    gravity_z = c[18]
-    c19 = c[19]
+    gravity_z = c[17]
+    c18 = c[18]
+    right_spring_stiffness = c[19]
     right_spring_free_length = c[20]
     slider_right_x = c[21]
     right_rod_middle_x = c[22]
     shaft_right_z = c[23]
-    right_spring_stiffness = c[24]
-    right_spring_damping = c[25]
+    right_spring_damping = c[24]
+    left_spring_stiffness = c[25]
     left_spring_free_length = c[26]
     slider_left_x = c[27]
     left_rod_middle_x = c[28]
     shaft_left_z = c[29]
-    left_spring_stiffness = c[30]
-    left_spring_damping = c[31]
-    c32 = c[32]
-    # intermediate terms (30)
+    left_spring_damping = c[30]
+    c31 = c[31]
+    # intermediate terms (32)
     w0 = ca.sin(left_swing_angle)
     w1 = ca.cos(left_swing_angle)
     w2 = ca.sin(right_swing_angle)
@@ -298,36 +292,38 @@ def condensed() -> ca.Function:
     w12 = w2 * right_rod_middle_x
     w13 = height_travel - (shaft_right_z - w12)
     w14 = w11**2 + w13**2
-    w15 = 1.0 - right_spring_free_length / ca.sqrt(w14)
-    w16 = (w11 * (right_swing_angle_dot * w12) + w13 * (height_travel_dot + right_swing_angle_dot * w10)) * right_spring_damping
-    w17 = w13 * w15 * right_spring_stiffness + w13 * w16 / w14
-    w18 = w1 * left_rod_middle_x
-    w19 = slider_left_x - (shaft_left_x - w18)
-    w20 = w0 * left_rod_middle_x
-    w21 = height_travel - (shaft_left_z - w20)
-    w22 = w19**2 + w21**2
-    w23 = 1.0 - left_spring_free_length / ca.sqrt(w22)
-    w24 = (w21 * (height_travel_dot + left_swing_angle_dot * w18) - w19 * (left_swing_angle_dot * w20)) * left_spring_damping
-    w25 = w21 * w23 * left_spring_stiffness + w21 * w24 / w22
-    w26 = spin_angle_dot**2
-    w27 = w20 * (w19 * w23 * left_spring_stiffness + w19 * w24 / w22) - w18 * w25 - ((w1 * gravity_z - w0 * (w26 * shaft_left_x)) * c4 + w4 * w5 * c2)
-    w28 = w3 * (w8 * c7) - w2 * (2 * (right_swing_angle_dot * w9) * c8) + w8 * c12 - (w0 * (2 * (w4 * left_swing_angle_dot) * c1) - w1 * (w6 * c0) + w6 * c5)
-    w29 = (w11 * w15 * c32 - w11 * w16 / w14) * w12 - w10 * w17 - ((w2 * (w26 * shaft_right_x) + w3 * gravity_z) * c11 + w7 * w9 * c9)
+    w15 = (1.0 - right_spring_free_length / ca.sqrt(w14)) * right_spring_stiffness
+    w16 = (w11 * (right_swing_angle_dot * w12) + w13 * (height_travel_dot + right_swing_angle_dot * w10)) / w14
+    w17 = w16 * right_spring_damping
+    w18 = w13 * w15 + w13 * w17
+    w19 = w1 * left_rod_middle_x
+    w20 = slider_left_x - (shaft_left_x - w19)
+    w21 = w0 * left_rod_middle_x
+    w22 = height_travel - (shaft_left_z - w21)
+    w23 = w20**2 + w22**2
+    w24 = (1.0 - left_spring_free_length / ca.sqrt(w23)) * left_spring_stiffness
+    w25 = (w22 * (height_travel_dot + left_swing_angle_dot * w19) - w20 * (left_swing_angle_dot * w21)) / w23
+    w26 = w25 * left_spring_damping
+    w27 = w22 * w24 + w22 * w26
+    w28 = spin_angle_dot**2
+    w29 = w21 * (w20 * w24 + w20 * w26) - w19 * w27 - ((w1 * gravity_z - w0 * (w28 * shaft_left_x)) * c4 + w4 * w5 * c2)
+    w30 = w3 * (w8 * c7) - w2 * (2 * (right_swing_angle_dot * w9) * c8) + w8 * c11 - (w0 * (2 * (w4 * left_swing_angle_dot) * c1) - w1 * (w6 * c0) + w6 * c5)
+    w31 = (w2 * (w28 * shaft_right_x) + w3 * gravity_z) * c31 - w7 * w9 * c9 - (w12 * (w11 * w15 + w11 * w17) + w10 * w18)
     # outputs
     M_hat = ca.SX(4, 4)
     # spin.angle
-    M_hat[0, 0] = w3 * c13 + (c7 - w2 * (w2 * c9) + (c0 - w0 * (w0 * c2) - w1 * c6 + c14))
+    M_hat[0, 0] = w3 * c12 + (c7 - w2 * (w2 * c9) + (c0 - w0 * (w0 * c2) - w1 * c6 + c13))
     # height.travel
     M_hat[1, 1] = slider_mass
     # right_swing.angle
-    M_hat[2, 2] = c16
+    M_hat[2, 2] = c15
     # left_swing.angle
-    M_hat[3, 3] = c17
+    M_hat[3, 3] = c16
     Q_hat = ca.vertcat(
-        w28,  # spin.angle
-        c19 - (w17 + w25),  # height.travel
-        w29,  # right_swing.angle
-        w27,  # left_swing.angle
+        w30,  # spin.angle
+        c18 - (w18 + w27),  # height.travel
+        w31,  # right_swing.angle
+        w29,  # left_swing.angle
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_i_dot", "c"], ["M_hat", "Q_hat"])
@@ -337,12 +333,12 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
-    takes c (n_const = 98) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 93) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 28) [mixed]: dependent coordinates after one Newton step
     49 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
-    c = ca.SX.sym("c", 98)
+    c = ca.SX.sym("c", 93)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -351,6 +347,7 @@ def closure() -> ca.Function:
     shaft_right_x = c[10]
     shaft_right_z = c[23]
     shaft_left_z = c[29]
+    c32 = c[32]
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
@@ -361,7 +358,6 @@ def closure() -> ca.Function:
     c40 = c[40]
     c41 = c[41]
     c42 = c[42]
-    c43 = c[43]
     # intermediate terms (19)
     w0 = spin_angle / 2.0
     w1 = ca.cos(w0)
@@ -398,20 +394,20 @@ def closure() -> ca.Function:
         0.0,  # slider.e1
         0.0,  # slider.e2
         w2,  # slider.e3
-        shaft_right_x - w9 * c37,  # right_rod.x
-        w10 * c37,  # right_rod.y
+        shaft_right_x - w9 * c36,  # right_rod.x
+        w10 * c36,  # right_rod.y
         shaft_right_z,  # right_rod.z
-        w11 * c33 - w12 * c38,  # right_rod.e0
-        w12 * c34 - w11 * c39,  # right_rod.e1
-        w13 * c40 - w14 * c39,  # right_rod.e2
-        w13 * c38 + w14 * c33,  # right_rod.e3
-        shaft_left_x - w9 * c41,  # left_rod.x
-        w10 * c41,  # left_rod.y
+        w11 * c32 - w12 * c37,  # right_rod.e0
+        w12 * c33 - w11 * c38,  # right_rod.e1
+        w13 * c39 - w14 * c38,  # right_rod.e2
+        w13 * c37 + w14 * c32,  # right_rod.e3
+        shaft_left_x - w9 * c40,  # left_rod.x
+        w10 * c40,  # left_rod.y
         shaft_left_z,  # left_rod.z
-        w15 * c42 - w16 * c35,  # left_rod.e0
-        w15 * c36 - w16 * c43,  # left_rod.e1
-        w17 * c43 + w18 * c36,  # left_rod.e2
-        w17 * c35 + w18 * c42,  # left_rod.e3
+        w15 * c41 - w16 * c34,  # left_rod.e0
+        w15 * c35 - w16 * c42,  # left_rod.e1
+        w17 * c42 + w18 * c35,  # left_rod.e2
+        w17 * c34 + w18 * c41,  # left_rod.e3
     )
     inputs, outputs = [q_i, c], [ca.densify(q_d_next)]
     return ca.Function("closure", inputs, outputs, ["q_i", "c"], ["q_d_next"])
@@ -423,14 +419,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 28) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 98) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 93) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 28) [mixed]: rates of the dependent coordinates
     294 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 28)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 98)
+    c = ca.SX.sym("c", 93)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -447,18 +443,18 @@ def velocities() -> ca.Function:
     shaft_right_x = c[10]
     shaft_right_z = c[23]
     shaft_left_z = c[29]
+    c32 = c[32]
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
-    c36 = c[36]
-    shaft_right_quaternion_0_0_0 = c[44]
-    right_rod_hinge_quaternion_0_0_0 = c[45]
-    shaft_right_quaternion_1_0_0 = c[46]
-    right_rod_hinge_quaternion_1_0_0 = c[47]
-    shaft_left_quaternion_2_0_0 = c[48]
-    left_rod_hinge_quaternion_1_0_0 = c[49]
-    shaft_left_quaternion_3_0_0 = c[50]
-    left_rod_hinge_quaternion_0_0_0 = c[51]
+    shaft_right_quaternion_0_0_0 = c[43]
+    right_rod_hinge_quaternion_0_0_0 = c[44]
+    shaft_right_quaternion_1_0_0 = c[45]
+    right_rod_hinge_quaternion_1_0_0 = c[46]
+    shaft_left_quaternion_2_0_0 = c[47]
+    left_rod_hinge_quaternion_1_0_0 = c[48]
+    shaft_left_quaternion_3_0_0 = c[49]
+    left_rod_hinge_quaternion_0_0_0 = c[50]
     # intermediate terms (66)
     w0 = spin_angle / 2.0
     w1 = ca.sin(w0) / 2.0 * spin_angle_dot
@@ -490,16 +486,16 @@ def velocities() -> ca.Function:
     w27 = w26 * shaft_right_x + w18 * shaft_right_z
     w28 = right_swing_angle / 2.0
     w29 = ca.cos(w28)
-    w30 = w29 * c33
+    w30 = w29 * c32
     w31 = ca.sin(w28)
     w32 = w31 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w31 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
     w33 = w31 / 2.0
-    w34 = w33 * c33
+    w34 = w33 * c32
     w35 = w33 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w33 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
     w36 = w29 / 2.0
-    w37 = w36 * c34
+    w37 = w36 * c33
     w38 = w36 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w36 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
-    w39 = w31 * c34
+    w39 = w31 * c33
     w40 = w29 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0 - w29 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0
     w41 = w3 * w39 - w1 * w40 + right_swing_angle_dot * (shaft_e0 * w35 - shaft_e1 * w34 + (shaft_e2 * w38 + shaft_e3 * w37))
     w42 = w1 * w39 + w3 * w40 + right_swing_angle_dot * (shaft_e3 * w35 - shaft_e1 * w38 - (shaft_e0 * w37 + shaft_e2 * w34))
@@ -512,15 +508,15 @@ def velocities() -> ca.Function:
     w49 = ca.cos(w48)
     w50 = w49 / 2.0
     w51 = w50 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w50 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w52 = w50 * c36
+    w52 = w50 * c35
     w53 = ca.sin(w48)
     w54 = w53 / 2.0
     w55 = w54 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w54 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w56 = w54 * c35
+    w56 = w54 * c34
     w57 = w53 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w53 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w58 = w49 * c35
+    w58 = w49 * c34
     w59 = (shaft_e0 * w51 - (shaft_e1 * w52 + shaft_e2 * w55 - shaft_e3 * w56)) * left_swing_angle_dot - (w1 * w57 + w3 * w58)
-    w60 = w53 * c36
+    w60 = w53 * c35
     w61 = w49 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0 - w49 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0
     w62 = left_swing_angle_dot * (shaft_e0 * w52 + shaft_e1 * w51 - (shaft_e2 * w56 + shaft_e3 * w55)) - (w1 * w60 + w3 * w61)
     w63 = w3 * w60 - w1 * w61 + left_swing_angle_dot * (shaft_e0 * w55 + shaft_e2 * w51 + (shaft_e3 * w52 + shaft_e1 * w56))
@@ -569,7 +565,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 28) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 98) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 93) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 28) [mixed]: accelerations of the dependent coordinates
     590 operations.
     """
@@ -578,7 +574,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 28)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 98)
+    c = ca.SX.sym("c", 93)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -603,18 +599,18 @@ def accelerations() -> ca.Function:
     shaft_right_x = c[10]
     shaft_right_z = c[23]
     shaft_left_z = c[29]
+    c32 = c[32]
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
-    c36 = c[36]
-    shaft_right_quaternion_0_0_0 = c[44]
-    right_rod_hinge_quaternion_0_0_0 = c[45]
-    shaft_right_quaternion_1_0_0 = c[46]
-    right_rod_hinge_quaternion_1_0_0 = c[47]
-    shaft_left_quaternion_2_0_0 = c[48]
-    left_rod_hinge_quaternion_1_0_0 = c[49]
-    shaft_left_quaternion_3_0_0 = c[50]
-    left_rod_hinge_quaternion_0_0_0 = c[51]
+    shaft_right_quaternion_0_0_0 = c[43]
+    right_rod_hinge_quaternion_0_0_0 = c[44]
+    shaft_right_quaternion_1_0_0 = c[45]
+    right_rod_hinge_quaternion_1_0_0 = c[46]
+    shaft_left_quaternion_2_0_0 = c[47]
+    left_rod_hinge_quaternion_1_0_0 = c[48]
+    shaft_left_quaternion_3_0_0 = c[49]
+    left_rod_hinge_quaternion_0_0_0 = c[50]
     # intermediate terms (127)
     w0 = (spin_angle_dot / 2.0)**2
     w1 = spin_angle / 2.0
@@ -664,31 +660,31 @@ def accelerations() -> ca.Function:
     w45 = right_swing_angle / 2.0
     w46 = ca.cos(w45)
     w47 = w44 * w46
-    w48 = w47 * c33
+    w48 = w47 * c32
     w49 = w47 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w47 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
     w50 = ca.sin(w45)
     w51 = w44 * w50
-    w52 = w51 * c34
+    w52 = w51 * c33
     w53 = w51 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0 - w51 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0
     w54 = w50 / 2.0
     w55 = right_swing_angle_dot * w54
-    w56 = w55 * c33
+    w56 = w55 * c32
     w57 = w55 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w55 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
     w58 = w46 / 2.0
     w59 = right_swing_angle_dot * w58
-    w60 = w59 * c34
+    w60 = w59 * c33
     w61 = w59 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w59 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
     w62 = shaft_e0_dot * w56 + (shaft_e1_dot * w57 - shaft_e2_dot * w60 + shaft_e3_dot * w61)
-    w63 = w46 * c33
+    w63 = w46 * c32
     w64 = w50 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w50 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
     w65 = w62 + (shaft_e0 * w48 + (shaft_e1 * w49 + shaft_e2 * w52 + shaft_e3 * w53) + w62) + w4 * w63 + w6 * w64
-    w66 = w54 * c33
+    w66 = w54 * c32
     w67 = w54 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w54 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
-    w68 = w58 * c34
+    w68 = w58 * c33
     w69 = w58 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w58 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
     w70 = shaft_e0_dot * w57 - shaft_e1_dot * w56 + (shaft_e2_dot * w61 + shaft_e3_dot * w60)
     w71 = w46 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0 - w46 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0
-    w72 = w50 * c34
+    w72 = w50 * c33
     w73 = w70 + (shaft_e0 * w49 - shaft_e1 * w48 + (shaft_e2 * w53 - shaft_e3 * w52) + w70) - w4 * w71 + w6 * w72
     w74 = w73 + right_swing_angle_ddot * (shaft_e0 * w67 - shaft_e1 * w66 + (shaft_e2 * w69 + shaft_e3 * w68))
     w75 = shaft_e3_dot * w57 - shaft_e1_dot * w61 - (shaft_e0_dot * w60 + shaft_e2_dot * w56)
@@ -712,27 +708,27 @@ def accelerations() -> ca.Function:
     w93 = ca.cos(w89)
     w94 = w88 * w93
     w95 = w94 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w94 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w96 = w91 * c36
-    w97 = w94 * c35
+    w96 = w91 * c35
+    w97 = w94 * c34
     w98 = w93 / 2.0
     w99 = left_swing_angle_dot * w98
     w100 = w99 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w99 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w101 = w99 * c36
+    w101 = w99 * c35
     w102 = w90 / 2.0
     w103 = left_swing_angle_dot * w102
     w104 = w103 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w103 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w105 = w103 * c35
+    w105 = w103 * c34
     w106 = shaft_e0_dot * w100 - (shaft_e1_dot * w101 + shaft_e2_dot * w104 - shaft_e3_dot * w105)
     w107 = w90 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w90 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w108 = w93 * c35
+    w108 = w93 * c34
     w109 = w106 + (shaft_e0 * w92 - (shaft_e2 * w95 - shaft_e1 * w96 - shaft_e3 * w97) + w106) - w4 * w107 - w6 * w108
     w110 = w98 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w98 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w111 = w98 * c36
+    w111 = w98 * c35
     w112 = w102 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w102 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w113 = w102 * c35
+    w113 = w102 * c34
     w114 = (shaft_e0 * w110 - (shaft_e1 * w111 + shaft_e2 * w112 - shaft_e3 * w113)) * left_swing_angle_ddot
     w115 = shaft_e0_dot * w101 + shaft_e1_dot * w100 - (shaft_e2_dot * w105 + shaft_e3_dot * w104)
-    w116 = w90 * c36
+    w116 = w90 * c35
     w117 = w93 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0 - w93 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0
     w118 = w115 + (shaft_e1 * w92 - shaft_e0 * w96 - (shaft_e2 * w97 + shaft_e3 * w95) + w115) - w4 * w116 - w6 * w117
     w119 = left_swing_angle_ddot * (shaft_e0 * w111 + shaft_e1 * w110 - (shaft_e2 * w113 + shaft_e3 * w112))
@@ -783,7 +779,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
-    takes c (n_const = 98) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 93) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 28) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 28 x 32) [SI]: constraint Jacobian
     gives C_t (n_c = 28) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -793,7 +789,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
-    c = ca.SX.sym("c", 98)
+    c = ca.SX.sym("c", 93)
     shaft_x = q[0]
     shaft_y = q[1]
     shaft_z = q[2]
@@ -838,18 +834,18 @@ def constraints() -> ca.Function:
     shaft_right_x = c[10]
     shaft_right_z = c[23]
     shaft_left_z = c[29]
+    c32 = c[32]
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
-    c36 = c[36]
-    shaft_right_quaternion_0_0_0 = c[44]
-    right_rod_hinge_quaternion_0_0_0 = c[45]
-    shaft_right_quaternion_1_0_0 = c[46]
-    right_rod_hinge_quaternion_1_0_0 = c[47]
-    shaft_left_quaternion_2_0_0 = c[48]
-    left_rod_hinge_quaternion_1_0_0 = c[49]
-    shaft_left_quaternion_3_0_0 = c[50]
-    left_rod_hinge_quaternion_0_0_0 = c[51]
+    shaft_right_quaternion_0_0_0 = c[43]
+    right_rod_hinge_quaternion_0_0_0 = c[44]
+    shaft_right_quaternion_1_0_0 = c[45]
+    right_rod_hinge_quaternion_1_0_0 = c[46]
+    shaft_left_quaternion_2_0_0 = c[47]
+    left_rod_hinge_quaternion_1_0_0 = c[48]
+    shaft_left_quaternion_3_0_0 = c[49]
+    left_rod_hinge_quaternion_0_0_0 = c[50]
     # intermediate terms (130)
     w0 = spin_angle / 2.0
     w1 = ca.cos(w0)
@@ -867,10 +863,10 @@ def constraints() -> ca.Function:
     w13 = height_travel * w12
     w14 = right_swing_angle / 2.0
     w15 = ca.cos(w14)
-    w16 = w15 * c33
+    w16 = w15 * c32
     w17 = w15 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0 - w15 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0
     w18 = ca.sin(w14)
-    w19 = w18 * c34
+    w19 = w18 * c33
     w20 = w18 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w18 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
     w21 = 2 * shaft_e3
     w22 = 1.0 - (w11 + shaft_e3 * w21)
@@ -882,10 +878,10 @@ def constraints() -> ca.Function:
     w28 = left_swing_angle / 2.0
     w29 = ca.sin(w28)
     w30 = w29 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w29 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w31 = w29 * c36
+    w31 = w29 * c35
     w32 = ca.cos(w28)
     w33 = w32 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0 - w32 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0
-    w34 = w32 * c35
+    w34 = w32 * c34
     w35 = w22 * shaft_left_x + w7 * shaft_left_z
     w36 = w24 * shaft_left_x + w9 * shaft_left_z
     w37 = w26 * shaft_left_x + w12 * shaft_left_z
@@ -920,17 +916,17 @@ def constraints() -> ca.Function:
     w66 = w23 * w57
     w67 = w35 * w57
     w68 = w18 / 2.0
-    w69 = w68 * c33
+    w69 = w68 * c32
     w70 = w68 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w68 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
     w71 = w15 / 2.0
-    w72 = w71 * c34
+    w72 = w71 * c33
     w73 = w71 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w71 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
     w74 = w32 / 2.0
     w75 = w74 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w74 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w76 = w74 * c36
+    w76 = w74 * c35
     w77 = w29 / 2.0
     w78 = w77 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w77 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w79 = w77 * c35
+    w79 = w77 * c34
     w80 = (spin_angle_dot / 2.0)**2
     w81 = w40 * shaft_e0_dot + w21 * shaft_e1_dot + w57 * shaft_e2_dot + w41 * shaft_e3_dot
     w82 = w41 * shaft_e0_dot + w57 * shaft_e1_dot + w38 * shaft_e2_dot + w5 * shaft_e3_dot
@@ -942,16 +938,16 @@ def constraints() -> ca.Function:
     w88 = right_swing_angle_dot / 2.0
     w89 = w88**2
     w90 = w15 * w89
-    w91 = w88 * (w15 * w88) * c33
+    w91 = w88 * (w15 * w88) * c32
     w92 = w90 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w90 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
     w93 = w18 * w89
-    w94 = w88 * (w18 * w88) * c34
+    w94 = w88 * (w18 * w88) * c33
     w95 = w93 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0 - w93 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0
     w96 = w68 * right_swing_angle_dot
-    w97 = w96 * c33
+    w97 = w96 * c32
     w98 = w96 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w96 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
     w99 = w71 * right_swing_angle_dot
-    w100 = w99 * c34
+    w100 = w99 * c33
     w101 = w99 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w99 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
     w102 = shaft_e0_dot * w97 + (shaft_e1_dot * w98 - shaft_e2_dot * w100 + shaft_e3_dot * w101)
     w103 = shaft_e0_dot * w98 - shaft_e1_dot * w97 + (shaft_e2_dot * w101 + shaft_e3_dot * w100)
@@ -966,14 +962,14 @@ def constraints() -> ca.Function:
     w112 = w111 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0 - w111 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0
     w113 = w32 * w110
     w114 = w113 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w113 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w115 = w109 * (w29 * w109) * c36
-    w116 = w109 * (w32 * w109) * c35
+    w115 = w109 * (w29 * w109) * c35
+    w116 = w109 * (w32 * w109) * c34
     w117 = w74 * left_swing_angle_dot
     w118 = w117 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w117 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w119 = w117 * c36
+    w119 = w117 * c35
     w120 = w77 * left_swing_angle_dot
     w121 = w120 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w120 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w122 = w120 * c35
+    w122 = w120 * c34
     w123 = shaft_e0_dot * w118 - (shaft_e1_dot * w119 + shaft_e2_dot * w121 - shaft_e3_dot * w122)
     w124 = shaft_e0_dot * w119 + shaft_e1_dot * w118 - (shaft_e2_dot * w122 + shaft_e3_dot * w121)
     w125 = shaft_e0_dot * w121 + shaft_e2_dot * w118 + (shaft_e3_dot * w119 + shaft_e1_dot * w122)
@@ -1204,7 +1200,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
-    takes c (n_const = 98) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 93) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 32 x 32) [SI]: mass matrix in all coordinates
     gives K (n x n = 32 x 32) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 32) [N, N m]: quadratic velocity force in all coordinates
@@ -1212,11 +1208,11 @@ def augmented() -> ca.Function:
     gives Q_star (n = 32) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 28 x 32) [SI]: constraint Jacobian
     gives gamma (n_c = 28) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    1679 operations.
+    1671 operations.
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
-    c = ca.SX.sym("c", 98)
+    c = ca.SX.sym("c", 93)
     shaft_e0 = q[3]
     shaft_e1 = q[4]
     shaft_e2 = q[5]
@@ -1282,38 +1278,38 @@ def augmented() -> ca.Function:
     c7 = c[7]
     c8 = c[8]
     shaft_right_x = c[10]
-    c11 = c[11]
-    slider_mass = c[15]
+    slider_mass = c[14]
+    c15 = c[15]
     c16 = c[16]
-    c17 = c[17]
-    gravity_z = c[18]
-    c19 = c[19]
+    gravity_z = c[17]
+    c18 = c[18]
+    right_spring_stiffness = c[19]
     right_spring_free_length = c[20]
     slider_right_x = c[21]
     right_rod_middle_x = c[22]
     shaft_right_z = c[23]
-    right_spring_stiffness = c[24]
-    right_spring_damping = c[25]
+    right_spring_damping = c[24]
+    left_spring_stiffness = c[25]
     left_spring_free_length = c[26]
     slider_left_x = c[27]
     left_rod_middle_x = c[28]
     shaft_left_z = c[29]
-    left_spring_stiffness = c[30]
-    left_spring_damping = c[31]
+    left_spring_damping = c[30]
+    c32 = c[32]
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
-    c36 = c[36]
-    shaft_right_quaternion_0_0_0 = c[44]
-    right_rod_hinge_quaternion_0_0_0 = c[45]
-    shaft_right_quaternion_1_0_0 = c[46]
-    right_rod_hinge_quaternion_1_0_0 = c[47]
-    shaft_left_quaternion_2_0_0 = c[48]
-    left_rod_hinge_quaternion_1_0_0 = c[49]
-    shaft_left_quaternion_3_0_0 = c[50]
-    left_rod_hinge_quaternion_0_0_0 = c[51]
-    left_rod_mass = c[52]
-    right_rod_mass = c[53]
+    shaft_right_quaternion_0_0_0 = c[43]
+    right_rod_hinge_quaternion_0_0_0 = c[44]
+    shaft_right_quaternion_1_0_0 = c[45]
+    right_rod_hinge_quaternion_1_0_0 = c[46]
+    shaft_left_quaternion_2_0_0 = c[47]
+    left_rod_hinge_quaternion_1_0_0 = c[48]
+    shaft_left_quaternion_3_0_0 = c[49]
+    left_rod_hinge_quaternion_0_0_0 = c[50]
+    left_rod_mass = c[51]
+    right_rod_mass = c[52]
+    c53 = c[53]
     c54 = c[54]
     c55 = c[55]
     c56 = c[56]
@@ -1425,13 +1421,13 @@ def augmented() -> ca.Function:
     w71 = 2 * right_rod_e2
     w72 = w71 * right_rod_e0
     w73 = w70 - w72
-    w74 = w73 * c11
+    w74 = w73 * c53
     w75 = 2 * -right_rod_e3
     w76 = right_rod_e2 * w69
     w77 = 2 * right_rod_e3
     w78 = right_rod_e0 * w77
     w79 = w76 + w78
-    w80 = w79 * c11
+    w80 = w79 * c53
     w81 = w75 * w80
     w82 = w68 * w74 - w81
     w83 = w74 * w77 - w68 * w80
@@ -1445,7 +1441,7 @@ def augmented() -> ca.Function:
     w91 = right_rod_e2 * w71
     w92 = right_rod_e3 * w77
     w93 = 1.0 - (w91 + w92)
-    w94 = w93 * c11
+    w94 = w93 * c53
     w95 = w75 * w94 - w88
     w96 = w68 * w94
     w97 = w96 - w85
@@ -1458,11 +1454,11 @@ def augmented() -> ca.Function:
     w104 = w71 * w80 - w87 * w94
     w105 = w84 * c76
     w106 = w87 * w105 + right_rod_e2 * right_rod_e3 * c78
-    w107 = w84 * c16
+    w107 = w84 * c15
     w108 = w87 * c77
     w109 = w68 * w107 + right_rod_e1 * right_rod_e3 * c79
     w110 = w68 * c76
-    w111 = w69 * c16
+    w111 = w69 * c15
     w112 = w84 * c77
     w113 = right_rod_e2 * right_rod_e1 * c80 + w75 * w112
     w114 = right_rod_e3 * right_rod_e0 * c80 + w71 * w108
@@ -1507,11 +1503,11 @@ def augmented() -> ca.Function:
     w153 = w120 * w129 - w136 * w143
     w154 = w133 * c81
     w155 = w136 * w154 + left_rod_e2 * left_rod_e3 * c83
-    w156 = w133 * c17
+    w156 = w133 * c16
     w157 = w136 * c82
     w158 = w117 * w156 + left_rod_e1 * left_rod_e3 * c84
     w159 = w117 * c81
-    w160 = w118 * c17
+    w160 = w118 * c16
     w161 = w133 * c82
     w162 = left_rod_e2 * left_rod_e1 * c85 + w124 * w161
     w163 = left_rod_e3 * left_rod_e0 * c85 + w120 * w157
@@ -1570,11 +1566,11 @@ def augmented() -> ca.Function:
     w216 = w75 * right_rod_e0_dot
     w217 = w84 * right_rod_e3_dot
     w218 = w216 + w71 * right_rod_e1_dot + w87 * right_rod_e2_dot + w217
-    w219 = w218 * c11
+    w219 = w218 * c53
     w220 = w68 * right_rod_e0_dot
     w221 = w84 * right_rod_e2_dot
     w222 = w220 + w75 * right_rod_e1_dot + w221 + w69 * right_rod_e3_dot
-    w223 = w222 * c11
+    w223 = w222 * c53
     w224 = w218 * w219 + w222 * w223
     w225 = w87 * right_rod_e0_dot + w84 * right_rod_e1_dot
     w226 = w225 + w77 * right_rod_e2_dot + w68 * right_rod_e3_dot
@@ -1642,7 +1638,7 @@ def augmented() -> ca.Function:
     w288 = w73 * right_rod_middle_x
     w289 = slider_z + w287 - (right_rod_z + w288)
     w290 = w281**2 + w285**2 + w289**2
-    w291 = 1.0 - right_spring_free_length / ca.sqrt(w290)
+    w291 = (1.0 - right_spring_free_length / ca.sqrt(w290)) * right_spring_stiffness
     w292 = w199 + (w198 + w56 * slider_e1_dot) + w49 * slider_e3_dot
     w293 = w202 + (w201 + w50 * slider_e1_dot + w61 * slider_e2_dot)
     w294 = w221 + (w220 + w77 * right_rod_e1_dot) + w87 * right_rod_e3_dot
@@ -1652,8 +1648,8 @@ def augmented() -> ca.Function:
     w298 = w225 + w75 * right_rod_e2_dot + w71 * right_rod_e3_dot
     w299 = w285 * (slider_y_dot + (w279 * w293 - w287 * w297) - (right_rod_y_dot + (w280 * w295 - w288 * w298)))
     w300 = w289 * (slider_z_dot + (w283 * w297 - w279 * w292) - (right_rod_z_dot + (w284 * w298 - w280 * w294)))
-    w301 = (w296 + w299 + w300) * right_spring_damping
-    w302 = w281 * w291 * right_spring_stiffness + w281 * w301 / w290
+    w301 = (w296 + w299 + w300) / w290 * right_spring_damping
+    w302 = w281 * w291 + w281 * w301
     w303 = w278 * slider_left_x
     w304 = w142 * left_rod_middle_x
     w305 = slider_x + w303 - (left_rod_x + w304)
@@ -1664,22 +1660,22 @@ def augmented() -> ca.Function:
     w310 = w122 * left_rod_middle_x
     w311 = slider_z + w309 - (left_rod_z + w310)
     w312 = w305**2 + w308**2 + w311**2
-    w313 = 1.0 - left_spring_free_length / ca.sqrt(w312)
+    w313 = (1.0 - left_spring_free_length / ca.sqrt(w312)) * left_spring_stiffness
     w314 = w250 + (w249 + w126 * left_rod_e1_dot) + w136 * left_rod_e3_dot
     w315 = w246 + (w245 + w117 * left_rod_e1_dot + w118 * left_rod_e2_dot)
     w316 = w305 * (slider_x_dot + (w292 * w309 - w293 * w306) - (left_rod_x_dot + (w310 * w314 - w307 * w315)))
     w317 = w254 + w124 * left_rod_e2_dot + w120 * left_rod_e3_dot
     w318 = w308 * (slider_y_dot + (w293 * w303 - w297 * w309) - (left_rod_y_dot + (w304 * w315 - w310 * w317)))
     w319 = w311 * (slider_z_dot + (w297 * w306 - w292 * w303) - (left_rod_z_dot + (w307 * w317 - w304 * w314)))
-    w320 = (w316 + w318 + w319) * left_spring_damping
-    w321 = w305 * w313 * left_spring_stiffness + w305 * w320 / w312
+    w320 = (w316 + w318 + w319) / w312 * left_spring_damping
+    w321 = w305 * w313 + w305 * w320
     w322 = -(w302 + w321)
-    w323 = w285 * w291 * right_spring_stiffness + w285 * w301 / w290
-    w324 = w308 * w313 * left_spring_stiffness + w308 * w320 / w312
+    w323 = w285 * w291 + w285 * w301
+    w324 = w308 * w313 + w308 * w320
     w325 = -(w323 + w324)
-    w326 = w289 * w291 * right_spring_stiffness + w289 * w301 / w290
-    w327 = w311 * w313 * left_spring_stiffness + w311 * w320 / w312
-    w328 = c19 - w326 - w327
+    w326 = w289 * w291 + w289 * w301
+    w327 = w311 * w313 + w311 * w320
+    w328 = c18 - w326 - w327
     w329 = w51 * w283
     w330 = w49 * w287
     w331 = w50 * w279
@@ -1730,7 +1726,7 @@ def augmented() -> ca.Function:
     w376 = w374 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0 - w374 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0
     w377 = -w376
     w378 = ca.sin(w373)
-    w379 = w378 * c34
+    w379 = w378 * c33
     w380 = w378 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w378 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
     w381 = -w380
     w382 = w186 * shaft_right_x + w5 * shaft_right_z
@@ -1741,12 +1737,12 @@ def augmented() -> ca.Function:
     w387 = w0 * w385
     w388 = left_swing_angle / 2.0
     w389 = ca.sin(w388)
-    w390 = w389 * c36
+    w390 = w389 * c35
     w391 = -w390
     w392 = ca.cos(w388)
     w393 = w392 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0 - w392 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0
     w394 = -w393
-    w395 = w392 * c35
+    w395 = w392 * c34
     w396 = -w395
     w397 = w186 * shaft_left_x + w5 * shaft_left_z
     w398 = w184 * shaft_left_x + w10 * shaft_left_z
@@ -1768,17 +1764,17 @@ def augmented() -> ca.Function:
     w414 = ca.sin(w413)
     w415 = ca.cos(w413)
     w416 = w378 / 2.0
-    w417 = w416 * c33
+    w417 = w416 * c32
     w418 = w416 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w416 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
     w419 = w374 / 2.0
-    w420 = w419 * c34
+    w420 = w419 * c33
     w421 = w419 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w419 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
     w422 = w392 / 2.0
     w423 = w422 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w422 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w424 = w422 * c36
+    w424 = w422 * c35
     w425 = w389 / 2.0
     w426 = w425 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w425 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w427 = w425 * c35
+    w427 = w425 * c34
     w428 = (spin_angle_dot / 2.0)**2
     w429 = w167 + (w166 + w14 * shaft_e1_dot) + w19 * shaft_e3_dot
     w430 = w170 + w7 * shaft_e2_dot + w3 * shaft_e3_dot
@@ -1790,16 +1786,16 @@ def augmented() -> ca.Function:
     w436 = right_swing_angle_dot / 2.0
     w437 = w436**2
     w438 = w374 * w437
-    w439 = w436 * (w374 * w436) * c33
+    w439 = w436 * (w374 * w436) * c32
     w440 = w438 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w438 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
     w441 = w378 * w437
-    w442 = w436 * (w378 * w436) * c34
+    w442 = w436 * (w378 * w436) * c33
     w443 = w441 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0 - w441 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0
     w444 = w416 * right_swing_angle_dot
-    w445 = w444 * c33
+    w445 = w444 * c32
     w446 = w444 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w444 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
     w447 = w419 * right_swing_angle_dot
-    w448 = w447 * c34
+    w448 = w447 * c33
     w449 = w447 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w447 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
     w450 = shaft_e0_dot * w445 + (shaft_e1_dot * w446 - shaft_e2_dot * w448 + shaft_e3_dot * w449)
     w451 = shaft_e0_dot * w446 - shaft_e1_dot * w445 + (shaft_e2_dot * w449 + shaft_e3_dot * w448)
@@ -1814,14 +1810,14 @@ def augmented() -> ca.Function:
     w460 = w459 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0 - w459 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0
     w461 = w392 * w458
     w462 = w461 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w461 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w463 = w457 * (w389 * w457) * c36
-    w464 = w457 * (w392 * w457) * c35
+    w463 = w457 * (w389 * w457) * c35
+    w464 = w457 * (w392 * w457) * c34
     w465 = w422 * left_swing_angle_dot
     w466 = w465 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w465 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w467 = w465 * c36
+    w467 = w465 * c35
     w468 = w425 * left_swing_angle_dot
     w469 = w468 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w468 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w470 = w468 * c35
+    w470 = w468 * c34
     w471 = shaft_e0_dot * w466 - (shaft_e1_dot * w467 + shaft_e2_dot * w469 - shaft_e3_dot * w470)
     w472 = shaft_e0_dot * w467 + shaft_e1_dot * w466 - (shaft_e2_dot * w470 + shaft_e3_dot * w469)
     w473 = shaft_e0_dot * w469 + shaft_e2_dot * w466 + (shaft_e3_dot * w467 + shaft_e1_dot * w470)
@@ -1930,7 +1926,7 @@ def augmented() -> ca.Function:
     M[17, 14] = w82
     M[17, 15] = w95
     M[17, 16] = w101
-    M[17, 17] = w87 * (w87 * c76) + w68 * (w68 * c16) + w75 * (w75 * c77)
+    M[17, 17] = w87 * (w87 * c76) + w68 * (w68 * c15) + w75 * (w75 * c77)
     M[17, 18] = w106
     M[17, 19] = w109
     M[17, 20] = w113
@@ -1939,7 +1935,7 @@ def augmented() -> ca.Function:
     M[18, 15] = w97
     M[18, 16] = w102
     M[18, 17] = w106
-    M[18, 18] = w84 * w105 + w75 * (w75 * c16) + w71 * (w71 * c77)
+    M[18, 18] = w84 * w105 + w75 * (w75 * c15) + w71 * (w71 * c77)
     M[18, 19] = w114
     M[18, 20] = w115
     # right_rod.e2
@@ -1980,7 +1976,7 @@ def augmented() -> ca.Function:
     M[24, 21] = w131
     M[24, 22] = w144
     M[24, 23] = w150
-    M[24, 24] = w136 * (w136 * c81) + w117 * (w117 * c17) + w124 * (w124 * c82)
+    M[24, 24] = w136 * (w136 * c81) + w117 * (w117 * c16) + w124 * (w124 * c82)
     M[24, 25] = w155
     M[24, 26] = w158
     M[24, 27] = w162
@@ -1989,7 +1985,7 @@ def augmented() -> ca.Function:
     M[25, 22] = w146
     M[25, 23] = w151
     M[25, 24] = w155
-    M[25, 25] = w133 * w154 + w124 * (w124 * c17) + w120 * (w120 * c82)
+    M[25, 25] = w133 * w154 + w124 * (w124 * c16) + w120 * (w120 * c82)
     M[25, 26] = w163
     M[25, 27] = w164
     # left_rod.e2
@@ -2302,15 +2298,15 @@ def reactions() -> ca.Function:
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
     takes q_ddot (n = 32) [mixed]: accelerations of all coordinates
-    takes c (n_const = 98) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 93) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 28) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 4) [N, N m]: world force and moment of a joint on its body b, at b
-    1953 operations.
+    1945 operations.
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
     q_ddot = ca.SX.sym("q_ddot", 32)
-    c = ca.SX.sym("c", 98)
+    c = ca.SX.sym("c", 93)
     shaft_e0 = q[3]
     shaft_e1 = q[4]
     shaft_e2 = q[5]
@@ -2399,38 +2395,38 @@ def reactions() -> ca.Function:
     c7 = c[7]
     c8 = c[8]
     shaft_right_x = c[10]
-    c11 = c[11]
-    slider_mass = c[15]
+    slider_mass = c[14]
+    c15 = c[15]
     c16 = c[16]
-    c17 = c[17]
-    gravity_z = c[18]
-    c19 = c[19]
+    gravity_z = c[17]
+    c18 = c[18]
+    right_spring_stiffness = c[19]
     right_spring_free_length = c[20]
     slider_right_x = c[21]
     right_rod_middle_x = c[22]
     shaft_right_z = c[23]
-    right_spring_stiffness = c[24]
-    right_spring_damping = c[25]
+    right_spring_damping = c[24]
+    left_spring_stiffness = c[25]
     left_spring_free_length = c[26]
     slider_left_x = c[27]
     left_rod_middle_x = c[28]
     shaft_left_z = c[29]
-    left_spring_stiffness = c[30]
-    left_spring_damping = c[31]
+    left_spring_damping = c[30]
+    c32 = c[32]
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
-    c36 = c[36]
-    shaft_right_quaternion_0_0_0 = c[44]
-    right_rod_hinge_quaternion_0_0_0 = c[45]
-    shaft_right_quaternion_1_0_0 = c[46]
-    right_rod_hinge_quaternion_1_0_0 = c[47]
-    shaft_left_quaternion_2_0_0 = c[48]
-    left_rod_hinge_quaternion_1_0_0 = c[49]
-    shaft_left_quaternion_3_0_0 = c[50]
-    left_rod_hinge_quaternion_0_0_0 = c[51]
-    left_rod_mass = c[52]
-    right_rod_mass = c[53]
+    shaft_right_quaternion_0_0_0 = c[43]
+    right_rod_hinge_quaternion_0_0_0 = c[44]
+    shaft_right_quaternion_1_0_0 = c[45]
+    right_rod_hinge_quaternion_1_0_0 = c[46]
+    shaft_left_quaternion_2_0_0 = c[47]
+    left_rod_hinge_quaternion_1_0_0 = c[48]
+    shaft_left_quaternion_3_0_0 = c[49]
+    left_rod_hinge_quaternion_0_0_0 = c[50]
+    left_rod_mass = c[51]
+    right_rod_mass = c[52]
+    c53 = c[53]
     c54 = c[54]
     c55 = c[55]
     c56 = c[56]
@@ -2568,7 +2564,7 @@ def reactions() -> ca.Function:
     w98 = w57 * left_rod_middle_x
     w99 = slider_z + w97 - (left_rod_z + w98)
     w100 = w87**2 + w95**2 + w99**2
-    w101 = 1.0 - left_spring_free_length / ca.sqrt(w100)
+    w101 = (1.0 - left_spring_free_length / ca.sqrt(w100)) * left_spring_stiffness
     w102 = 2 * -slider_e2
     w103 = slider_e0_dot * w102
     w104 = 2 * slider_e0
@@ -2586,8 +2582,8 @@ def reactions() -> ca.Function:
     w116 = w73 + w58 * left_rod_e2_dot + w55 * left_rod_e3_dot
     w117 = w87 * (slider_x_dot + (w97 * w107 - w90 * w111) - (left_rod_x_dot + (w98 * w112 - w94 * w113))) + w95 * (slider_y_dot + (w83 * w111 - w97 * w115) - (left_rod_y_dot + (w86 * w113 - w98 * w116)))
     w118 = w117 + w99 * (slider_z_dot + (w90 * w115 - w83 * w107) - (left_rod_z_dot + (w94 * w116 - w86 * w112)))
-    w119 = w118 * left_spring_damping
-    w120 = w99 * w101 * left_spring_stiffness + w99 * w119 / w100
+    w119 = w118 / w100 * left_spring_damping
+    w120 = w99 * w101 + w99 * w119
     w121 = w93 * c4
     w122 = w85 * c4
     w123 = w65 * w122
@@ -2603,7 +2599,7 @@ def reactions() -> ca.Function:
     w133 = w20 - w21
     w134 = w133 * shaft_left_x + w28 * shaft_left_z
     w135 = w0 * w134
-    w136 = w95 * w101 * left_spring_stiffness + w95 * w119 / w100
+    w136 = w95 * w101 + w95 * w119
     w137 = w57 * c4
     w138 = w60 * w137
     w139 = w58 * w122 - w138
@@ -2614,7 +2610,7 @@ def reactions() -> ca.Function:
     w144 = w128 - w55 * w137
     w145 = w70 * w93 - w76 * (1.0 - (w77 + w84)) - w79 * (w71 - w72) + w136 - (w143 + left_rod_e3_ddot * w144)
     w146 = w2 * w48
-    w147 = w87 * w101 * left_spring_stiffness + w87 * w119 / w100
+    w147 = w87 * w101 + w87 * w119
     w148 = w65 * w137 - w127
     w149 = w74 * w137 - w65 * w121
     w150 = w140 - w53 * w121
@@ -2623,7 +2619,7 @@ def reactions() -> ca.Function:
     w153 = w70 * w85 - w76 * (w91 - w92) - w79 * (w54 + w56) + w147 - (w151 + left_rod_e3_ddot * w152)
     w154 = left_swing_angle / 2.0
     w155 = ca.cos(w154)
-    w156 = w155 * c35
+    w156 = w155 * c34
     w157 = w63 * c1
     w158 = w68 * c57
     w159 = w68 * w157 - w63 * w158
@@ -2635,7 +2631,7 @@ def reactions() -> ca.Function:
     w165 = w61 * w86
     w166 = w131 * gravity_z + (w147 * (w163 - w164) + w136 * (w165 - w55 * w98) + w120 * (w55 * w94 - w60 * w86))
     w167 = w65 * c81
-    w168 = w53 * c17
+    w168 = w53 * c16
     w169 = w61 * c82
     w170 = left_rod_e1 * left_rod_e2 * c85 + w58 * w169
     w171 = left_rod_x_ddot * w152 + left_rod_y_ddot * w144 + left_rod_z_ddot * w131 + left_rod_e0_ddot * w170
@@ -2648,7 +2644,7 @@ def reactions() -> ca.Function:
     w178 = w61 * w98
     w179 = w58 * w94
     w180 = w129 * gravity_z + (w147 * (w178 - w53 * w94) + w136 * (w53 * w86 - w58 * w98) + w120 * (w179 - w165))
-    w181 = w61 * c17
+    w181 = w61 * c16
     w182 = w60 * c82
     w183 = w65 * w181 + left_rod_e1 * left_rod_e3 * c84
     w184 = left_rod_x_ddot * w150 + left_rod_y_ddot * w142 + left_rod_z_ddot * w129 + left_rod_e0_ddot * w183
@@ -2656,17 +2652,17 @@ def reactions() -> ca.Function:
     w186 = w184 + left_rod_e1_ddot * w185 + left_rod_e2_ddot * (w74 * (w74 * c81) + w61 * w181 + w60 * w182)
     w187 = w74 * w159 + w61 * w161 + w60 * w162 + w180 - (w186 + left_rod_e3_ddot * w173)
     w188 = ca.sin(w154)
-    w189 = w188 * c36
+    w189 = w188 * c35
     w190 = w65 * w86
     w191 = w126 * gravity_z + (w147 * (w74 * w98 - w65 * w94) + w136 * (w190 - w178) + w120 * (w164 - w74 * w86))
     w192 = w61 * c81
     w193 = w60 * w192 + left_rod_e3 * left_rod_e2 * c83
     w194 = left_rod_x_ddot * w149 + left_rod_y_ddot * w141 + left_rod_z_ddot * w126 + left_rod_e0_ddot * w193
-    w195 = w194 + left_rod_e1_ddot * (w61 * w192 + w58 * (w58 * c17) + w55 * (w55 * c82)) + left_rod_e2_ddot * w185
+    w195 = w194 + left_rod_e1_ddot * (w61 * w192 + w58 * (w58 * c16) + w55 * (w55 * c82)) + left_rod_e2_ddot * w185
     w196 = w61 * w159 + w58 * w161 + w55 * w162 + w191 - (w195 + left_rod_e3_ddot * w172)
     w197 = w188 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w188 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
     w198 = w124 * gravity_z + (w147 * (w65 * w98 - w179) + w136 * (w58 * w86 - w163) + w120 * (w60 * w94 - w190))
-    w199 = left_rod_x_ddot * w148 + left_rod_y_ddot * w139 + left_rod_z_ddot * w124 + left_rod_e0_ddot * (w60 * (w60 * c81) + w65 * (w65 * c17) + w58 * (w58 * c82))
+    w199 = left_rod_x_ddot * w148 + left_rod_y_ddot * w139 + left_rod_z_ddot * w124 + left_rod_e0_ddot * (w60 * (w60 * c81) + w65 * (w65 * c16) + w58 * (w58 * c82))
     w200 = w60 * w159 + w65 * w161 + w58 * w162 + w198 - (w199 + left_rod_e1_ddot * w193 + left_rod_e2_ddot * w183 + left_rod_e3_ddot * w170)
     w201 = w47 * shaft_right_x + w18 * shaft_right_z
     w202 = w50 * shaft_right_x + w22 * shaft_right_z
@@ -2682,12 +2678,12 @@ def reactions() -> ca.Function:
     w212 = 2 * right_rod_e0
     w213 = right_rod_e3_dot * w212
     w214 = w210 + w206 * right_rod_e1_dot + right_rod_e2_dot * w211 + w213
-    w215 = w214 * c11
+    w215 = w214 * c53
     w216 = 2 * -right_rod_e2
     w217 = right_rod_e0_dot * w216
     w218 = right_rod_e2_dot * w212
     w219 = w217 + w209 * right_rod_e1_dot + w218 + w204 * right_rod_e3_dot
-    w220 = w219 * c11
+    w220 = w219 * c53
     w221 = w214 * w215 + w219 * w220
     w222 = right_rod_e3 * w206
     w223 = w204 * right_rod_e0
@@ -2713,17 +2709,17 @@ def reactions() -> ca.Function:
     w243 = w208 * right_rod_middle_x
     w244 = slider_z + w242 - (right_rod_z + w243)
     w245 = w235**2 + w241**2 + w244**2
-    w246 = 1.0 - right_spring_free_length / ca.sqrt(w245)
+    w246 = (1.0 - right_spring_free_length / ca.sqrt(w245)) * right_spring_stiffness
     w247 = w218 + (w217 + right_rod_e1_dot * w225) + w211 * right_rod_e3_dot
     w248 = w213 + (w210 + right_rod_e1_dot * w216 + w204 * right_rod_e2_dot)
     w249 = w235 * (slider_x_dot + (w107 * w242 - w111 * w236) - (right_rod_x_dot + (w243 * w247 - w240 * w248)))
     w250 = w224 + w209 * right_rod_e2_dot + w206 * right_rod_e3_dot
     w251 = w241 * (slider_y_dot + (w111 * w231 - w115 * w242) - (right_rod_y_dot + (w234 * w248 - w243 * w250)))
     w252 = w244 * (slider_z_dot + (w115 * w236 - w107 * w231) - (right_rod_z_dot + (w240 * w250 - w234 * w247)))
-    w253 = (w249 + w251 + w252) * right_spring_damping
-    w254 = w244 * w246 * right_spring_stiffness + w244 * w253 / w245
-    w255 = w239 * c11
-    w256 = w233 * c11
+    w253 = (w249 + w251 + w252) / w245 * right_spring_damping
+    w254 = w244 * w246 + w244 * w253
+    w255 = w239 * c53
+    w256 = w233 * c53
     w257 = w216 * w256
     w258 = w211 * w255 - w257
     w259 = w212 * w255
@@ -2736,8 +2732,8 @@ def reactions() -> ca.Function:
     w266 = w208 * w221 - (w222 + w223) * w227 - (1.0 - (w228 + w229)) * w230 + (c87 + w254) - (w264 + w265 * right_rod_e3_ddot)
     w267 = w133 * shaft_right_x + w28 * shaft_right_z
     w268 = w0 * w267
-    w269 = w241 * w246 * right_spring_stiffness + w241 * w253 / w245
-    w270 = w208 * c11
+    w269 = w241 * w246 + w241 * w253
+    w270 = w208 * c53
     w271 = w211 * w270
     w272 = w209 * w256 - w271
     w273 = w212 * w270
@@ -2748,7 +2744,7 @@ def reactions() -> ca.Function:
     w278 = w221 * w239 - w227 * (1.0 - (w228 + w232)) - w230 * (w222 - w223) + w269 - (w276 + right_rod_e3_ddot * w277)
     w279 = w176 + w177 * w187 + w189 * w196 + w197 * w200 + (w0 * w201 - w203) * w266 + (w2 * w202 - w268) * w278
     w280 = w2 * w201
-    w281 = w235 * w246 * right_spring_stiffness + w235 * w253 / w245
+    w281 = w235 * w246 + w235 * w253
     w282 = w216 * w270 - w261
     w283 = w225 * w270 - w216 * w255
     w284 = w273 - w204 * w255
@@ -2769,7 +2765,7 @@ def reactions() -> ca.Function:
     w299 = w212 * w234
     w300 = w265 * gravity_z + (w281 * (w297 - w298) + w269 * (w299 - w206 * w243) + w254 * (w206 * w240 - w211 * w234))
     w301 = w216 * c76
-    w302 = w204 * c16
+    w302 = w204 * c15
     w303 = w212 * c77
     w304 = right_rod_e1 * right_rod_e2 * c80 + w209 * w303
     w305 = right_rod_x_ddot * w286 + right_rod_y_ddot * w277 + right_rod_z_ddot * w265 + right_rod_e0_ddot * w304
@@ -2777,11 +2773,11 @@ def reactions() -> ca.Function:
     w307 = w225 * w301 + right_rod_e1 * right_rod_e0 * c78
     w308 = w305 + right_rod_e1_ddot * w306 + right_rod_e2_ddot * w307 + right_rod_e3_ddot * (w216 * w301 + w204 * w302 + w212 * w303)
     w309 = w216 * w293 + w204 * w295 + w212 * w296 + w300 - w308
-    w310 = w289 * c34
+    w310 = w289 * c33
     w311 = w212 * w243
     w312 = w209 * w240
     w313 = w263 * gravity_z + (w281 * (w311 - w204 * w240) + w269 * (w204 * w234 - w209 * w243) + w254 * (w312 - w299))
-    w314 = w212 * c16
+    w314 = w212 * c15
     w315 = w211 * c77
     w316 = w216 * w314 + right_rod_e1 * right_rod_e3 * c79
     w317 = right_rod_x_ddot * w284 + right_rod_y_ddot * w275 + right_rod_z_ddot * w263 + right_rod_e0_ddot * w316
@@ -2795,16 +2791,16 @@ def reactions() -> ca.Function:
     w325 = w212 * c76
     w326 = w211 * w325 + right_rod_e3 * right_rod_e2 * c78
     w327 = right_rod_x_ddot * w283 + right_rod_y_ddot * w274 + right_rod_z_ddot * w260 + right_rod_e0_ddot * w326
-    w328 = w327 + right_rod_e1_ddot * (w212 * w325 + w209 * (w209 * c16) + w206 * (w206 * c77)) + right_rod_e2_ddot * w318
+    w328 = w327 + right_rod_e1_ddot * (w212 * w325 + w209 * (w209 * c15) + w206 * (w206 * c77)) + right_rod_e2_ddot * w318
     w329 = w212 * w293 + w209 * w295 + w206 * w296 + w324 - (w328 + right_rod_e3_ddot * w306)
-    w330 = w321 * c33
+    w330 = w321 * c32
     w331 = w258 * gravity_z + (w281 * (w216 * w243 - w312) + w269 * (w209 * w234 - w297) + w254 * (w211 * w240 - w323))
-    w332 = right_rod_x_ddot * w282 + right_rod_y_ddot * w272 + right_rod_z_ddot * w258 + right_rod_e0_ddot * (w211 * (w211 * c76) + w216 * (w216 * c16) + w209 * (w209 * c77))
+    w332 = right_rod_x_ddot * w282 + right_rod_y_ddot * w272 + right_rod_z_ddot * w258 + right_rod_e0_ddot * (w211 * (w211 * c76) + w216 * (w216 * c15) + w209 * (w209 * c77))
     w333 = w211 * w293 + w216 * w295 + w209 * w296 + w331 - (w332 + right_rod_e1_ddot * w326 + right_rod_e2_ddot * w316 + right_rod_e3_ddot * w304)
     w334 = w22 * height_travel
     w335 = w1 * w334
     w336 = w18 * height_travel
-    w337 = c19 - w254 - w120 - slider_z_ddot * slider_mass
+    w337 = c18 - w254 - w120 - slider_z_ddot * slider_mass
     w338 = w279 + (w1 * w267 - w280) * w287 + w290 * w309 - w310 * w320 + w322 * w329 + w330 * w333 - (w335 - w0 * w336) * w337
     w339 = w28 * height_travel
     w340 = w0 * w339
@@ -3001,17 +2997,17 @@ def energy() -> ca.Function:
 
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
-    takes c (n_const = 98) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 93) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    967 operations.
+    923 operations.
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
-    c = ca.SX.sym("c", 98)
+    c = ca.SX.sym("c", 93)
     shaft_z = q[2]
     shaft_e0 = q[3]
     shaft_e1 = q[4]
@@ -3067,21 +3063,23 @@ def energy() -> ca.Function:
     left_rod_e2_dot = q_dot[26]
     left_rod_e3_dot = q_dot[27]
     c4 = c[4]
-    c11 = c[11]
-    slider_mass = c[15]
+    slider_mass = c[14]
+    c15 = c[15]
     c16 = c[16]
-    c17 = c[17]
-    gravity_z = c[18]
+    gravity_z = c[17]
+    right_spring_stiffness = c[19]
     right_spring_free_length = c[20]
     slider_right_x = c[21]
     right_rod_middle_x = c[22]
-    right_spring_damping = c[25]
+    right_spring_damping = c[24]
+    left_spring_stiffness = c[25]
     left_spring_free_length = c[26]
     slider_left_x = c[27]
     left_rod_middle_x = c[28]
-    left_spring_damping = c[31]
-    left_rod_mass = c[52]
-    right_rod_mass = c[53]
+    left_spring_damping = c[30]
+    left_rod_mass = c[51]
+    right_rod_mass = c[52]
+    c53 = c[53]
     shaft_mass = c[60]
     c61 = c[61]
     c63 = c[63]
@@ -3107,11 +3105,7 @@ def energy() -> ca.Function:
     c84 = c[84]
     c85 = c[85]
     c90 = c[90]
-    c91 = c[91]
-    c92 = c[92]
-    c93 = c[93]
-    c94 = c[94]
-    # intermediate terms (239)
+    # intermediate terms (229)
     w0 = 2 * -shaft_e2
     w1 = 2 * shaft_e1
     w2 = 2 * shaft_e2
@@ -3191,11 +3185,11 @@ def energy() -> ca.Function:
     w76 = 2 * right_rod_e1
     w77 = 2 * right_rod_e2
     w78 = w76 * right_rod_e3 - w77 * right_rod_e0
-    w79 = w78 * c11
+    w79 = w78 * c53
     w80 = 2 * -right_rod_e3
     w81 = 2 * right_rod_e3
     w82 = right_rod_e2 * w76 + right_rod_e0 * w81
-    w83 = w82 * c11
+    w83 = w82 * c53
     w84 = w80 * w83
     w85 = w75 * w79 - w84
     w86 = w79 * w81 - w75 * w83
@@ -3209,7 +3203,7 @@ def energy() -> ca.Function:
     w94 = w92 - w93
     w95 = w71 + slider_e2_dot * (w72 + slider_e3_dot * w73) + slider_e3_dot * w74 + right_rod_x_dot * (w90 + w94 * right_rod_e3_dot)
     w96 = 1.0 - (right_rod_e2 * w77 + right_rod_e3 * w81)
-    w97 = w96 * c11
+    w97 = w96 * c53
     w98 = w80 * w97 - w92
     w99 = w75 * w97
     w100 = w99 - w88
@@ -3223,20 +3217,20 @@ def energy() -> ca.Function:
     w108 = right_rod_z_dot * right_rod_mass + right_rod_e0_dot * w105 + right_rod_e1_dot * w106 + right_rod_e2_dot * w107
     w109 = w77 * w83 - w91 * w97
     w110 = w95 + right_rod_y_dot * (w102 + right_rod_e3_dot * w104) + right_rod_z_dot * (w108 + right_rod_e3_dot * w109)
-    w111 = right_rod_x_dot * w85 + right_rod_y_dot * w98 + right_rod_z_dot * w105 + right_rod_e0_dot * (w91 * (w91 * c76) + w75 * (w75 * c16) + w80 * (w80 * c77))
+    w111 = right_rod_x_dot * w85 + right_rod_y_dot * w98 + right_rod_z_dot * w105 + right_rod_e0_dot * (w91 * (w91 * c76) + w75 * (w75 * c15) + w80 * (w80 * c77))
     w112 = w87 * c76
     w113 = w91 * w112 + right_rod_e2 * right_rod_e3 * c78
-    w114 = w87 * c16
+    w114 = w87 * c15
     w115 = w91 * c77
     w116 = w75 * w114 + right_rod_e1 * right_rod_e3 * c79
     w117 = w75 * c76
-    w118 = w76 * c16
+    w118 = w76 * c15
     w119 = w87 * c77
     w120 = right_rod_e2 * right_rod_e1 * c80 + w80 * w119
     w121 = right_rod_e0_dot * (w111 + right_rod_e1_dot * w113 + right_rod_e2_dot * w116 + right_rod_e3_dot * w120)
     w122 = right_rod_x_dot * w86 + right_rod_y_dot * w100 + right_rod_z_dot * w106 + right_rod_e0_dot * w113
     w123 = right_rod_e3 * right_rod_e0 * c80 + w77 * w115
-    w124 = w122 + right_rod_e1_dot * (w87 * w112 + w80 * (w80 * c16) + w77 * (w77 * c77)) + right_rod_e2_dot * w123
+    w124 = w122 + right_rod_e1_dot * (w87 * w112 + w80 * (w80 * c15) + w77 * (w77 * c77)) + right_rod_e2_dot * w123
     w125 = w80 * w118 + right_rod_e2 * right_rod_e0 * c79
     w126 = right_rod_x_dot * w89 + right_rod_y_dot * w101 + right_rod_z_dot * w107 + right_rod_e0_dot * w116
     w127 = w126 + right_rod_e1_dot * w123 + right_rod_e2_dot * (w81 * (w81 * c76) + w87 * w114 + w91 * w115)
@@ -3279,18 +3273,18 @@ def energy() -> ca.Function:
     w164 = w141 - w159
     w165 = left_rod_z_dot * left_rod_mass + left_rod_e0_dot * w162 + left_rod_e1_dot * w163 + left_rod_e2_dot * w164
     w166 = w134 * w140 - w148 * w153
-    w167 = left_rod_x_dot * w142 + left_rod_y_dot * w154 + left_rod_z_dot * w162 + left_rod_e0_dot * (w148 * (w148 * c81) + w132 * (w132 * c17) + w137 * (w137 * c82))
+    w167 = left_rod_x_dot * w142 + left_rod_y_dot * w154 + left_rod_z_dot * w162 + left_rod_e0_dot * (w148 * (w148 * c81) + w132 * (w132 * c16) + w137 * (w137 * c82))
     w168 = w144 * c81
     w169 = w148 * w168 + left_rod_e2 * left_rod_e3 * c83
-    w170 = w144 * c17
+    w170 = w144 * c16
     w171 = w148 * c82
     w172 = w132 * w170 + left_rod_e1 * left_rod_e3 * c84
     w173 = w132 * c81
-    w174 = w133 * c17
+    w174 = w133 * c16
     w175 = w144 * c82
     w176 = left_rod_e2 * left_rod_e1 * c85 + w137 * w175
     w177 = left_rod_e0_dot * (w167 + left_rod_e1_dot * w169 + left_rod_e2_dot * w172 + left_rod_e3_dot * w176)
-    w178 = left_rod_x_dot * w143 + left_rod_y_dot * w156 + left_rod_z_dot * w163 + left_rod_e0_dot * w169 + left_rod_e1_dot * (w144 * w168 + w137 * (w137 * c17) + w134 * (w134 * c82))
+    w178 = left_rod_x_dot * w143 + left_rod_y_dot * w156 + left_rod_z_dot * w163 + left_rod_e0_dot * w169 + left_rod_e1_dot * (w144 * w168 + w137 * (w137 * c16) + w134 * (w134 * c82))
     w179 = left_rod_e3 * left_rod_e0 * c85 + w134 * w171
     w180 = w137 * w174 + left_rod_e2 * left_rod_e0 * c84
     w181 = w161 + left_rod_z_dot * (w165 + left_rod_e3_dot * w166) + w177 + left_rod_e1_dot * (w178 + left_rod_e2_dot * w179 + left_rod_e3_dot * w180)
@@ -3303,59 +3297,51 @@ def energy() -> ca.Function:
     w188 = w187 * slider_right_x
     w189 = w96 * right_rod_middle_x
     w190 = slider_x + w188 - (right_rod_x + w189)
-    w191 = w190**2
-    w192 = slider_e2 * w64 + slider_e0 * w59
-    w193 = w192 * slider_right_x
-    w194 = w82 * right_rod_middle_x
-    w195 = slider_y + w193 - (right_rod_y + w194)
-    w196 = w195**2
-    w197 = slider_e3 * w64 - slider_e0 * w56
-    w198 = w197 * slider_right_x
-    w199 = w78 * right_rod_middle_x
-    w200 = slider_z + w198 - (right_rod_z + w199)
-    w201 = w200**2
-    w202 = w191 + w196 + w201
-    w203 = w187 * slider_left_x
-    w204 = w152 * left_rod_middle_x
-    w205 = slider_x + w203 - (left_rod_x + w204)
-    w206 = w205**2
-    w207 = w192 * slider_left_x
-    w208 = w139 * left_rod_middle_x
-    w209 = slider_y + w207 - (left_rod_y + w208)
-    w210 = w209**2
-    w211 = w197 * slider_left_x
-    w212 = w135 * left_rod_middle_x
-    w213 = slider_z + w211 - (left_rod_z + w212)
-    w214 = w213**2
-    w215 = w206 + w210 + w214
-    w216 = (ca.sqrt(w202) - right_spring_free_length)**2 * c90 + (ca.sqrt(w215) - left_spring_free_length)**2 * c91
-    w217 = w3 + shaft_z * shaft_mass + (w79 + right_rod_z * right_rod_mass) + (w136 + left_rod_z * left_rod_mass)
-    w218 = slider_e0_dot * w52 + slider_e1_dot * w59 + w54 * slider_e2_dot + w51 * slider_e3_dot
-    w219 = slider_e0_dot * w53 + w52 * slider_e1_dot + slider_e2_dot * w64 + w54 * slider_e3_dot
-    w220 = w75 * right_rod_e0_dot + w81 * right_rod_e1_dot + w87 * right_rod_e2_dot + w91 * right_rod_e3_dot
-    w221 = w80 * right_rod_e0_dot + w75 * right_rod_e1_dot + w76 * right_rod_e2_dot + w87 * right_rod_e3_dot
-    w222 = slider_x_dot + (w198 * w218 - w193 * w219) - (right_rod_x_dot + (w199 * w220 - w194 * w221))
-    w223 = slider_e0_dot * w51 + w54 * slider_e1_dot + w53 * slider_e2_dot + w56 * slider_e3_dot
-    w224 = right_rod_e0_dot * w91 + right_rod_e1_dot * w87 + w80 * right_rod_e2_dot + w77 * right_rod_e3_dot
-    w225 = slider_y_dot + (w188 * w219 - w198 * w223) - (right_rod_y_dot + (w189 * w221 - w199 * w224))
-    w226 = slider_z_dot + (w193 * w223 - w188 * w218) - (right_rod_z_dot + (w194 * w224 - w189 * w220))
-    w227 = w191 * (w222**2 * right_spring_damping) / w202 + w196 * (w225**2 * right_spring_damping) / w202 + w201 * (w226**2 * right_spring_damping) / w202
-    w228 = w222 * c92
-    w229 = w227 + w195 * (w190 * (w225 * w228)) / w202 + w200 * (w190 * (w226 * w228)) / w202 + w200 * (w195 * (w226 * (w225 * c92))) / w202
-    w230 = w132 * left_rod_e0_dot + w138 * left_rod_e1_dot + w144 * left_rod_e2_dot + w148 * left_rod_e3_dot
-    w231 = w137 * left_rod_e0_dot + w132 * left_rod_e1_dot + w133 * left_rod_e2_dot + w144 * left_rod_e3_dot
-    w232 = slider_x_dot + (w211 * w218 - w207 * w219) - (left_rod_x_dot + (w212 * w230 - w208 * w231))
-    w233 = left_rod_e0_dot * w148 + left_rod_e1_dot * w144 + w137 * left_rod_e2_dot + w134 * left_rod_e3_dot
-    w234 = slider_y_dot + (w203 * w219 - w211 * w223) - (left_rod_y_dot + (w204 * w231 - w212 * w233))
-    w235 = slider_z_dot + (w207 * w223 - w203 * w218) - (left_rod_z_dot + (w208 * w233 - w204 * w230))
-    w236 = w206 * (w232**2 * left_spring_damping) / w215 + w210 * (w234**2 * left_spring_damping) / w215 + w214 * (w235**2 * left_spring_damping) / w215
-    w237 = w232 * c93
-    w238 = w236 + w209 * (w205 * (w234 * w237)) / w215 + w213 * (w205 * (w235 * w237)) / w215 + w213 * (w209 * (w235 * (w234 * c93))) / w215
+    w191 = slider_e2 * w64 + slider_e0 * w59
+    w192 = w191 * slider_right_x
+    w193 = w82 * right_rod_middle_x
+    w194 = slider_y + w192 - (right_rod_y + w193)
+    w195 = slider_e3 * w64 - slider_e0 * w56
+    w196 = w195 * slider_right_x
+    w197 = w78 * right_rod_middle_x
+    w198 = slider_z + w196 - (right_rod_z + w197)
+    w199 = w190**2 + w194**2 + w198**2
+    w200 = w187 * slider_left_x
+    w201 = w152 * left_rod_middle_x
+    w202 = slider_x + w200 - (left_rod_x + w201)
+    w203 = w191 * slider_left_x
+    w204 = w139 * left_rod_middle_x
+    w205 = slider_y + w203 - (left_rod_y + w204)
+    w206 = w195 * slider_left_x
+    w207 = w135 * left_rod_middle_x
+    w208 = slider_z + w206 - (left_rod_z + w207)
+    w209 = w202**2 + w205**2 + w208**2
+    w210 = (ca.sqrt(w199) - right_spring_free_length)**2 * right_spring_stiffness / 2.0 + (ca.sqrt(w209) - left_spring_free_length)**2 * left_spring_stiffness / 2.0
+    w211 = w3 + shaft_z * shaft_mass + (w79 + right_rod_z * right_rod_mass) + (w136 + left_rod_z * left_rod_mass)
+    w212 = slider_e0_dot * w52 + slider_e1_dot * w59 + w54 * slider_e2_dot + w51 * slider_e3_dot
+    w213 = slider_e0_dot * w53 + w52 * slider_e1_dot + slider_e2_dot * w64 + w54 * slider_e3_dot
+    w214 = w75 * right_rod_e0_dot + w81 * right_rod_e1_dot + w87 * right_rod_e2_dot + w91 * right_rod_e3_dot
+    w215 = w80 * right_rod_e0_dot + w75 * right_rod_e1_dot + w76 * right_rod_e2_dot + w87 * right_rod_e3_dot
+    w216 = w190 * (slider_x_dot + (w196 * w212 - w192 * w213) - (right_rod_x_dot + (w197 * w214 - w193 * w215)))
+    w217 = slider_e0_dot * w51 + w54 * slider_e1_dot + w53 * slider_e2_dot + w56 * slider_e3_dot
+    w218 = right_rod_e0_dot * w91 + right_rod_e1_dot * w87 + w80 * right_rod_e2_dot + w77 * right_rod_e3_dot
+    w219 = w194 * (slider_y_dot + (w188 * w213 - w196 * w217) - (right_rod_y_dot + (w189 * w215 - w197 * w218)))
+    w220 = w198 * (slider_z_dot + (w192 * w217 - w188 * w212) - (right_rod_z_dot + (w193 * w218 - w189 * w214)))
+    w221 = w216 + w219 + w220
+    w222 = w132 * left_rod_e0_dot + w138 * left_rod_e1_dot + w144 * left_rod_e2_dot + w148 * left_rod_e3_dot
+    w223 = w137 * left_rod_e0_dot + w132 * left_rod_e1_dot + w133 * left_rod_e2_dot + w144 * left_rod_e3_dot
+    w224 = w202 * (slider_x_dot + (w206 * w212 - w203 * w213) - (left_rod_x_dot + (w207 * w222 - w204 * w223)))
+    w225 = left_rod_e0_dot * w148 + left_rod_e1_dot * w144 + w137 * left_rod_e2_dot + w134 * left_rod_e3_dot
+    w226 = w205 * (slider_y_dot + (w200 * w213 - w206 * w217) - (left_rod_y_dot + (w201 * w223 - w207 * w225)))
+    w227 = w208 * (slider_z_dot + (w203 * w217 - w200 * w212) - (left_rod_z_dot + (w204 * w225 - w201 * w222)))
+    w228 = w224 + w226 + w227
     # outputs
     kinetic = ca.vertcat((w181 + left_rod_e2_dot * w184 + w186) / 2.0)
-    elastic = ca.vertcat(w216)
-    potential = ca.vertcat(slider_z * c94 - w217 * gravity_z)
-    power_dissipated = ca.vertcat(w229 + w238)
+    elastic = ca.vertcat(w210)
+    potential = ca.vertcat(slider_z * c90 - w211 * gravity_z)
+    power_dissipated = ca.vertcat(
+        w221 * (w221 / w199 * right_spring_damping) + w228 * (w228 / w209 * left_spring_damping),
+    )
     power_applied = ca.SX(1, 1)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
@@ -3366,13 +3352,13 @@ def load_actions() -> ca.Function:
 
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
-    takes c (n_const = 98) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 93) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives load_actions (3 or 6 x loads = 6 x 2) [N, N m]: world force and moment of a load on its marker, or b
     62 operations.
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
-    c = ca.SX.sym("c", 98)
+    c = ca.SX.sym("c", 93)
     height_travel = q[29]
     right_swing_angle = q[30]
     left_swing_angle = q[31]
@@ -3381,39 +3367,39 @@ def load_actions() -> ca.Function:
     left_swing_angle_dot = q_dot[31]
     shaft_left_x = c[3]
     shaft_right_x = c[10]
+    right_spring_stiffness = c[19]
     right_spring_free_length = c[20]
     slider_right_x = c[21]
     right_rod_middle_x = c[22]
     shaft_right_z = c[23]
-    right_spring_damping = c[25]
+    right_spring_damping = c[24]
+    left_spring_stiffness = c[25]
     left_spring_free_length = c[26]
     slider_left_x = c[27]
     left_rod_middle_x = c[28]
     shaft_left_z = c[29]
-    left_spring_damping = c[31]
-    c32 = c[32]
-    c95 = c[95]
+    left_spring_damping = c[30]
     # intermediate terms (14)
     w0 = ca.cos(right_swing_angle) * right_rod_middle_x
     w1 = slider_right_x - (shaft_right_x + w0)
     w2 = ca.sin(right_swing_angle) * right_rod_middle_x
     w3 = height_travel - (shaft_right_z - w2)
     w4 = w1**2 + w3**2
-    w5 = 1.0 - right_spring_free_length / ca.sqrt(w4)
-    w6 = (w1 * (w2 * right_swing_angle_dot) + w3 * (height_travel_dot + w0 * right_swing_angle_dot)) * right_spring_damping
+    w5 = (1.0 - right_spring_free_length / ca.sqrt(w4)) * right_spring_stiffness
+    w6 = (w1 * (w2 * right_swing_angle_dot) + w3 * (height_travel_dot + w0 * right_swing_angle_dot)) / w4 * right_spring_damping
     w7 = ca.cos(left_swing_angle) * left_rod_middle_x
     w8 = slider_left_x - (shaft_left_x - w7)
     w9 = ca.sin(left_swing_angle) * left_rod_middle_x
     w10 = height_travel - (shaft_left_z - w9)
     w11 = w8**2 + w10**2
-    w12 = 1.0 - left_spring_free_length / ca.sqrt(w11)
-    w13 = (w10 * (height_travel_dot + w7 * left_swing_angle_dot) - w8 * (w9 * left_swing_angle_dot)) * left_spring_damping
+    w12 = (1.0 - left_spring_free_length / ca.sqrt(w11)) * left_spring_stiffness
+    w13 = (w10 * (height_travel_dot + w7 * left_swing_angle_dot) - w8 * (w9 * left_swing_angle_dot)) / w11 * left_spring_damping
     # outputs
     load_actions = ca.SX(6, 2)
-    load_actions[0, 0] = w1 * w5 * c32 - w1 * w6 / w4
-    load_actions[0, 1] = w8 * w12 * c95 - w8 * w13 / w11
-    load_actions[2, 0] = w3 * w5 * c32 - w3 * w6 / w4
-    load_actions[2, 1] = w10 * w12 * c95 - w10 * w13 / w11
+    load_actions[0, 0] = -(w1 * w5 + w1 * w6)
+    load_actions[0, 1] = -(w8 * w12 + w8 * w13)
+    load_actions[2, 0] = -(w3 * w5 + w3 * w6)
+    load_actions[2, 1] = -(w10 * w12 + w10 * w13)
     inputs, outputs = [q, q_dot, c], [ca.densify(load_actions)]
     return ca.Function("load_actions", inputs, outputs, ["q", "q_dot", "c"], ["load_actions"])
 
@@ -3527,13 +3513,13 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 98) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 93) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i, through q_d
-    287 operations.
+    266 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 98)
+    c = ca.SX.sym("c", 93)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
@@ -3548,24 +3534,23 @@ def dQ_hat_dq_i() -> ca.Function:
     c7 = c[7]
     c8 = c[8]
     shaft_right_x = c[10]
-    c11 = c[11]
+    c15 = c[15]
     c16 = c[16]
-    c17 = c[17]
-    gravity_z = c[18]
+    gravity_z = c[17]
+    right_spring_stiffness = c[19]
     right_spring_free_length = c[20]
     slider_right_x = c[21]
     right_rod_middle_x = c[22]
     shaft_right_z = c[23]
-    right_spring_stiffness = c[24]
-    right_spring_damping = c[25]
+    right_spring_damping = c[24]
+    left_spring_stiffness = c[25]
     left_spring_free_length = c[26]
     slider_left_x = c[27]
     left_rod_middle_x = c[28]
     shaft_left_z = c[29]
-    left_spring_stiffness = c[30]
-    left_spring_damping = c[31]
-    c32 = c[32]
-    # intermediate terms (68)
+    left_spring_damping = c[30]
+    c53 = c[53]
+    # intermediate terms (63)
     w0 = ca.sin(right_swing_angle)
     w1 = w0 * right_rod_middle_x
     w2 = height_travel - (shaft_right_z - w1)
@@ -3576,17 +3561,17 @@ def dQ_hat_dq_i() -> ca.Function:
     w7 = ca.sqrt(w6)
     w8 = right_spring_free_length / w7
     w9 = w8 / w7
-    w10 = w9 * (w2 / w7)
-    w11 = 1.0 - w8
+    w10 = w9 * (w2 / w7) * right_spring_stiffness
+    w11 = (1.0 - w8) * right_spring_stiffness
     w12 = w4 * right_swing_angle_dot
     w13 = height_travel_dot + w12
-    w14 = w13 * right_spring_damping
-    w15 = w1 * right_swing_angle_dot
-    w16 = (w5 * w15 + w2 * w13) * right_spring_damping
-    w17 = w2 * w16 / w6
-    w18 = w17 / w6
-    w19 = 2 * w2
-    w20 = (w2 * w10 + w11) * right_spring_stiffness + ((w2 * w14 + w16) / w6 - w18 * w19)
+    w14 = w1 * right_swing_angle_dot
+    w15 = (w5 * w14 + w2 * w13) / w6
+    w16 = w15 / w6
+    w17 = 2 * w2
+    w18 = (w13 / w6 - w16 * w17) * right_spring_damping
+    w19 = w15 * right_spring_damping
+    w20 = w2 * w10 + w11 + (w2 * w18 + w19)
     w21 = ca.sin(left_swing_angle)
     w22 = w21 * left_rod_middle_x
     w23 = height_travel - (shaft_left_z - w22)
@@ -3597,58 +3582,53 @@ def dQ_hat_dq_i() -> ca.Function:
     w28 = ca.sqrt(w27)
     w29 = left_spring_free_length / w28
     w30 = w29 / w28
-    w31 = w30 * (w23 / w28)
-    w32 = 1.0 - w29
+    w31 = w30 * (w23 / w28) * left_spring_stiffness
+    w32 = (1.0 - w29) * left_spring_stiffness
     w33 = w25 * left_swing_angle_dot
     w34 = height_travel_dot + w33
-    w35 = w34 * left_spring_damping
-    w36 = w22 * left_swing_angle_dot
-    w37 = (w23 * w34 - w26 * w36) * left_spring_damping
-    w38 = w23 * w37 / w27
-    w39 = w38 / w27
-    w40 = 2 * w23
-    w41 = (w23 * w31 + w32) * left_spring_stiffness + ((w23 * w35 + w37) / w27 - w39 * w40)
-    w42 = w5 * w16 / w6
-    w43 = w42 / w6
-    w44 = w26 * w37 / w27
-    w45 = w44 / w27
-    w46 = 2 * right_swing_angle_dot
-    w47 = w0 * spin_angle_dot
-    w48 = w3 * spin_angle_dot
-    w49 = w0 * (w46 * c8 * w47 - 2 * (right_swing_angle_dot * w47) * c7) + w3 * (w46 * c7 * w48 - 2 * (right_swing_angle_dot * w48) * c8)
-    w50 = w1 * (2 * w5) + w4 * w19
-    w51 = w9 * (w50 / (2 * w7))
-    w52 = (w5 * w12 + w1 * w15 + (w4 * w13 - w2 * w15)) * right_spring_damping
-    w53 = (w2 * w51 + w4 * w11) * right_spring_stiffness + ((w2 * w52 + w4 * w16) / w6 - w18 * w50)
-    w54 = spin_angle_dot**2
-    w55 = (w0 * gravity_z - w3 * (w54 * shaft_right_x)) * c11 + w54 * c16 + (w48 * (2 * -w48 * c7) + w47 * (2 * -w47 * c8))
-    w56 = w1 * ((w5 * w51 + w1 * w11) * right_spring_stiffness + ((w5 * w52 + w1 * w16) / w6 - w43 * w50)) + w4 * (w42 + w5 * w11 * right_spring_stiffness)
-    w57 = w24 * spin_angle_dot
-    w58 = 2 * left_swing_angle_dot
-    w59 = w21 * spin_angle_dot
-    w60 = w21 * (w58 * c1 * w59 - 2 * (left_swing_angle_dot * w59) * c0) + w24 * (w57 * (w58 * c0) - 2 * (left_swing_angle_dot * w57) * c1)
-    w61 = w25 * w40 - w22 * (2 * w26)
-    w62 = w30 * (w61 / (2 * w28))
-    w63 = (w25 * w34 - w23 * w36 - (w26 * w33 - w22 * w36)) * left_spring_damping
-    w64 = (w23 * w62 + w25 * w32) * left_spring_stiffness + ((w23 * w63 + w25 * w37) / w27 - w39 * w61)
-    w65 = w22 * ((w26 * w62 - w22 * w32) * left_spring_stiffness + ((w26 * w63 - w22 * w37) / w27 - w45 * w61))
-    w66 = w65 + w25 * (w44 + w26 * w32 * left_spring_stiffness) - (w25 * w64 - w22 * (w38 + w23 * w32 * left_spring_stiffness))
-    w67 = (w24 * (w54 * shaft_left_x) + w21 * gravity_z) * c4 + w54 * c17 + (w57 * (2 * -w57 * c0) + w59 * (2 * -w59 * c1))
+    w35 = w22 * left_swing_angle_dot
+    w36 = (w23 * w34 - w26 * w35) / w27
+    w37 = w36 / w27
+    w38 = 2 * w23
+    w39 = (w34 / w27 - w37 * w38) * left_spring_damping
+    w40 = w36 * left_spring_damping
+    w41 = w23 * w31 + w32 + (w23 * w39 + w40)
+    w42 = 2 * right_swing_angle_dot
+    w43 = w0 * spin_angle_dot
+    w44 = w3 * spin_angle_dot
+    w45 = w0 * (w42 * c8 * w43 - 2 * (right_swing_angle_dot * w43) * c7) + w3 * (w42 * c7 * w44 - 2 * (right_swing_angle_dot * w44) * c8)
+    w46 = w1 * (2 * w5) + w4 * w17
+    w47 = w9 * (w46 / (2 * w7)) * right_spring_stiffness
+    w48 = ((w1 * w14 + w5 * w12 + (w4 * w13 - w2 * w14)) / w6 - w16 * w46) * right_spring_damping
+    w49 = w2 * w47 + w4 * w11 + (w2 * w48 + w4 * w19)
+    w50 = spin_angle_dot**2
+    w51 = (w0 * gravity_z - w3 * (w50 * shaft_right_x)) * c53 + w50 * c15 + (w44 * (2 * -w44 * c7) + w43 * (2 * -w43 * c8))
+    w52 = w1 * (w5 * w47 + w1 * w11 + (w5 * w48 + w1 * w19)) + w4 * (w5 * w11 + w5 * w19) + (w4 * w49 - w1 * (w2 * w11 + w2 * w19))
+    w53 = w24 * spin_angle_dot
+    w54 = 2 * left_swing_angle_dot
+    w55 = w21 * spin_angle_dot
+    w56 = w21 * (w54 * c1 * w55 - 2 * (left_swing_angle_dot * w55) * c0) + w24 * (w53 * (w54 * c0) - 2 * (left_swing_angle_dot * w53) * c1)
+    w57 = w25 * w38 - w22 * (2 * w26)
+    w58 = w30 * (w57 / (2 * w28)) * left_spring_stiffness
+    w59 = ((w25 * w34 - w23 * w35 - (w26 * w33 - w22 * w35)) / w27 - w37 * w57) * left_spring_damping
+    w60 = w23 * w58 + w25 * w32 + (w23 * w59 + w25 * w40)
+    w61 = w22 * (w26 * w58 - w22 * w32 + (w26 * w59 - w22 * w40)) + w25 * (w26 * w32 + w26 * w40) - (w25 * w60 - w22 * (w23 * w32 + w23 * w40))
+    w62 = (w24 * (w50 * shaft_left_x) + w21 * gravity_z) * c4 + w50 * c16 + (w53 * (2 * -w53 * c0) + w55 * (2 * -w55 * c1))
     # outputs
     dQ_hat_dq_i = ca.SX(4, 4)
     # spin.angle
-    dQ_hat_dq_i[0, 2] = w49 + w48 * (w46 * c11) * shaft_right_x
-    dQ_hat_dq_i[0, 3] = w60 - w57 * (w58 * c4) * shaft_left_x
+    dQ_hat_dq_i[0, 2] = w45 + w44 * (w42 * c53) * shaft_right_x
+    dQ_hat_dq_i[0, 3] = w56 - w53 * (w54 * c4) * shaft_left_x
     # height.travel
     dQ_hat_dq_i[1, 1] = -(w20 + w41)
-    dQ_hat_dq_i[1, 2] = -w53
-    dQ_hat_dq_i[1, 3] = -w64
+    dQ_hat_dq_i[1, 2] = -w49
+    dQ_hat_dq_i[1, 3] = -w60
     # right_swing.angle
-    dQ_hat_dq_i[2, 1] = (w5 * w10 * c32 - (w5 * w14 / w6 - w19 * w43)) * w1 - w4 * w20
-    dQ_hat_dq_i[2, 2] = w55 - (w56 + (w4 * w53 - w1 * (w17 + w2 * w11 * right_spring_stiffness)))
+    dQ_hat_dq_i[2, 1] = -(w1 * (w5 * w10 + w5 * w18) + w4 * w20)
+    dQ_hat_dq_i[2, 2] = w51 - w52
     # left_swing.angle
-    dQ_hat_dq_i[3, 1] = w22 * (w26 * w31 * left_spring_stiffness + (w26 * w35 / w27 - w40 * w45)) - w25 * w41
-    dQ_hat_dq_i[3, 3] = w66 + w67
+    dQ_hat_dq_i[3, 1] = w22 * (w26 * w31 + w26 * w39) - w25 * w41
+    dQ_hat_dq_i[3, 3] = w61 + w62
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i"])
 
@@ -3658,13 +3638,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 98) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 93) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    125 operations.
+    121 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 98)
+    c = ca.SX.sym("c", 93)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
@@ -3682,19 +3662,19 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c9 = c[9]
     shaft_right_x = c[10]
     c11 = c[11]
-    c12 = c[12]
     slider_right_x = c[21]
     right_rod_middle_x = c[22]
     shaft_right_z = c[23]
-    right_spring_damping = c[25]
+    right_spring_damping = c[24]
     slider_left_x = c[27]
     left_rod_middle_x = c[28]
     shaft_left_z = c[29]
-    left_spring_damping = c[31]
-    c37 = c[37]
-    c41 = c[41]
-    c96 = c[96]
-    c97 = c[97]
+    left_spring_damping = c[30]
+    c36 = c[36]
+    c40 = c[40]
+    c53 = c[53]
+    c91 = c[91]
+    c92 = c[92]
     # intermediate terms (28)
     w0 = ca.sin(left_swing_angle)
     w1 = 2 * left_swing_angle_dot
@@ -3706,38 +3686,36 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w7 = w0 * spin_angle_dot
     w8 = w3 * right_rod_middle_x
     w9 = height_travel - (shaft_right_z - w8)
-    w10 = w9 * right_spring_damping
-    w11 = w4 * right_rod_middle_x
-    w12 = slider_right_x - (shaft_right_x + w11)
-    w13 = w12**2 + w9**2
-    w14 = w9 * w10 / w13
+    w10 = w4 * right_rod_middle_x
+    w11 = slider_right_x - (shaft_right_x + w10)
+    w12 = w11**2 + w9**2
+    w13 = w9 / w12 * right_spring_damping
+    w14 = w9 * w13
     w15 = w0 * left_rod_middle_x
     w16 = height_travel - (shaft_left_z - w15)
-    w17 = w16 * left_spring_damping
-    w18 = w2 * left_rod_middle_x
-    w19 = slider_left_x - (shaft_left_x - w18)
-    w20 = w19**2 + w16**2
-    w21 = w16 * w17 / w20
-    w22 = (w8 * w12 + w9 * w11) * right_spring_damping
-    w23 = w9 * w22 / w13
-    w24 = (w16 * w18 - w15 * w19) * left_spring_damping
-    w25 = w16 * w24 / w20
-    w26 = w3 * (w4 * (w5 * c9)) + w3 * (w5 * c11) * shaft_right_x - (w0 * (w1 * c4) * shaft_left_x - w0 * (w2 * (w1 * c2)))
-    w27 = spin_angle_dot * c41 * (w0 * c4) - (w2 * (2 * -w7 * c1) - w0 * (2 * -(w2 * spin_angle_dot) * c0))
+    w17 = w2 * left_rod_middle_x
+    w18 = slider_left_x - (shaft_left_x - w17)
+    w19 = w18**2 + w16**2
+    w20 = w16 / w19 * left_spring_damping
+    w21 = w16 * w20
+    w22 = (w8 * w11 + w9 * w10) / w12 * right_spring_damping
+    w23 = w9 * w22
+    w24 = (w16 * w17 - w15 * w18) / w19 * left_spring_damping
+    w25 = w16 * w24
+    w26 = w3 * (w4 * (w5 * c9)) + w3 * (w5 * c53) * shaft_right_x - (w0 * (w1 * c4) * shaft_left_x - w0 * (w2 * (w1 * c2)))
+    w27 = spin_angle_dot * c40 * (w0 * c4) - (w2 * (2 * -w7 * c1) - w0 * (2 * -(w2 * spin_angle_dot) * c0))
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
         ca.horzcat(  # spin.angle
-            w26, 0.0, spin_angle_dot * (w3 * w4) * c96 + 2 * w6 * c12,
-            spin_angle_dot * (w0 * w2) * c97 - 2 * w7 * c5,
+            w26, 0.0, spin_angle_dot * (w3 * w4) * c91 + 2 * w6 * c11,
+            spin_angle_dot * (w0 * w2) * c92 - 2 * w7 * c5,
         ),
         ca.horzcat(0.0, -(w14 + w21), -w23, -w25),  # height.travel
         ca.horzcat(  # right_swing.angle
-            w3 * (2 * -(w4 * spin_angle_dot) * c7) - w4 * (2 * -w6 * c8) - spin_angle_dot * c37 * (w3 * c11),
-            -(w8 * (w10 * w12 / w13) + w11 * w14), -(w8 * (w12 * w22 / w13) + w11 * w23), 0.0,
+            w3 * (2 * -(w4 * spin_angle_dot) * c7) - w4 * (2 * -w6 * c8) - spin_angle_dot * c36 * (w3 * c53),
+            -(w8 * (w11 * w13) + w10 * w14), -(w8 * (w11 * w22) + w10 * w23), 0.0,
         ),
-        ca.horzcat(  # left_swing.angle
-            w27, w15 * (w17 * w19 / w20) - w18 * w21, 0.0, w15 * (w19 * w24 / w20) - w18 * w25,
-        ),
+        ca.horzcat(w27, w15 * (w18 * w20) - w17 * w21, 0.0, w15 * (w18 * w24) - w17 * w25),  # left_swing.angle
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
@@ -3749,15 +3727,15 @@ def residual_jacobian() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 98) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 93) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 4 x 4) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    396 operations.
+    371 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 98)
+    c = ca.SX.sym("c", 93)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
@@ -3775,28 +3753,27 @@ def residual_jacobian() -> ca.Function:
     c8 = c[8]
     shaft_right_x = c[10]
     c11 = c[11]
-    c12 = c[12]
+    c15 = c[15]
     c16 = c[16]
-    c17 = c[17]
-    gravity_z = c[18]
+    gravity_z = c[17]
+    right_spring_stiffness = c[19]
     right_spring_free_length = c[20]
     slider_right_x = c[21]
     right_rod_middle_x = c[22]
     shaft_right_z = c[23]
-    right_spring_stiffness = c[24]
-    right_spring_damping = c[25]
+    right_spring_damping = c[24]
+    left_spring_stiffness = c[25]
     left_spring_free_length = c[26]
     slider_left_x = c[27]
     left_rod_middle_x = c[28]
     shaft_left_z = c[29]
-    left_spring_stiffness = c[30]
-    left_spring_damping = c[31]
-    c32 = c[32]
-    c37 = c[37]
-    c41 = c[41]
-    c96 = c[96]
-    c97 = c[97]
-    # intermediate terms (95)
+    left_spring_damping = c[30]
+    c36 = c[36]
+    c40 = c[40]
+    c53 = c[53]
+    c91 = c[91]
+    c92 = c[92]
+    # intermediate terms (89)
     w0 = ca.sin(right_swing_angle)
     w1 = w0 * right_rod_middle_x
     w2 = height_travel - (shaft_right_z - w1)
@@ -3807,17 +3784,17 @@ def residual_jacobian() -> ca.Function:
     w7 = ca.sqrt(w6)
     w8 = right_spring_free_length / w7
     w9 = w8 / w7
-    w10 = w9 * (w2 / w7)
-    w11 = 1.0 - w8
+    w10 = w9 * (w2 / w7) * right_spring_stiffness
+    w11 = (1.0 - w8) * right_spring_stiffness
     w12 = w4 * right_swing_angle_dot
     w13 = height_travel_dot + w12
-    w14 = w13 * right_spring_damping
-    w15 = w1 * right_swing_angle_dot
-    w16 = (w5 * w15 + w2 * w13) * right_spring_damping
-    w17 = w2 * w16 / w6
-    w18 = w17 / w6
-    w19 = 2 * w2
-    w20 = (w2 * w10 + w11) * right_spring_stiffness + ((w2 * w14 + w16) / w6 - w18 * w19)
+    w14 = w1 * right_swing_angle_dot
+    w15 = (w5 * w14 + w2 * w13) / w6
+    w16 = w15 / w6
+    w17 = 2 * w2
+    w18 = (w13 / w6 - w16 * w17) * right_spring_damping
+    w19 = w15 * right_spring_damping
+    w20 = w2 * w10 + w11 + (w2 * w18 + w19)
     w21 = ca.sin(left_swing_angle)
     w22 = w21 * left_rod_middle_x
     w23 = height_travel - (shaft_left_z - w22)
@@ -3828,98 +3805,92 @@ def residual_jacobian() -> ca.Function:
     w28 = ca.sqrt(w27)
     w29 = left_spring_free_length / w28
     w30 = w29 / w28
-    w31 = w30 * (w23 / w28)
-    w32 = 1.0 - w29
+    w31 = w30 * (w23 / w28) * left_spring_stiffness
+    w32 = (1.0 - w29) * left_spring_stiffness
     w33 = w25 * left_swing_angle_dot
     w34 = height_travel_dot + w33
-    w35 = w34 * left_spring_damping
-    w36 = w22 * left_swing_angle_dot
-    w37 = (w23 * w34 - w26 * w36) * left_spring_damping
-    w38 = w23 * w37 / w27
-    w39 = w38 / w27
-    w40 = 2 * w23
-    w41 = (w23 * w31 + w32) * left_spring_stiffness + ((w23 * w35 + w37) / w27 - w39 * w40)
-    w42 = w5 * w16 / w6
-    w43 = w42 / w6
-    w44 = w26 * w37 / w27
-    w45 = w44 / w27
-    w46 = w0 * spin_angle_dot
-    w47 = right_swing_angle_dot * w46
-    w48 = w47 - w3 * spin_angle_ddot
-    w49 = 2 * right_swing_angle_dot
-    w50 = w49 * c8
-    w51 = w0 * spin_angle_ddot
-    w52 = w49 * c7
-    w53 = w3 * spin_angle_dot
-    w54 = right_swing_angle_dot * w53
-    w55 = w0 * ((w48 - w47) * c8 + w46 * w50 - ((w47 + w48) * c7 - spin_angle_ddot * c12)) + w3 * (w51 * c7 + w52 * w53 - (w54 + (w51 + w54)) * c8)
-    w56 = w49 * c11
-    w57 = w1 * (2 * w5) + w4 * w19
-    w58 = w9 * (w57 / (2 * w7))
-    w59 = (w5 * w12 + w1 * w15 + (w4 * w13 - w2 * w15)) * right_spring_damping
-    w60 = (w2 * w58 + w4 * w11) * right_spring_stiffness + ((w2 * w59 + w4 * w16) / w6 - w18 * w57)
-    w61 = spin_angle_dot**2
-    w62 = 2 * -w53 * c7
-    w63 = 2 * -w46 * c8
-    w64 = w1 * ((w5 * w58 + w1 * w11) * right_spring_stiffness + ((w5 * w59 + w1 * w16) / w6 - w43 * w57)) + w4 * (w42 + w5 * w11 * right_spring_stiffness)
-    w65 = (w0 * gravity_z - w3 * (w61 * shaft_right_x)) * c11 + w61 * c16 + (w53 * w62 + w46 * w63) - (w64 + (w4 * w60 - w1 * (w17 + w2 * w11 * right_spring_stiffness)))
-    w66 = w21 * spin_angle_ddot
-    w67 = w24 * spin_angle_dot
-    w68 = 2 * left_swing_angle_dot
-    w69 = w68 * c4
-    w70 = w21 * spin_angle_dot
-    w71 = left_swing_angle_dot * w70
-    w72 = w71 - w24 * spin_angle_ddot
-    w73 = w68 * c1
-    w74 = w68 * c0
-    w75 = left_swing_angle_dot * w67
-    w76 = w21 * ((w72 - w71) * c1 + w70 * w73 - (spin_angle_ddot * c5 + (w71 + w72) * c0)) + w24 * (w66 * c0 + w67 * w74 - (w75 + (w66 + w75)) * c1)
-    w77 = w25 * w40 - w22 * (2 * w26)
-    w78 = w30 * (w77 / (2 * w28))
-    w79 = (w25 * w34 - w23 * w36 - (w26 * w33 - w22 * w36)) * left_spring_damping
-    w80 = (w23 * w78 + w25 * w32) * left_spring_stiffness + ((w23 * w79 + w25 * w37) / w27 - w39 * w77)
-    w81 = w22 * ((w26 * w78 - w22 * w32) * left_spring_stiffness + ((w26 * w79 - w22 * w37) / w27 - w45 * w77))
-    w82 = w81 + w25 * (w44 + w26 * w32 * left_spring_stiffness) - (w25 * w80 - w22 * (w38 + w23 * w32 * left_spring_stiffness))
-    w83 = 2 * -w67 * c0
-    w84 = 2 * -w70 * c1
-    w85 = w82 + ((w24 * (w61 * shaft_left_x) + w21 * gravity_z) * c4 + w61 * c17 + (w67 * w83 + w70 * w84))
-    w86 = w2 * right_spring_damping
-    w87 = w2 * w86 / w6
-    w88 = w23 * left_spring_damping
-    w89 = w23 * w88 / w27
-    w90 = (w1 * w5 + w2 * w4) * right_spring_damping
-    w91 = w2 * w90 / w6
-    w92 = (w23 * w25 - w22 * w26) * left_spring_damping
-    w93 = w23 * w92 / w27
-    w94 = w0 * (w3 * (w52 - w50)) + w0 * w56 * shaft_right_x - (w21 * w69 * shaft_left_x - w21 * (w24 * (w74 - w73)))
+    w35 = w22 * left_swing_angle_dot
+    w36 = (w23 * w34 - w26 * w35) / w27
+    w37 = w36 / w27
+    w38 = 2 * w23
+    w39 = (w34 / w27 - w37 * w38) * left_spring_damping
+    w40 = w36 * left_spring_damping
+    w41 = w23 * w31 + w32 + (w23 * w39 + w40)
+    w42 = w0 * spin_angle_dot
+    w43 = right_swing_angle_dot * w42
+    w44 = w43 - w3 * spin_angle_ddot
+    w45 = 2 * right_swing_angle_dot
+    w46 = w45 * c8
+    w47 = w0 * spin_angle_ddot
+    w48 = w45 * c7
+    w49 = w3 * spin_angle_dot
+    w50 = right_swing_angle_dot * w49
+    w51 = w0 * ((w44 - w43) * c8 + w42 * w46 - ((w43 + w44) * c7 - spin_angle_ddot * c11)) + w3 * (w47 * c7 + w48 * w49 - (w50 + (w47 + w50)) * c8)
+    w52 = w45 * c53
+    w53 = w1 * (2 * w5) + w4 * w17
+    w54 = w9 * (w53 / (2 * w7)) * right_spring_stiffness
+    w55 = ((w1 * w14 + w5 * w12 + (w4 * w13 - w2 * w14)) / w6 - w16 * w53) * right_spring_damping
+    w56 = w2 * w54 + w4 * w11 + (w2 * w55 + w4 * w19)
+    w57 = spin_angle_dot**2
+    w58 = 2 * -w49 * c7
+    w59 = 2 * -w42 * c8
+    w60 = w1 * (w5 * w54 + w1 * w11 + (w5 * w55 + w1 * w19)) + w4 * (w5 * w11 + w5 * w19) + (w4 * w56 - w1 * (w2 * w11 + w2 * w19))
+    w61 = w21 * spin_angle_ddot
+    w62 = w24 * spin_angle_dot
+    w63 = 2 * left_swing_angle_dot
+    w64 = w63 * c4
+    w65 = w21 * spin_angle_dot
+    w66 = left_swing_angle_dot * w65
+    w67 = w66 - w24 * spin_angle_ddot
+    w68 = w63 * c1
+    w69 = w63 * c0
+    w70 = left_swing_angle_dot * w62
+    w71 = w21 * ((w67 - w66) * c1 + w65 * w68 - (spin_angle_ddot * c5 + (w66 + w67) * c0)) + w24 * (w61 * c0 + w62 * w69 - (w70 + (w61 + w70)) * c1)
+    w72 = w25 * w38 - w22 * (2 * w26)
+    w73 = w30 * (w72 / (2 * w28)) * left_spring_stiffness
+    w74 = ((w25 * w34 - w23 * w35 - (w26 * w33 - w22 * w35)) / w27 - w37 * w72) * left_spring_damping
+    w75 = w23 * w73 + w25 * w32 + (w23 * w74 + w25 * w40)
+    w76 = w22 * (w26 * w73 - w22 * w32 + (w26 * w74 - w22 * w40)) + w25 * (w26 * w32 + w26 * w40) - (w25 * w75 - w22 * (w23 * w32 + w23 * w40))
+    w77 = 2 * -w62 * c0
+    w78 = 2 * -w65 * c1
+    w79 = w76 + ((w24 * (w57 * shaft_left_x) + w21 * gravity_z) * c4 + w57 * c16 + (w62 * w77 + w65 * w78))
+    w80 = w2 / w6 * right_spring_damping
+    w81 = w2 * w80
+    w82 = w23 / w27 * left_spring_damping
+    w83 = w23 * w82
+    w84 = (w1 * w5 + w2 * w4) / w6 * right_spring_damping
+    w85 = w2 * w84
+    w86 = (w23 * w25 - w22 * w26) / w27 * left_spring_damping
+    w87 = w23 * w86
+    w88 = w0 * (w3 * (w48 - w46)) + w0 * w52 * shaft_right_x - (w21 * w64 * shaft_left_x - w21 * (w24 * (w69 - w68)))
     # outputs
     J_q = ca.SX(4, 4)
     # spin.angle
-    J_q[0, 2] = w55 + (w51 * c11 + w53 * w56) * shaft_right_x
-    J_q[0, 3] = w76 - (w66 * c4 + w67 * w69) * shaft_left_x
+    J_q[0, 2] = w51 + (w47 * c53 + w49 * w52) * shaft_right_x
+    J_q[0, 3] = w71 - (w61 * c4 + w62 * w64) * shaft_left_x
     # height.travel
     J_q[1, 1] = -(w20 + w41)
-    J_q[1, 2] = -w60
-    J_q[1, 3] = -w80
+    J_q[1, 2] = -w56
+    J_q[1, 3] = -w75
     # right_swing.angle
-    J_q[2, 1] = (w5 * w10 * c32 - (w5 * w14 / w6 - w19 * w43)) * w1 - w4 * w20
-    J_q[2, 2] = w65
+    J_q[2, 1] = -(w1 * (w5 * w10 + w5 * w18) + w4 * w20)
+    J_q[2, 2] = (w0 * gravity_z - w3 * (w57 * shaft_right_x)) * c53 + w57 * c15 + (w49 * w58 + w42 * w59) - w60
     # left_swing.angle
-    J_q[3, 1] = w22 * (w26 * w31 * left_spring_stiffness + (w26 * w35 / w27 - w40 * w45)) - w25 * w41
-    J_q[3, 3] = w85
+    J_q[3, 1] = w22 * (w26 * w31 + w26 * w39) - w25 * w41
+    J_q[3, 3] = w79
     J_v = ca.vertcat(
         ca.horzcat(  # spin.angle
-            w94, 0.0, spin_angle_dot * (w0 * w3) * c96 + 2 * w46 * c12,
-            spin_angle_dot * (w21 * w24) * c97 - 2 * w70 * c5,
+            w88, 0.0, spin_angle_dot * (w0 * w3) * c91 + 2 * w42 * c11,
+            spin_angle_dot * (w21 * w24) * c92 - 2 * w65 * c5,
         ),
-        ca.horzcat(0.0, -(w87 + w89), -w91, -w93),  # height.travel
+        ca.horzcat(0.0, -(w81 + w83), -w85, -w87),  # height.travel
         ca.horzcat(  # right_swing.angle
-            w0 * w62 - w3 * w63 - spin_angle_dot * c37 * (w0 * c11), -(w1 * (w5 * w86 / w6) + w4 * w87),
-            -(w1 * (w5 * w90 / w6) + w4 * w91), 0.0,
+            w0 * w58 - w3 * w59 - spin_angle_dot * c36 * (w0 * c53), -(w1 * (w5 * w80) + w4 * w81),
+            -(w1 * (w5 * w84) + w4 * w85), 0.0,
         ),
         ca.horzcat(  # left_swing.angle
-            spin_angle_dot * c41 * (w21 * c4) - (w24 * w84 - w21 * w83), w22 * (w26 * w88 / w27) - w25 * w89, 0.0,
-            w22 * (w26 * w92 / w27) - w25 * w93,
+            spin_angle_dot * c40 * (w21 * c4) - (w24 * w78 - w21 * w77), w22 * (w26 * w82) - w25 * w83, 0.0,
+            w22 * (w26 * w86) - w25 * w87,
         ),
     )
     inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
@@ -3931,13 +3902,13 @@ def forward_dynamics() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 98) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 93) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    134 operations.
+    130 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 98)
+    c = ca.SX.sym("c", 93)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
@@ -3959,25 +3930,25 @@ def forward_dynamics() -> ca.Function:
     c11 = c[11]
     c12 = c[12]
     c13 = c[13]
-    c14 = c[14]
-    slider_mass = c[15]
+    slider_mass = c[14]
+    c15 = c[15]
     c16 = c[16]
-    c17 = c[17]
-    gravity_z = c[18]
-    c19 = c[19]
+    gravity_z = c[17]
+    c18 = c[18]
+    right_spring_stiffness = c[19]
     right_spring_free_length = c[20]
     slider_right_x = c[21]
     right_rod_middle_x = c[22]
     shaft_right_z = c[23]
-    right_spring_stiffness = c[24]
-    right_spring_damping = c[25]
+    right_spring_damping = c[24]
+    left_spring_stiffness = c[25]
     left_spring_free_length = c[26]
     slider_left_x = c[27]
     left_rod_middle_x = c[28]
     shaft_left_z = c[29]
-    left_spring_stiffness = c[30]
-    left_spring_damping = c[31]
-    # intermediate terms (30)
+    left_spring_damping = c[30]
+    c53 = c[53]
+    # intermediate terms (32)
     w0 = ca.sin(left_swing_angle)
     w1 = ca.cos(left_swing_angle)
     w2 = w1 * spin_angle_dot
@@ -3988,32 +3959,34 @@ def forward_dynamics() -> ca.Function:
     w7 = spin_angle_dot * w6
     w8 = 2 * (w7 * right_swing_angle_dot)
     w9 = spin_angle_dot * w5
-    w10 = w0 * (2 * (w2 * left_swing_angle_dot) * c1) - w1 * (w4 * c0) + w4 * c5 - (w5 * (w8 * c7) - w6 * (2 * (right_swing_angle_dot * w9) * c8) + w8 * c12)
+    w10 = w0 * (2 * (w2 * left_swing_angle_dot) * c1) - w1 * (w4 * c0) + w4 * c5 - (w5 * (w8 * c7) - w6 * (2 * (right_swing_angle_dot * w9) * c8) + w8 * c11)
     w11 = w5 * right_rod_middle_x
     w12 = slider_right_x - (shaft_right_x + w11)
     w13 = w6 * right_rod_middle_x
     w14 = height_travel - (shaft_right_z - w13)
     w15 = w12**2 + w14**2
-    w16 = 1.0 - right_spring_free_length / ca.sqrt(w15)
-    w17 = (w12 * (right_swing_angle_dot * w13) + w14 * (height_travel_dot + right_swing_angle_dot * w11)) * right_spring_damping
-    w18 = w14 * w16 * right_spring_stiffness + w14 * w17 / w15
-    w19 = w1 * left_rod_middle_x
-    w20 = slider_left_x - (shaft_left_x - w19)
-    w21 = w0 * left_rod_middle_x
-    w22 = height_travel - (shaft_left_z - w21)
-    w23 = w20**2 + w22**2
-    w24 = 1.0 - left_spring_free_length / ca.sqrt(w23)
-    w25 = (w22 * (height_travel_dot + left_swing_angle_dot * w19) - w20 * (left_swing_angle_dot * w21)) * left_spring_damping
-    w26 = w22 * w24 * left_spring_stiffness + w22 * w25 / w23
-    w27 = spin_angle_dot**2
-    w28 = (w6 * (w27 * shaft_right_x) + w5 * gravity_z) * c11 + w7 * w9 * c9 + (w13 * (w12 * w16 * right_spring_stiffness + w12 * w17 / w15) + w11 * w18)
-    w29 = w21 * (w20 * w24 * left_spring_stiffness + w20 * w25 / w23) - w19 * w26 - ((w1 * gravity_z - w0 * (w27 * shaft_left_x)) * c4 + w2 * w3 * c2)
+    w16 = (1.0 - right_spring_free_length / ca.sqrt(w15)) * right_spring_stiffness
+    w17 = (w12 * (right_swing_angle_dot * w13) + w14 * (height_travel_dot + right_swing_angle_dot * w11)) / w15
+    w18 = w17 * right_spring_damping
+    w19 = w14 * w16 + w14 * w18
+    w20 = w1 * left_rod_middle_x
+    w21 = slider_left_x - (shaft_left_x - w20)
+    w22 = w0 * left_rod_middle_x
+    w23 = height_travel - (shaft_left_z - w22)
+    w24 = w21**2 + w23**2
+    w25 = (1.0 - left_spring_free_length / ca.sqrt(w24)) * left_spring_stiffness
+    w26 = (w23 * (height_travel_dot + left_swing_angle_dot * w20) - w21 * (left_swing_angle_dot * w22)) / w24
+    w27 = w26 * left_spring_damping
+    w28 = w23 * w25 + w23 * w27
+    w29 = spin_angle_dot**2
+    w30 = (w6 * (w29 * shaft_right_x) + w5 * gravity_z) * c53 + w7 * w9 * c9 + (w13 * (w12 * w16 + w12 * w18) + w11 * w19)
+    w31 = w22 * (w21 * w25 + w21 * w27) - w20 * w28 - ((w1 * gravity_z - w0 * (w29 * shaft_left_x)) * c4 + w2 * w3 * c2)
     # outputs
     q_i_ddot = ca.vertcat(
-        -(w10 / (w5 * c13 + (c7 - w6 * (w6 * c9) + (c14 + (c0 - w0 * (w0 * c2) - w1 * c6))))),  # spin.angle
-        (c19 - (w18 + w26)) / slider_mass,  # height.travel
-        -(w28 / c16),  # right_swing.angle
-        w29 / c17,  # left_swing.angle
+        -(w10 / (w5 * c12 + (c7 - w6 * (w6 * c9) + (c13 + (c0 - w0 * (w0 * c2) - w1 * c6))))),  # spin.angle
+        (c18 - (w19 + w28)) / slider_mass,  # height.travel
+        -(w30 / c15),  # right_swing.angle
+        w31 / c16,  # left_swing.angle
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_i_ddot"])

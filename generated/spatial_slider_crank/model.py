@@ -20,8 +20,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 176) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
-    342 operations.
+    gives c (n_const = 383) [SI]: what depends on p only, computed once a run: c = constants(p)
+    374 operations.
     """
     p = ca.SX.sym("p", 176)
     gravity_z = p[0]
@@ -194,7 +194,7 @@ def constants() -> ca.Function:
     rod_big_end_shape_2_0 = p[167]
     rod_big_end_shape_2_2 = p[168]
     rod_big_end_shape_2_4 = p[169]
-    # intermediate terms (102)
+    # intermediate terms (124)
     w0 = (crank_inertia_xx + crank_inertia_yy + crank_inertia_zz) / 2.0
     w1 = w0 - crank_inertia_yy + crank_mass * crank_center_of_mass_y**2
     w2 = w0 - crank_inertia_zz
@@ -297,6 +297,28 @@ def constants() -> ca.Function:
     w99 = w12 + w98
     w100 = w8 * rod_mass
     w101 = w23 + w100
+    w102 = rod_phi_phi_0_1_1_2 + w46
+    w103 = rod_phi_phi_0_3_1_2 + w51
+    w104 = rod_phi_phi_0_5_0_1 + rod_phi_phi_0_5_1_0
+    w105 = w44 + rod_phi_phi_1_0_2_1
+    w106 = w49 + rod_phi_phi_1_2_2_1
+    w107 = w54 + rod_phi_phi_1_4_2_1
+    w108 = rod_phi_phi_1_5_0_2 + rod_phi_phi_1_5_2_0
+    w109 = rod_phi_phi_2_1_1_2 + w47
+    w110 = rod_phi_phi_2_3_1_2 + w52
+    w111 = rod_phi_phi_2_5_0_1 + rod_phi_phi_2_5_1_0
+    w112 = w45 + rod_phi_phi_3_0_2_1
+    w113 = w50 + rod_phi_phi_3_2_2_1
+    w114 = w55 + rod_phi_phi_3_4_2_1
+    w115 = rod_phi_phi_3_5_0_2 + rod_phi_phi_3_5_2_0
+    w116 = rod_phi_phi_4_1_1_2 + w48
+    w117 = rod_phi_phi_4_3_1_2 + w53
+    w118 = rod_phi_phi_4_5_0_1 + rod_phi_phi_4_5_1_0
+    w119 = rod_phi_phi_5_0_0_1 + rod_phi_phi_5_0_1_0
+    w120 = rod_phi_phi_5_2_0_1 + rod_phi_phi_5_2_1_0
+    w121 = rod_phi_phi_5_4_0_1 + rod_phi_phi_5_4_1_0
+    w122 = rod_phi_phi_5_1_0_2 + rod_phi_phi_5_1_2_0
+    w123 = rod_phi_phi_5_3_0_2 + rod_phi_phi_5_3_2_0
     # outputs
     c = ca.vertcat(
         w3,  # c0
@@ -588,56 +610,100 @@ def constants() -> ca.Function:
         w59 - w5 * w36 - rod_small_end_x * w99,  # c286
         w101,  # c287
         w60 + w8 * w36 + rod_small_end_x * w101,  # c288
-        w20 + w6 * w18 + w6 * w93,  # c289
-        w46 + w6 * w9 + w4 * w93,  # c290
-        w26 + w6 * w21 + w7 * w93,  # c291
-        w51 + w6 * w12 + w5 * w93,  # c292
-        w31 + w6 * w23 + w8 * w93,  # c293
-        w44 + w4 * w18 + w6 * w95,  # c294
-        w11 + w4 * w9 + w4 * w95,  # c295
-        w49 + w4 * w21 + w7 * w95,  # c296
-        w15 + w4 * w12 + w5 * w95,  # c297
-        w54 + w4 * w23 + w8 * w95,  # c298
-        w22 + w7 * w18,  # c299
-        w47 + w7 * w9 + w4 * w97,  # c300
-        w28 + w7 * w21,  # c301
-        w52 + w7 * w12 + w5 * w97,  # c302
-        w33 + w7 * w23,  # c303
-        w45 + w5 * w18 + w6 * w99,  # c304
-        w13 + w5 * w9,  # c305
-        w50 + w5 * w21 + w7 * w99,  # c306
-        w17 + w5 * w12,  # c307
-        w55 + w5 * w23 + w8 * w99,  # c308
-        w24 + w8 * w18,  # c309
-        w48 + w8 * w9 + w4 * w101,  # c310
-        w29 + w8 * w21,  # c311
-        w53 + w8 * w12 + w5 * w101,  # c312
-        w35 + w8 * w23,  # c313
-        2 * w18 + 2 * w92,  # c314
-        rod_phi_phi_0_1_1_2 - w46,  # c315
-        rod_phi_phi_0_3_1_2 - w51,  # c316
-        rod_phi_phi_0_5_0_1 - rod_phi_phi_0_5_1_0,  # c317
-        2 * w9 + 2 * w94,  # c318
-        w44 - rod_phi_phi_1_0_2_1,  # c319
-        w49 - rod_phi_phi_1_2_2_1,  # c320
-        w54 - rod_phi_phi_1_4_2_1,  # c321
-        rod_phi_phi_1_5_2_0 - rod_phi_phi_1_5_0_2,  # c322
-        2 * w21 + 2 * w96,  # c323
-        rod_phi_phi_2_1_1_2 - w47,  # c324
-        rod_phi_phi_2_3_1_2 - w52,  # c325
-        rod_phi_phi_2_5_0_1 - rod_phi_phi_2_5_1_0,  # c326
-        2 * w12 + 2 * w98,  # c327
-        w45 - rod_phi_phi_3_0_2_1,  # c328
-        w50 - rod_phi_phi_3_2_2_1,  # c329
-        w55 - rod_phi_phi_3_4_2_1,  # c330
-        rod_phi_phi_3_5_2_0 - rod_phi_phi_3_5_0_2,  # c331
-        2 * w23 + 2 * w100,  # c332
-        rod_phi_phi_4_1_1_2 - w48,  # c333
-        rod_phi_phi_4_3_1_2 - w53,  # c334
-        rod_phi_phi_4_5_0_1 - rod_phi_phi_4_5_1_0,  # c335
-        -w9,  # c336
-        -w18,  # c337
-        -rod_mass,  # c338
+        w102,  # c289
+        0.5 * w102,  # c290
+        w103,  # c291
+        0.5 * w103,  # c292
+        w104,  # c293
+        0.5 * w104,  # c294
+        w20 + w6 * w18 + w6 * w93,  # c295
+        rod_phi_phi_0_1_1_2 - w46,  # c296
+        w6 * w9 + w4 * w93,  # c297
+        w26 + w6 * w21 + w7 * w93,  # c298
+        rod_phi_phi_0_3_1_2 - w51,  # c299
+        w6 * w12 + w5 * w93,  # c300
+        w31 + w6 * w23 + w8 * w93,  # c301
+        rod_phi_phi_0_5_0_1 - rod_phi_phi_0_5_1_0,  # c302
+        w105,  # c303
+        0.5 * w105,  # c304
+        w106,  # c305
+        0.5 * w106,  # c306
+        w107,  # c307
+        0.5 * w107,  # c308
+        w108,  # c309
+        0.5 * w108,  # c310
+        w44 - rod_phi_phi_1_0_2_1,  # c311
+        w4 * w18 + w6 * w95,  # c312
+        w11 + w4 * w9 + w4 * w95,  # c313
+        w49 - rod_phi_phi_1_2_2_1,  # c314
+        w4 * w21 + w7 * w95,  # c315
+        w15 + w4 * w12 + w5 * w95,  # c316
+        w54 - rod_phi_phi_1_4_2_1,  # c317
+        w4 * w23 + w8 * w95,  # c318
+        rod_phi_phi_1_5_2_0 - rod_phi_phi_1_5_0_2,  # c319
+        w109,  # c320
+        0.5 * w109,  # c321
+        w110,  # c322
+        0.5 * w110,  # c323
+        w111,  # c324
+        0.5 * w111,  # c325
+        w22 + w7 * w18,  # c326
+        rod_phi_phi_2_1_1_2 - w47,  # c327
+        w7 * w9 + w4 * w97,  # c328
+        w28 + w7 * w21,  # c329
+        rod_phi_phi_2_3_1_2 - w52,  # c330
+        w7 * w12 + w5 * w97,  # c331
+        w33 + w7 * w23,  # c332
+        rod_phi_phi_2_5_0_1 - rod_phi_phi_2_5_1_0,  # c333
+        w112,  # c334
+        0.5 * w112,  # c335
+        w113,  # c336
+        0.5 * w113,  # c337
+        w114,  # c338
+        0.5 * w114,  # c339
+        w115,  # c340
+        0.5 * w115,  # c341
+        w45 - rod_phi_phi_3_0_2_1,  # c342
+        w5 * w18 + w6 * w99,  # c343
+        w13 + w5 * w9,  # c344
+        w50 - rod_phi_phi_3_2_2_1,  # c345
+        w5 * w21 + w7 * w99,  # c346
+        w17 + w5 * w12,  # c347
+        w55 - rod_phi_phi_3_4_2_1,  # c348
+        w5 * w23 + w8 * w99,  # c349
+        rod_phi_phi_3_5_2_0 - rod_phi_phi_3_5_0_2,  # c350
+        w116,  # c351
+        0.5 * w116,  # c352
+        w117,  # c353
+        0.5 * w117,  # c354
+        w118,  # c355
+        0.5 * w118,  # c356
+        w24 + w8 * w18,  # c357
+        rod_phi_phi_4_1_1_2 - w48,  # c358
+        w8 * w9 + w4 * w101,  # c359
+        w29 + w8 * w21,  # c360
+        rod_phi_phi_4_3_1_2 - w53,  # c361
+        w8 * w12 + w5 * w101,  # c362
+        w35 + w8 * w23,  # c363
+        rod_phi_phi_4_5_0_1 - rod_phi_phi_4_5_1_0,  # c364
+        w119,  # c365
+        0.5 * w119,  # c366
+        w120,  # c367
+        0.5 * w120,  # c368
+        w121,  # c369
+        0.5 * w121,  # c370
+        w122,  # c371
+        0.5 * w122,  # c372
+        w123,  # c373
+        0.5 * w123,  # c374
+        2 * w18 + 2 * w92,  # c375
+        2 * w9 + 2 * w94,  # c376
+        2 * w21 + 2 * w96,  # c377
+        2 * w12 + 2 * w98,  # c378
+        2 * w23 + 2 * w100,  # c379
+        -w9,  # c380
+        -w18,  # c381
+        -rod_mass,  # c382
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -650,7 +716,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 24) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 383) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 7 x 7) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 7) [N, N m]: condensed force S^T (Q* - M s)
     2255 operations.
@@ -659,7 +725,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
-    c = ca.SX.sym("c", 339)
+    c = ca.SX.sym("c", 383)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1339,7 +1405,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 7) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 24) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 383) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 24) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 3) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 3) [SI]: determinants of the loop blocks, zero if singular
@@ -1347,7 +1413,7 @@ def closure() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
-    c = ca.SX.sym("c", 339)
+    c = ca.SX.sym("c", 383)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1535,14 +1601,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 7) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 24) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
-    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 383) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
     1226 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
-    c = ca.SX.sym("c", 339)
+    c = ca.SX.sym("c", 383)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1922,7 +1988,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 7) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 383) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 24) [mixed]: accelerations of the dependent coordinates
     1863 operations.
     """
@@ -1931,7 +1997,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
     q_i_ddot = ca.SX.sym("q_i_ddot", 7)
-    c = ca.SX.sym("c", 339)
+    c = ca.SX.sym("c", 383)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -2467,7 +2533,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 31) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 31) [mixed]: rates of all coordinates
-    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 383) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 24) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 24 x 31) [SI]: constraint Jacobian
     gives C_t (n_c = 24) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -2477,7 +2543,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 31)
     q_dot = ca.SX.sym("q_dot", 31)
-    c = ca.SX.sym("c", 339)
+    c = ca.SX.sym("c", 383)
     crank_x = q[0]
     crank_y = q[1]
     crank_z = q[2]
@@ -3133,7 +3199,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 31) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 31) [mixed]: rates of all coordinates
-    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 383) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 31 x 31) [SI]: mass matrix in all coordinates
     gives K (n x n = 31 x 31) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 31) [N, N m]: quadratic velocity force in all coordinates
@@ -3145,7 +3211,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 31)
     q_dot = ca.SX.sym("q_dot", 31)
-    c = ca.SX.sym("c", 339)
+    c = ca.SX.sym("c", 383)
     crank_e0 = q[3]
     crank_e1 = q[4]
     crank_e2 = q[5]
@@ -4525,7 +4591,7 @@ def reactions() -> ca.Function:
     takes q (n = 31) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 31) [mixed]: rates of all coordinates
     takes q_ddot (n = 31) [mixed]: accelerations of all coordinates
-    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 383) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 24) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 4) [N, N m]: world force and moment of a joint on its body b, at b
     2150 operations.
@@ -4533,7 +4599,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 31)
     q_dot = ca.SX.sym("q_dot", 31)
     q_ddot = ca.SX.sym("q_ddot", 31)
-    c = ca.SX.sym("c", 339)
+    c = ca.SX.sym("c", 383)
     crank_e0 = q[3]
     crank_e1 = q[4]
     crank_e2 = q[5]
@@ -5335,7 +5401,7 @@ def energy() -> ca.Function:
 
     takes q (n = 31) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 31) [mixed]: rates of all coordinates
-    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 383) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -5345,7 +5411,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 31)
     q_dot = ca.SX.sym("q_dot", 31)
-    c = ca.SX.sym("c", 339)
+    c = ca.SX.sym("c", 383)
     crank_z = q[2]
     crank_e0 = q[3]
     crank_e1 = q[4]
@@ -5869,15 +5935,15 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 24) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 383) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 7 x 7) [SI]: total derivative of Q_hat by q_i, through q_d
-    6170 operations.
+    6246 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
-    c = ca.SX.sym("c", 339)
+    c = ca.SX.sym("c", 383)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -6028,10 +6094,15 @@ def dQ_hat_dq_i() -> ca.Function:
     c145 = c[145]
     guide_damping = c[146]
     rod_K_ff_0_0 = c[148]
+    c149 = c[149]
     rod_K_ff_1_1 = c[151]
+    c152 = c[152]
     rod_K_ff_2_2 = c[154]
+    c155 = c[155]
     rod_K_ff_3_3 = c[157]
+    c158 = c[158]
     rod_K_ff_4_4 = c[160]
+    c161 = c[161]
     rod_K_ff_5_5 = c[163]
     rod_first_moment_x = c[218]
     c272 = c[272]
@@ -6076,7 +6147,68 @@ def dQ_hat_dq_i() -> ca.Function:
     c311 = c[311]
     c312 = c[312]
     c313 = c[313]
-    # intermediate terms (1041)
+    c314 = c[314]
+    c315 = c[315]
+    c316 = c[316]
+    c317 = c[317]
+    c318 = c[318]
+    c319 = c[319]
+    c320 = c[320]
+    c321 = c[321]
+    c322 = c[322]
+    c323 = c[323]
+    c324 = c[324]
+    c325 = c[325]
+    c326 = c[326]
+    c327 = c[327]
+    c328 = c[328]
+    c329 = c[329]
+    c330 = c[330]
+    c331 = c[331]
+    c332 = c[332]
+    c333 = c[333]
+    c334 = c[334]
+    c335 = c[335]
+    c336 = c[336]
+    c337 = c[337]
+    c338 = c[338]
+    c339 = c[339]
+    c340 = c[340]
+    c341 = c[341]
+    c342 = c[342]
+    c343 = c[343]
+    c344 = c[344]
+    c345 = c[345]
+    c346 = c[346]
+    c347 = c[347]
+    c348 = c[348]
+    c349 = c[349]
+    c350 = c[350]
+    c351 = c[351]
+    c352 = c[352]
+    c353 = c[353]
+    c354 = c[354]
+    c355 = c[355]
+    c356 = c[356]
+    c357 = c[357]
+    c358 = c[358]
+    c359 = c[359]
+    c360 = c[360]
+    c361 = c[361]
+    c362 = c[362]
+    c363 = c[363]
+    c364 = c[364]
+    c365 = c[365]
+    c366 = c[366]
+    c367 = c[367]
+    c368 = c[368]
+    c369 = c[369]
+    c370 = c[370]
+    c371 = c[371]
+    c372 = c[372]
+    c373 = c[373]
+    c374 = c[374]
+    # intermediate terms (1068)
     w0 = rod_q2 * c2 + rod_q4 * c3
     w1 = rod_q2 * rod_small_end_rotation_2_1 + rod_q4 * rod_small_end_rotation_2_3
     w2 = rod_q1 * rod_small_end_rotation_1_0 + rod_q3 * rod_small_end_rotation_1_2 + rod_q5 * rod_small_end_rotation_1_4
@@ -6254,917 +6386,944 @@ def dQ_hat_dq_i() -> ca.Function:
     w174 = guide_travel_dot * guide_damping - (w145 * slider_mass + (w173 - w12 * (w30 * w166 + w14 * w172 + w24 * w153)))
     w175 = rod_q2 * c103 + rod_q4 * c104
     w176 = rod_q2 * rod_phi_phi_1_0_2_1 + rod_q4 * rod_phi_phi_3_0_2_1
-    w177 = w175 + w176
+    w177 = (w175 + w176) * 0.5
     w178 = rod_q1 * rod_phi_phi_0_1_1_2 + rod_q3 * rod_phi_phi_2_1_1_2 + rod_q5 * rod_phi_phi_4_1_1_2
     w179 = rod_q1 * c110 + rod_q3 * c111 + rod_q5 * c112
-    w180 = w178 + w179
+    w180 = (w178 + w179) * 0.5
     w181 = rod_q2 * c113 + rod_q4 * c114
     w182 = rod_q2 * rod_phi_phi_1_2_2_1 + rod_q4 * rod_phi_phi_3_2_2_1
-    w183 = w181 + w182
+    w183 = (w181 + w182) * 0.5
     w184 = rod_q1 * rod_phi_phi_0_3_1_2 + rod_q3 * rod_phi_phi_2_3_1_2 + rod_q5 * rod_phi_phi_4_3_1_2
     w185 = rod_q1 * c120 + rod_q3 * c121 + rod_q5 * c122
-    w186 = w184 + w185
+    w186 = (w184 + w185) * 0.5
     w187 = rod_q2 * c123 + rod_q4 * c124
     w188 = rod_q2 * rod_phi_phi_1_4_2_1 + rod_q4 * rod_phi_phi_3_4_2_1
-    w189 = w187 + w188
-    w190 = rod_q1 * (w177 * 0.5) + rod_q2 * (w180 * 0.5) + rod_q3 * (w183 * 0.5) + rod_q4 * (w186 * 0.5) + rod_q5 * (w189 * 0.5)
-    w191 = w190 + rod_q6 * c129
+    w189 = (w187 + w188) * 0.5
+    w190 = rod_q1 * w177 + rod_q2 * w180 + rod_q3 * w183 + rod_q4 * w186 + rod_q5 * w189 + rod_q6 * c129
+    w191 = w158 - w141
     w192 = rod_q6 * rod_phi_phi_5_0_0_1
     w193 = rod_q6 * rod_phi_phi_5_0_1_0
-    w194 = w192 + w193
+    w194 = (w192 + w193) * 0.5
     w195 = rod_q6 * rod_phi_phi_5_2_0_1
     w196 = rod_q6 * rod_phi_phi_5_2_1_0
-    w197 = w195 + w196
+    w197 = (w195 + w196) * 0.5
     w198 = rod_q6 * rod_phi_phi_5_4_0_1
     w199 = rod_q6 * rod_phi_phi_5_4_1_0
-    w200 = w198 + w199
-    w201 = rod_q1 * (w194 * 0.5) + rod_q2 * c57 + rod_q3 * (w197 * 0.5) + rod_q4 * c62 + rod_q5 * (w200 * 0.5)
-    w202 = rod_q1 * rod_phi_phi_0_5_0_1 + rod_q3 * rod_phi_phi_2_5_0_1 + rod_q5 * rod_phi_phi_4_5_0_1
-    w203 = rod_q1 * rod_phi_phi_0_5_1_0 + rod_q3 * rod_phi_phi_2_5_1_0 + rod_q5 * rod_phi_phi_4_5_1_0
-    w204 = w202 + w203
-    w205 = w201 + rod_q6 * (w204 * 0.5)
-    w206 = rod_q6 * rod_phi_phi_5_1_0_2
-    w207 = rod_q6 * rod_phi_phi_5_1_2_0
-    w208 = w206 + w207
-    w209 = rod_q6 * rod_phi_phi_5_3_0_2
-    w210 = rod_q6 * rod_phi_phi_5_3_2_0
-    w211 = w209 + w210
-    w212 = rod_q2 * rod_phi_phi_1_5_0_2 + rod_q4 * rod_phi_phi_3_5_0_2
-    w213 = rod_q2 * rod_phi_phi_1_5_2_0 + rod_q4 * rod_phi_phi_3_5_2_0
-    w214 = w212 + w213
-    w215 = rod_q1 * c73 + rod_q2 * (w208 * 0.5) + rod_q3 * c78 + rod_q4 * (w211 * 0.5) + rod_q5 * c83 + rod_q6 * (w214 * 0.5)
-    w216 = rod_q1 * rod_phi_phi_0_0_1_1 + rod_q3 * rod_phi_phi_2_0_1_1 + rod_q5 * rod_phi_phi_4_0_1_1
-    w217 = rod_q2 * c20 + rod_q4 * c22
-    w218 = rod_q1 * rod_phi_phi_0_2_1_1 + rod_q3 * rod_phi_phi_2_2_1_1 + rod_q5 * rod_phi_phi_4_2_1_1
-    w219 = rod_q2 * c27 + rod_q4 * c28
-    w220 = rod_q1 * rod_phi_phi_0_4_1_1 + rod_q3 * rod_phi_phi_2_4_1_1 + rod_q5 * rod_phi_phi_4_4_1_1
-    w221 = rod_inertia_moments_1_1 + rod_q1 * w216 + rod_q2 * w217 + rod_q3 * w218 + rod_q4 * w219 + rod_q5 * w220
-    w222 = rod_q6 * rod_phi_phi_5_5_1_1
-    w223 = w221 + rod_q6 * w222
-    w224 = rod_q1 * c35 + rod_q3 * c37 + rod_q5 * c39
-    w225 = rod_q2 * rod_phi_phi_1_1_2_2
-    w226 = rod_q1 * c42 + rod_q3 * c43 + rod_q5 * c44
-    w227 = rod_q4 * rod_phi_phi_3_3_2_2
-    w228 = rod_q1 * c47 + rod_q3 * c49 + rod_q5 * c50
-    w229 = rod_inertia_moments_2_2 + rod_q1 * w224 + rod_q2 * w225 + rod_q3 * w226 + rod_q4 * w227 + rod_q5 * w228
-    w230 = rod_q6 * rod_phi_phi_5_5_2_2
-    w231 = w229 + rod_q6 * w230
-    w232 = w138 * w150 - w143 * w171 + (w191 * (w158 - w141) + (w134 * w205 - w167 * w215) + (w137 * w223 - w169 * w231))
-    w233 = rod_q1_dot * w216 + rod_q2_dot * w217 + rod_q3_dot * w218 + rod_q4_dot * w219 + rod_q5_dot * w220
-    w234 = w233 + rod_q6_dot * w222
-    w235 = rod_q1_dot * w224 + rod_q2_dot * w225 + rod_q3_dot * w226 + rod_q4_dot * w227 + rod_q5_dot * w228
-    w236 = w235 + rod_q6_dot * w230
-    w237 = rod_q1_dot * w193 + rod_q2_dot * rod_rho_phi_1_1_0 + rod_q3_dot * w196 + rod_q4_dot * rod_rho_phi_3_1_0
-    w238 = w237 + rod_q5_dot * w199 + rod_q6_dot * w203
-    w239 = rod_q1_dot * rod_rho_phi_0_2_0 + rod_q2_dot * w207 + rod_q3_dot * rod_rho_phi_2_2_0 + rod_q4_dot * w210
-    w240 = w239 + rod_q5_dot * rod_rho_phi_4_2_0 + rod_q6_dot * w213
-    w241 = w232 + (w151 * (w234 + w236) - w155 * w238 - w154 * w240)
-    w242 = rod_q1 * rod_phi_phi_0_0_0_0 + rod_q3 * rod_phi_phi_2_0_0_0 + rod_q5 * rod_phi_phi_4_0_0_0
-    w243 = rod_q2 * rod_phi_phi_1_1_0_0 + rod_q4 * rod_phi_phi_3_1_0_0
-    w244 = rod_q1 * rod_phi_phi_0_2_0_0 + rod_q3 * rod_phi_phi_2_2_0_0 + rod_q5 * rod_phi_phi_4_2_0_0
-    w245 = rod_q2 * rod_phi_phi_1_3_0_0 + rod_q4 * rod_phi_phi_3_3_0_0
-    w246 = rod_q1 * rod_phi_phi_0_4_0_0 + rod_q3 * rod_phi_phi_2_4_0_0 + rod_q5 * rod_phi_phi_4_4_0_0
-    w247 = rod_q6 * rod_phi_phi_5_5_0_0
-    w248 = c88 + rod_q1 * w242 + rod_q2 * w243 + rod_q3 * w244 + rod_q4 * w245 + rod_q5 * w246 + rod_q6 * w247
-    w249 = w215 * (w140 - w158) + (w162 * w191 - w137 * w205) + (w164 * w231 - w134 * w248) + (w143 * w157 + w150 * c54)
-    w250 = rod_q1_dot * w242 + rod_q2_dot * w243 + rod_q3_dot * w244 + rod_q4_dot * w245 + rod_q5_dot * w246
-    w251 = w250 + rod_q6_dot * w247
-    w252 = rod_q1_dot * w176 + rod_q2_dot * w179 + rod_q3_dot * w182 + rod_q4_dot * w185 + rod_q5_dot * w188
-    w253 = w252 + rod_q6_dot * rod_rho_phi_5_2_1
-    w254 = rod_q1_dot * w192 + rod_q2_dot * c55 + rod_q3_dot * w195 + rod_q4_dot * c60 + rod_q5_dot * w198 + rod_q6_dot * w202
-    w255 = w249 + (w155 * (w236 + w251) - w154 * w253 - w151 * w254)
-    w256 = w205 * (w141 - w140) + (w169 * w215 - w164 * w191) + (w167 * w248 - w162 * w223) - (w171 * c54 + w138 * w157)
-    w257 = rod_q1_dot * c71 + rod_q2_dot * w206 + rod_q3_dot * c76 + rod_q4_dot * w209 + rod_q5_dot * c81 + rod_q6_dot * w212
-    w258 = rod_q1_dot * w175 + rod_q2_dot * w178 + rod_q3_dot * w181 + rod_q4_dot * w184 + rod_q5_dot * w187
-    w259 = w258 + rod_q6_dot * rod_rho_phi_5_1_2
-    w260 = w256 + (w154 * (w234 + w251) - w151 * w257 - w155 * w259)
-    w261 = w11 * (w31 * w241 + w17 * w255 + w26 * w260) + w18 * (w29 * w241 + w10 * w255 + w23 * w260) + w34 * w174
-    w262 = w261 / w51
-    w263 = (w30 * w241 + w14 * w255 + w24 * w260 + w60 * w174 + w42 * w262) / w55
-    w264 = w47 * w174 + w27 * w262 + w37 * w263
-    w265 = w153 - w264
-    w266 = w45 * w174 + w20 * w262 + w35 * w263
-    w267 = w172 - w266
-    w268 = w49 * w174 + w32 * w262 + w39 * w263
-    w269 = w166 - w268
-    w270 = w37 * w269
-    w271 = w39 * w265
-    w272 = w39 * w267
-    w273 = w35 * w269
-    w274 = w49 * (w35 * w265 - w37 * w267) + w45 * (w270 - w271) + w47 * (w272 - w273)
-    w275 = w24 * w267 - w14 * w265
-    w276 = w30 * w265
-    w277 = w24 * w269
-    w278 = w276 - w277
-    w279 = w14 * w269
-    w280 = w30 * w267
-    w281 = w279 - w280
-    w282 = w49 * w275 + w45 * w278 + w47 * w281
-    w283 = w0 * w137 - w134 * rod_small_end_x - w22 * w142
-    w284 = w77 * w151
-    w285 = w283 + w284
-    w286 = w22 * w169 - (w167 * rod_small_end_x + w0 * w168)
-    w287 = w62 * w151
-    w288 = w286 - w287
-    w289 = w35 * w285 - w37 * w288
-    w290 = w159 * rod_small_end_x + w0 * w162 + w22 * w164
-    w291 = w62 * w155 - w77 * w154
-    w292 = w290 + w291
-    w293 = w37 * w292 - w39 * w285
-    w294 = w39 * w288 - w35 * w292
-    w295 = w49 * w289 + w45 * w293 + w47 * w294
-    w296 = fork_angle1_dot**2
-    w297 = w14 * w296 - w17 * w131 + w10 * w129
-    w298 = w24 * w296 - w26 * w131 + w23 * w129
-    w299 = 2 * w86
-    w300 = 2 * w87
-    w301 = w22 * w297 - w0 * w298 + (w76 * w299 - w80 * w300) + (w24 * w288 - w14 * w285)
-    w302 = 2 * w89
-    w303 = w30 * w296 - w31 * w131 + w29 * w129
-    w304 = w82 * w300 - w76 * w302 - (w298 * rod_small_end_x + w22 * w303) + (w30 * w285 - w24 * w292)
-    w305 = w0 * w303 + w297 * rod_small_end_x + (w80 * w302 - w82 * w299) + (w14 * w292 - w30 * w288)
-    w306 = w49 * w301 + w45 * w304 + w47 * w305
-    w307 = 2 * w92
-    w308 = 2 * w85
-    w309 = w32 * w289 + w20 * w293 + w27 * w294
-    w310 = axle_angle_dot**2 * crank_pin_y
-    w311 = w57 * w310
-    w312 = w32 * w301 + w20 * w304 + w27 * w305
-    w313 = 2 * w95
-    w314 = 2 * w94
-    w315 = w53 * w310
-    w316 = w39 * w301 + w35 * w304 + w37 * w305
-    w317 = 2 * w96
-    w318 = (w315 - w56 * w316 + w97 * w317) / w55
-    w319 = (w59 * w309 - w311 - w56 * w312 + (w97 * w313 - w98 * w314)) / w51 + w52 * w318
-    w320 = w59 * w274 - w56 * w282 - (w59 * w295 - w56 * w306 + (w97 * w307 - w98 * w308) + w34 * w319 + w60 * w318) * slider_mass
-    w321 = (w59 * w85 - w56 * w92 + w34 * w98 + w60 * w97) * guide_damping - w320
-    w322 = w39 * w59 + w30 * w56
-    w323 = w143 + w22 * rod_mass
-    w324 = w284 + (w283 - w150)
-    w325 = w291 + (w290 - w157)
-    w326 = w37 * w59 + w24 * w56
-    w327 = w20 * w311 - w35 * w315 + (w322 * w324 - w325 * w326)
-    w328 = w138 + w0 * rod_mass
-    w329 = w35 * w59 + w14 * w56
-    w330 = w286 - w171 - w287
-    w331 = w27 * w311 - w37 * w315 + (w325 * w329 - w322 * w330)
-    w332 = w223 + (w0 * w138 + w0 * w328)
-    w333 = w231 + (w22 * w143 + w22 * w323)
-    w334 = w332 + w333
-    w335 = 2 * w97
-    w336 = w89 * w335 - (w39 * w319 + w56 * w303) - w30 * w318
-    w337 = w205 - (w138 * rod_small_end_x + w0 * rod_first_moment_x)
-    w338 = w86 * w335 - (w35 * w319 + w56 * w297) - w14 * w318
-    w339 = w215 - (w143 * rod_small_end_x + w22 * rod_first_moment_x)
-    w340 = w87 * w335 - (w37 * w319 + w56 * w298) - w24 * w318
-    w341 = w138 * w154 - w143 * w155
-    w342 = 2 * -w82
-    w343 = w341 + w342 * rod_mass
-    w344 = w155 * w191 - w154 * w223 + 2 * w238 - (w0 * w343 + w138 * w342)
-    w345 = w35 * w98 + w56 * w86 + w14 * w97
-    w346 = w154 * w205
-    w347 = w151 * w191
-    w348 = w154 * c54 + w143 * w151 + 2 * -w152
-    w349 = 2 * -w80
-    w350 = w348 + w349 * rod_mass
-    w351 = w346 - w347 + 2 * w234 - (w0 * w350 + w138 * w349)
-    w352 = w155 * w215
-    w353 = 2 * -w156 - (w138 * w151 + w155 * c54)
-    w354 = 2 * -w76
-    w355 = w353 + w354 * rod_mass
-    w356 = w347 - w352 + 2 * w236 - (w22 * w355 + w143 * w354)
-    w357 = w351 + w356
-    w358 = w39 * w98 + w56 * w89 + w30 * w97
-    w359 = w155 * w231 - w154 * w191 + 2 * w240 - (w22 * w343 + w143 * w342)
-    w360 = w37 * w98 + w56 * w87 + w24 * w97
-    w361 = w323 * w327 - w328 * w331 + (w334 * w336 - w337 * w338 - w339 * w340) + (w344 * w345 - w357 * w358 + w359 * w360)
-    w362 = w248 + c278
-    w363 = w333 + w362
-    w364 = w191 + (w0 * w143 + w22 * w328)
-    w365 = w32 * w311 - w39 * w315 + (w326 * w330 - w324 * w329)
-    w366 = w154 * w215 - w151 * w231 + 2 * w253 - (w22 * w350 + w143 * w349)
-    w367 = w352 - w346 + 2 * w251 + (w343 * rod_small_end_x + w342 * c54)
-    w368 = w356 + w367
-    w369 = w154 * w248 - w151 * w215 + 2 * w254 + (w350 * rod_small_end_x + w349 * c54)
-    w370 = w338 * w363 - w340 * w364 - w336 * w337 - (w323 * w365 + w331 * rod_first_moment_x) + (w360 * w366 - w345 * w368 + w358 * w369)
-    w371 = w332 + w362
-    w372 = w151 * w205 - w155 * w248 + 2 * w257 + (w355 * rod_small_end_x + w354 * c54)
-    w373 = w351 + w367
-    w374 = w151 * w223 - w155 * w205 + 2 * w259 - (w0 * w355 + w138 * w354)
-    w375 = w327 * rod_first_moment_x + w328 * w365 + (w340 * w371 - w336 * w339 - w338 * w364) + (w358 * w372 - w360 * w373 + w345 * w374)
-    w376 = w39 * w54 - w32 * w58
-    w377 = w365 * rod_mass + (w328 * w340 - w323 * w338) + (w350 * w360 - w345 * w355) + (w264 * w329 - w266 * w326)
-    w378 = w35 * w54 - w20 * w58
-    w379 = w327 * rod_mass + (w340 * rod_first_moment_x + w323 * w336) + (w355 * w358 - w343 * w360) + (w268 * w326 - w264 * w322)
-    w380 = w37 * w54 - w27 * w58
-    w381 = w331 * rod_mass - (w328 * w336 + w338 * rod_first_moment_x) + (w343 * w345 - w350 * w358) + (w266 * w322 - w268 * w329)
-    w382 = w57 * c145 - (w53 * w262 + w57 * w263) * crank_pin_y + (w322 * w361 + w329 * w370 + w326 * w375 + (w376 * w377 + w378 * w379 + w380 * w381))
-    w383 = w255 - (w22 * w166 + w153 * rod_small_end_x)
-    w384 = w260 + (w172 * rod_small_end_x + w0 * w166)
-    w385 = w24 * rod_small_end_x + w22 * w30
-    w386 = w0 * w30 + w14 * rod_small_end_x
-    w387 = w241 - (w0 * w153 - w22 * w172)
-    w388 = w0 * w24 - w14 * w22
-    w389 = w39 * (w24 * w383 - w14 * w384 + (w265 * w385 + w267 * w386)) + w35 * (w30 * w384 - w24 * w387 - (w269 * w386 + w265 * w388))
-    w390 = w22 * w35 - w0 * w37
-    w391 = w37 * rod_small_end_x + w22 * w39
-    w392 = w0 * w39 + w35 * rod_small_end_x
-    w393 = w389 + w37 * (w14 * w387 - w30 * w383 + (w267 * w388 - w269 * w385)) + (w275 * w390 - w278 * w391 + w281 * w392)
-    w394 = w56 * w393
-    w395 = w1 * 0.5 / w9
-    w396 = w45 / w9 - w49 * w68 + w47 * w73
-    w397 = w35 / w9 - w39 * w68 + w37 * w73
-    w398 = w41 * w396 - w51 * w397
-    w399 = w20 / w9 - w32 * w68 + w27 * w73
-    w400 = w51 * w399 - w34 * w396
-    w401 = (w400 * rod_small_end_rotation_1_0 + w37 * c10) / w55
-    w402 = (w398 * rod_small_end_rotation_1_0 + w27 * c10) / w51 + w52 * w401
-    w403 = w395 * rod_small_end_rotation_1_0 - (w39 * w402 + w30 * w401)
-    w404 = w35 * w402 + w14 * w401 + rod_small_end_rotation_1_0 / w9
-    w405 = w4 * 0.5 / w9
-    w406 = w37 * w402 + w24 * w401 + w405 * rod_small_end_rotation_1_0
-    w407 = w175 - w176 + w138 * c10 + w0 * c279
-    w408 = w192 - w193
-    w409 = rod_q2_dot * c103 + rod_q4_dot * c104 - (rod_q2_dot * rod_phi_phi_1_0_2_1 + rod_q4_dot * rod_phi_phi_3_0_2_1)
-    w410 = 2 * w409 - (w151 * (w216 + w224) - w155 * w192 - w154 * c71) - w348 * c10 - w349 * c279
-    w411 = w341 * c10 - (w155 * (w224 + w242) - w154 * w175 - w151 * w193) + w342 * c279
-    w412 = rod_q6_dot * c273 - (w154 * (w216 + w242) - w151 * rod_rho_phi_0_2_0 - w155 * w176)
-    w413 = w336 * w407 + w338 * c280 + w340 * w408 - w331 * c279 - (w358 * w410 + w345 * w411 + w360 * w412)
-    w414 = w34 * w397 - w41 * w399
-    w415 = w414 * rod_small_end_rotation_1_0 + w47 * c10 + w34 * w402 + w60 * w401
-    w416 = w49 * w70 - w45 * w73 + w47 / w9
-    w417 = w39 * w70 - w35 * w73 + w37 / w9
-    w418 = w41 * w416 - w51 * w417
-    w419 = w32 * w70 - w20 * w73 + w27 / w9
-    w420 = w51 * w419 - w34 * w416
-    w421 = (w420 * rod_small_end_rotation_2_1 + w35 * c2) / w55
-    w422 = (w418 * rod_small_end_rotation_2_1 + w20 * c2) / w51 + w52 * w421
-    w423 = w405 * rod_small_end_rotation_2_1 - (w35 * w422 + w14 * w421)
-    w424 = w2 * 0.5 / w9
-    w425 = w39 * w422 + w30 * w421 + w424 * rod_small_end_rotation_2_1
-    w426 = w37 * w422 + w24 * w421 + rod_small_end_rotation_2_1 / w9
-    w427 = w178 - w179 - w143 * c2 - w22 * c281
-    w428 = w207 - w206
-    w429 = w154 * (w217 + w243) - w151 * w207 - w155 * w179 + w341 * c2 + w342 * c281
-    w430 = rod_q1_dot * rod_phi_phi_0_1_1_2 + rod_q3_dot * rod_phi_phi_2_1_1_2 + rod_q5_dot * rod_phi_phi_4_1_1_2
-    w431 = 2 * (w430 - (rod_q1_dot * c110 + rod_q3_dot * c111 + rod_q5_dot * c112)) - (w151 * (w217 + w225) - w155 * c55 - w154 * w206)
-    w432 = w431 + w353 * c2 + w354 * c281
-    w433 = rod_q6_dot * c274 - (w155 * (w225 + w243) - w154 * w178 - w151 * rod_rho_phi_1_1_0)
-    w434 = w336 * w427 + w338 * w428 + w340 * c282 - w327 * c281 + (w360 * w429 - (w358 * w432 + w345 * w433))
-    w435 = w34 * w417 - w41 * w419
-    w436 = w435 * rod_small_end_rotation_2_1 + w45 * c2 + w34 * w422 + w60 * w421
-    w437 = (w400 * rod_small_end_rotation_1_2 + w37 * c11) / w55
-    w438 = (w398 * rod_small_end_rotation_1_2 + w27 * c11) / w51 + w52 * w437
-    w439 = w395 * rod_small_end_rotation_1_2 - (w39 * w438 + w30 * w437)
-    w440 = w35 * w438 + w14 * w437 + rod_small_end_rotation_1_2 / w9
-    w441 = w37 * w438 + w24 * w437 + w405 * rod_small_end_rotation_1_2
-    w442 = w181 - w182 + w138 * c11 + w0 * c283
-    w443 = w195 - w196
-    w444 = rod_q2_dot * c113 + rod_q4_dot * c114 - (rod_q2_dot * rod_phi_phi_1_2_2_1 + rod_q4_dot * rod_phi_phi_3_2_2_1)
-    w445 = 2 * w444 - (w151 * (w218 + w226) - w155 * w195 - w154 * c76) - w348 * c11 - w349 * c283
-    w446 = w341 * c11 - (w155 * (w226 + w244) - w154 * w181 - w151 * w196) + w342 * c283
-    w447 = rod_q6_dot * c275 - (w154 * (w218 + w244) - w151 * rod_rho_phi_2_2_0 - w155 * w182)
-    w448 = w336 * w442 + w338 * c284 + w340 * w443 - w331 * c283 - (w358 * w445 + w345 * w446 + w360 * w447)
-    w449 = w414 * rod_small_end_rotation_1_2 + w47 * c11 + w34 * w438 + w60 * w437
-    w450 = (w420 * rod_small_end_rotation_2_3 + w35 * c3) / w55
-    w451 = (w418 * rod_small_end_rotation_2_3 + w20 * c3) / w51 + w52 * w450
-    w452 = w405 * rod_small_end_rotation_2_3 - (w35 * w451 + w14 * w450)
-    w453 = w39 * w451 + w30 * w450 + w424 * rod_small_end_rotation_2_3
-    w454 = w37 * w451 + w24 * w450 + rod_small_end_rotation_2_3 / w9
-    w455 = w184 - w185 - w143 * c3 - w22 * c285
-    w456 = w210 - w209
-    w457 = w154 * (w219 + w245) - w151 * w210 - w155 * w185 + w341 * c3 + w342 * c285
-    w458 = rod_q1_dot * rod_phi_phi_0_3_1_2 + rod_q3_dot * rod_phi_phi_2_3_1_2 + rod_q5_dot * rod_phi_phi_4_3_1_2
-    w459 = 2 * (w458 - (rod_q1_dot * c120 + rod_q3_dot * c121 + rod_q5_dot * c122)) - (w151 * (w219 + w227) - w155 * c60 - w154 * w209)
-    w460 = w459 + w353 * c3 + w354 * c285
-    w461 = rod_q6_dot * c276 - (w155 * (w227 + w245) - w154 * w184 - w151 * rod_rho_phi_3_1_0)
-    w462 = w336 * w455 + w338 * w456 + w340 * c286 - w327 * c285 + (w360 * w457 - (w358 * w460 + w345 * w461))
-    w463 = w435 * rod_small_end_rotation_2_3 + w45 * c3 + w34 * w451 + w60 * w450
-    w464 = (w400 * rod_small_end_rotation_1_4 + w37 * c12) / w55
-    w465 = (w398 * rod_small_end_rotation_1_4 + w27 * c12) / w51 + w52 * w464
-    w466 = w395 * rod_small_end_rotation_1_4 - (w39 * w465 + w30 * w464)
-    w467 = w35 * w465 + w14 * w464 + rod_small_end_rotation_1_4 / w9
-    w468 = w37 * w465 + w24 * w464 + w405 * rod_small_end_rotation_1_4
-    w469 = w187 - w188 + w138 * c12 + w0 * c287
-    w470 = w198 - w199
-    w471 = rod_q2_dot * c123 + rod_q4_dot * c124 - (rod_q2_dot * rod_phi_phi_1_4_2_1 + rod_q4_dot * rod_phi_phi_3_4_2_1)
-    w472 = 2 * w471 - (w151 * (w220 + w228) - w155 * w198 - w154 * c81) - w348 * c12 - w349 * c287
-    w473 = w341 * c12 - (w155 * (w228 + w246) - w154 * w187 - w151 * w199) + w342 * c287
-    w474 = rod_q6_dot * c277 - (w154 * (w220 + w246) - w151 * rod_rho_phi_4_2_0 - w155 * w188)
-    w475 = w336 * w469 + w338 * c288 + w340 * w470 - w331 * c287 - (w358 * w472 + w345 * w473 + w360 * w474)
-    w476 = w414 * rod_small_end_rotation_1_4 + w47 * c12 + w34 * w465 + w60 * w464
-    w477 = w49 / w9 + w45 * w68 - w47 * w70
-    w478 = w39 / w9 + w35 * w68 - w37 * w70
-    w479 = w32 / w9 + w20 * w68 - w27 * w70
-    w480 = (w51 * w479 - w34 * w477) * rod_small_end_rotation_0_5 / w55
-    w481 = (w41 * w477 - w51 * w478) * rod_small_end_rotation_0_5 / w51 + w52 * w480
-    w482 = w424 * rod_small_end_rotation_0_5 - (w37 * w481 + w24 * w480)
-    w483 = w39 * w481 + w30 * w480 + rod_small_end_rotation_0_5 / w9
-    w484 = w35 * w481 + w14 * w480 + w395 * rod_small_end_rotation_0_5
-    w485 = w213 - w212
-    w486 = w202 - w203
-    w487 = w151 * (w222 + w230) - w155 * w202 - w154 * w212
-    w488 = rod_q2_dot * rod_phi_phi_1_5_2_0 + rod_q4_dot * rod_phi_phi_3_5_2_0 - (rod_q2_dot * rod_phi_phi_1_5_0_2 + rod_q4_dot * rod_phi_phi_3_5_0_2)
-    w489 = 2 * w488 - (w155 * (w230 + w247) - w154 * rod_rho_phi_5_1_2 - w151 * w203)
-    w490 = rod_q1_dot * rod_phi_phi_0_5_0_1 + rod_q3_dot * rod_phi_phi_2_5_0_1 + rod_q5_dot * rod_phi_phi_4_5_0_1
-    w491 = rod_q1_dot * rod_phi_phi_0_5_1_0 + rod_q3_dot * rod_phi_phi_2_5_1_0 + rod_q5_dot * rod_phi_phi_4_5_1_0
-    w492 = 2 * (w490 - w491) - (w154 * (w222 + w247) - w151 * w213 - w155 * rod_rho_phi_5_2_1)
-    w493 = (w34 * w478 - w41 * w479) * rod_small_end_rotation_0_5 + w34 * w481 + w60 * w480
-    w494 = w67 * w106
-    w495 = w494 / w9
-    w496 = w79 * w395
-    w497 = w72 * w405
-    w498 = w495 + (w496 + w497)
-    w499 = w65 * w67
-    w500 = w405 * w494
-    w501 = w499 - w500
-    w502 = w72 / w9
-    w503 = w501 + (w502 + w75 * w395)
-    w504 = w76 / w9
-    w505 = w22 * w498 + w0 * w503 + (w80 * w405 - w504)
-    w506 = w395 * w494
-    w507 = w67 * w69
-    w508 = w506 - w507
-    w509 = w79 / w9
-    w510 = w508 + (w75 * w405 - w509)
-    w511 = w82 * w405
-    w512 = w76 * w395
-    w513 = w503 * rod_small_end_x + w22 * w510 - (w511 + w512)
-    w514 = w82 / w9
-    w515 = w498 * rod_small_end_x - w0 * w510 + (w80 * w395 + w514)
-    w516 = w49 * w505 + w45 * w513 + w47 * w515
-    w517 = w49 * w75 - w45 * w72
-    w518 = w32 * w505 + w20 * w513 + w27 * w515
-    w519 = w32 * w75 - w20 * w72
-    w520 = w39 * w505 + w35 * w513 + w37 * w515
-    w521 = w39 * w75 - w35 * w72
-    w522 = (w96 * w401 + (w520 * rod_small_end_rotation_1_0 + w521 * c10)) / w55
-    w523 = (w95 * w401 - w94 * w402 + (w518 * rod_small_end_rotation_1_0 + w519 * c10)) / w51 + w52 * w522
-    w524 = w92 * w401 - w85 * w402 + (w516 * rod_small_end_rotation_1_0 + w517 * c10) + w34 * w523 + w60 * w522
-    w525 = w265 / w9
-    w526 = w267 * w405 - w525
-    w527 = w269 * w405
-    w528 = w265 * w395
-    w529 = w527 + w528
-    w530 = w269 / w9
-    w531 = w267 * w395 + w530
-    w532 = w49 * w526 - w45 * w529 + w47 * w531
-    w533 = 2 * w494
-    w534 = w67 * (w65**2 + w66**2 + w69**2)
-    w535 = w405 * w534
-    w536 = w151 * w495
-    w537 = w137 / w9 - w134 * w395 - w142 * w405 - (w501 * w533 + w535 + (w536 + w155 * w508))
-    w538 = w534 / w9 - w495 * w533
-    w539 = w154 * w508 - w151 * w501 - w538 + (w169 * w405 - (w167 * w395 + w168 / w9))
-    w540 = 2 * w498
-    w541 = 2 * -w503
-    w542 = w285 / w9
-    w543 = w0 * w537 - w22 * w539 + (w76 * w540 - w80 * w541) + (w288 * w405 - w542)
-    w544 = w154 * w495
-    w545 = w395 * w534
-    w546 = w155 * w501 + w544 - (w508 * w533 - w545) + (w159 * w395 + w162 / w9 + w164 * w405)
-    w547 = 2 * -w510
-    w548 = w292 * w405
-    w549 = w285 * w395
-    w550 = w537 * rod_small_end_x + w22 * w546 + (w82 * w541 - w76 * w547) - (w548 + w549)
-    w551 = w292 / w9
-    w552 = w80 * w547 - w82 * w540 - (w0 * w546 + w539 * rod_small_end_x) + (w288 * w395 + w551)
-    w553 = w49 * w543 + w45 * w550 + w47 * w552
-    w554 = w49 * w164 + w45 * w169 - w47 * w142
-    w555 = w306 * w401 - w295 * w402 + (w553 * rod_small_end_rotation_1_0 + w554 * c10) + (w307 * w522 - w308 * w523)
-    w556 = w32 * w543 + w20 * w550 + w27 * w552
-    w557 = w32 * w164 + w20 * w169 - w27 * w142
-    w558 = w312 * w401 - w309 * w402 + (w556 * rod_small_end_rotation_1_0 + w557 * c10) + (w313 * w522 - w314 * w523)
-    w559 = w39 * w543 + w35 * w550 + w37 * w552
-    w560 = w39 * w164 + w35 * w169 - w37 * w142
-    w561 = (w316 * w401 + (w559 * rod_small_end_rotation_1_0 + w560 * c10) + w317 * w522) / w55
-    w562 = w558 / w51 + w52 * w561
-    w563 = w282 * w401 - w274 * w402 + w532 * rod_small_end_rotation_1_0 - (w555 + w34 * w562 + w60 * w561) * slider_mass
-    w564 = w524 * guide_damping - w563
-    w565 = w325 * w404 + w330 * w403
-    w566 = w324 * w403 + w325 * w406
-    w567 = 2 * w522
-    w568 = w303 * w401 - w39 * w562 + w89 * w567 - w30 * w561 - w546 * rod_small_end_rotation_1_0
-    w569 = w297 * w401 - w35 * w562 + w86 * w567 - w14 * w561 - w539 * rod_small_end_rotation_1_0
-    w570 = w298 * w401 - w37 * w562 + w87 * w567 - w24 * w561 - w537 * rod_small_end_rotation_1_0
-    w571 = w89 * w401 - w39 * w523 - w30 * w522 - w510 * rod_small_end_rotation_1_0
-    w572 = w86 * w401 - w35 * w523 - w14 * w522 + w498 * rod_small_end_rotation_1_0
-    w573 = w87 * w401 - w37 * w523 - w24 * w522 - w503 * rod_small_end_rotation_1_0
-    w574 = w328 * w565 + w323 * w566 + (w334 * w568 - w337 * w569 - w339 * w570) + (w357 * w571 - w344 * w572 - w359 * w573)
-    w575 = 2 * w216
-    w576 = 2 * w224
-    w577 = rod_q1_dot * rod_phi_phi_0_0_1_1 + rod_q3_dot * rod_phi_phi_0_2_1_1 + rod_q5_dot * rod_phi_phi_0_4_1_1
-    w578 = rod_q1_dot * c35 + rod_q3_dot * c42 + rod_q5_dot * c47
-    w579 = w134 * w194 + w137 * w575 - w142 * w177 - (w167 * c73 - w168 * w177 + w169 * w576) - w171 * c34 + (w151 * (w577 + w578) - w155 * (rod_q6_dot * rod_phi_phi_0_5_1_0))
-    w580 = w170 + w138 * w142
-    w581 = w142 * rod_mass
-    w582 = w142 * c279
-    w583 = w169 * c279
-    w584 = w574 + (w579 - w580 * c10 + w172 * c10 - (w0 * w582 + w22 * w583))
-    w585 = w324 * w404 - w330 * w406
-    w586 = w565 * rod_first_moment_x - w323 * w585 + (w363 * w569 - w364 * w570 - w337 * w568) + (w368 * w572 - w366 * w573 - w369 * w571)
-    w587 = 2 * w242
-    w588 = rod_q1_dot * rod_phi_phi_0_0_0_0 + rod_q3_dot * rod_phi_phi_0_2_0_0 + rod_q5_dot * rod_phi_phi_0_4_0_0
-    w589 = w155 * (w578 + w588) - w154 * (rod_q2_dot * c110 + rod_q4_dot * c120) - w151 * (rod_q6_dot * rod_phi_phi_0_5_0_1)
-    w590 = w165 - w142 * c54 - w166
-    w591 = w157 * c34 + (w162 * w177 - w159 * c73 + w164 * w576 - (w134 * w587 + w137 * w194 - w142 * c73) + w590 * c10)
-    w592 = w164 * c279
-    w593 = w586 + (w589 + w591 - (w582 * rod_small_end_x - w22 * w592))
-    w594 = w566 * rod_first_moment_x + w328 * w585 + (w371 * w570 - w339 * w568 - w364 * w569) + (w373 * w573 - w372 * w571 - w374 * w572)
-    w595 = w154 * (w577 + w588) - w155 * (rod_q2_dot * rod_phi_phi_0_1_1_2 + rod_q4_dot * rod_phi_phi_0_3_1_2)
-    w596 = w169 * c54 + w138 * w164
-    w597 = w167 * w587 - w168 * w194 + w169 * c73 - (w162 * w575 - w159 * w194 + w164 * w177) + w595 - w596 * c10
-    w598 = w594 + (w597 - (w583 * rod_small_end_x + w0 * w592))
-    w599 = w585 * rod_mass + (w328 * w570 - w323 * w569) + (w355 * w572 - w350 * w573) + (w266 * w406 - w264 * w404 - w592)
-    w600 = w566 * rod_mass + (w570 * rod_first_moment_x + w323 * w568) + (w343 * w573 - w355 * w571) - (w583 + (w268 * w406 + w264 * w403))
-    w601 = w350 * w571 - w343 * w572 - (w565 * rod_mass + (w328 * w568 + w569 * rod_first_moment_x)) + (w582 + (w266 * w403 + w268 * w404))
-    w602 = w61 * w564 - (w322 * w584 + w329 * w593 + w326 * w598 + (w376 * w599 + w378 * w600 + w380 * w601))
-    w603 = w384 / w9
-    w604 = w405 * rod_small_end_x
-    w605 = w22 * w395
-    w606 = w604 - w605
-    w607 = rod_small_end_x / w9
-    w608 = w0 * w395 - w607
-    w609 = w383 * w405 - w603 + (w265 * w606 - w267 * w608)
-    w610 = w22 / w9
-    w611 = w0 * w405 - w610
-    w612 = w387 * w405
-    w613 = w384 * w395
-    w614 = w269 * w608 - w265 * w611 - (w612 + w613)
-    w615 = w387 / w9
-    w616 = w383 * w395 + w615 + (w267 * w611 - w269 * w606)
-    w617 = w39 * w609 + w35 * w614 + w37 * w616 + (w390 * w526 + w391 * w529 + w392 * w531)
-    w618 = w273 - w272
-    w619 = w393 * w401 + w617 * rod_small_end_rotation_1_0 + w618 * c10
-    w620 = w388 * w526 - w385 * w529 - w386 * w531 - (w30 * w609 + w14 * w614 + w24 * w616)
-    w621 = w280 - w279
-    w622 = w620 * rod_small_end_rotation_1_0 + w621 * c10
-    w623 = w407 * w568 + w569 * c280 + w408 * w570 + w565 * c279 + (w410 * w571 + w411 * w572 + w412 * w573)
-    w624 = w383 + (w22 * w269 + w265 * rod_small_end_x)
-    w625 = w384 - (w267 * rod_small_end_x + w0 * w269)
-    w626 = w387 + (w0 * w265 - w22 * w267)
-    w627 = (w624 + (w4 * w625 - w1 * w626) * 0.5) / w9
-    w628 = w70 * w627
-    w629 = w628 * rod_small_end_rotation_1_0 - w531 * c10
-    w630 = w403 * w584 - w404 * w593 - w406 * w598 + w623 + w629 * rod_small_end_rotation_1_0 - (w159 * rod_phi_phi_0_0_0_0 + (w168 * rod_phi_phi_0_0_1_1 + w142 * c289))
-    w631 = w427 * w568 + w428 * w569 + w570 * c282 - w566 * c281 + (w432 * w571 + w433 * w572 - w429 * w573)
-    w632 = w267 * w424
-    w633 = w527 + w632
-    w634 = w67 * w626
-    w635 = (w625 + (w2 * w626 - w4 * w624) * 0.5) / w9
-    w636 = w634 - w70 * w635
-    w637 = w633 * c10 - w636 * rod_small_end_rotation_1_0
-    w638 = w423 * w593 - w425 * w584 - w426 * w598 + w631 + w637 * rod_small_end_rotation_2_1 + (w137 * rod_phi_phi_0_1_1_2 + w169 * c290)
-    w639 = w442 * w568 + w569 * c284 + w443 * w570 + w565 * c283 + (w445 * w571 + w446 * w572 + w447 * w573)
-    w640 = w439 * w584 - w440 * w593 - w441 * w598 + w639 + w629 * rod_small_end_rotation_1_2 - (w159 * rod_phi_phi_0_2_0_0 + (w168 * rod_phi_phi_0_2_1_1 + w142 * c291))
-    w641 = w455 * w568 + w456 * w569 + w570 * c286 - w566 * c285 + (w460 * w571 + w461 * w572 - w457 * w573)
-    w642 = w452 * w593 - w453 * w584 - w454 * w598 + w641 + w637 * rod_small_end_rotation_2_3 + (w137 * rod_phi_phi_0_3_1_2 + w169 * c292)
-    w643 = w469 * w568 + w569 * c288 + w470 * w570 + w565 * c287 + (w472 * w571 + w473 * w572 + w474 * w573)
-    w644 = w466 * w584 - w467 * w593 - w468 * w598 + w643 + w629 * rod_small_end_rotation_1_4 - (w159 * rod_phi_phi_0_4_0_0 + (w168 * rod_phi_phi_0_4_1_1 + w142 * c293))
-    w645 = w482 * w598 - (w483 * w584 + w484 * w593) + (w568 * c137 + w485 * w569 + w486 * w570 + (w489 * w572 - w487 * w571 + w492 * w573))
-    w646 = w67 * w625
-    w647 = (w626 + (w1 * w624 - w2 * w625) * 0.5) / w9
-    w648 = w646 + w70 * w647
-    w649 = w267 / w9
-    w650 = w269 * w395
-    w651 = w649 - w650
-    w652 = w645 + (w648 * rod_small_end_rotation_1_0 + w651 * c10) * rod_small_end_rotation_0_5 + (w162 * rod_phi_phi_0_5_1_0 + w167 * rod_phi_phi_0_5_0_1)
-    w653 = w80 / w9
-    w654 = w500 - w499
-    w655 = w654 + (w79 * w424 - w502)
-    w656 = w75 * w424
-    w657 = w495 + (w497 + w656)
-    w658 = w76 * w405 + w653 - (w22 * w655 + w0 * w657)
-    w659 = w66 * w67
-    w660 = w424 * w494
-    w661 = w659 - w660
-    w662 = w75 / w9
-    w663 = w661 + (w662 + w79 * w405)
-    w664 = w22 * w663 - w657 * rod_small_end_x + (w76 * w424 - w514)
-    w665 = w80 * w424
-    w666 = w0 * w663 + w655 * rod_small_end_x + (w511 + w665)
-    w667 = w49 * w658 + w45 * w664 - w47 * w666
-    w668 = w47 * w72 - w49 * w79
-    w669 = w32 * w658 + w20 * w664 - w27 * w666
-    w670 = w27 * w72 - w32 * w79
-    w671 = w39 * w658 + w35 * w664 - w37 * w666
-    w672 = w37 * w72 - w39 * w79
-    w673 = (w96 * w421 + (w671 * rod_small_end_rotation_2_1 + w672 * c2)) / w55
-    w674 = (w95 * w421 - w94 * w422 + (w669 * rod_small_end_rotation_2_1 + w670 * c2)) / w51 + w52 * w673
-    w675 = w92 * w421 - w85 * w422 + (w667 * rod_small_end_rotation_2_1 + w668 * c2) + w34 * w674 + w60 * w673
-    w676 = w649 + w265 * w405
-    w677 = w265 * w424
-    w678 = w677 - w530
-    w679 = w49 * w676 + w45 * w678 - w47 * w633
-    w680 = w151 * w654 - w155 * w661 - w538 + (w134 * w424 - w137 * w405 - w142 / w9)
-    w681 = w536 + w154 * w661 - (w533 * w654 - w535) + (w167 * w424 + w168 * w405 + w169 / w9)
-    w682 = 2 * -w655
-    w683 = 2 * w657
-    w684 = w288 / w9
-    w685 = w0 * w680 - w22 * w681 + (w76 * w682 - w80 * w683) + (w285 * w405 + w684)
-    w686 = w424 * w534
-    w687 = w155 * w495
-    w688 = w164 / w9 - (w159 * w424 + w162 * w405) - (w533 * w661 + w686 + (w687 + w154 * w654))
-    w689 = 2 * -w663
-    w690 = w680 * rod_small_end_x + w22 * w688 + (w82 * w683 - w76 * w689) + (w285 * w424 - w551)
-    w691 = w288 * w424
-    w692 = w80 * w689 - w82 * w682 - (w0 * w688 + w681 * rod_small_end_x) - (w548 + w691)
-    w693 = w49 * w685 + w45 * w690 + w47 * w692
-    w694 = w49 * w162 - w45 * w168 + w47 * w137
-    w695 = w306 * w421 - w295 * w422 + (w693 * rod_small_end_rotation_2_1 + w694 * c2) + (w307 * w673 - w308 * w674)
-    w696 = w32 * w685 + w20 * w690 + w27 * w692
-    w697 = w32 * w162 - w20 * w168 + w27 * w137
-    w698 = w312 * w421 - w309 * w422 + (w696 * rod_small_end_rotation_2_1 + w697 * c2) + (w313 * w673 - w314 * w674)
-    w699 = w39 * w685 + w35 * w690 + w37 * w692
-    w700 = w39 * w162 - w35 * w168 + w37 * w137
-    w701 = (w316 * w421 + (w699 * rod_small_end_rotation_2_1 + w700 * c2) + w317 * w673) / w55
-    w702 = w698 / w51 + w52 * w701
-    w703 = w282 * w421 - w274 * w422 + w679 * rod_small_end_rotation_2_1 - (w695 + w34 * w702 + w60 * w701) * slider_mass
-    w704 = w675 * guide_damping - w703
-    w705 = w325 * w426 - w324 * w425
-    w706 = w325 * w423 + w330 * w425
-    w707 = 2 * w673
-    w708 = w303 * w421 - w39 * w702 + w89 * w707 - w30 * w701 - w688 * rod_small_end_rotation_2_1
-    w709 = w297 * w421 - w35 * w702 + w86 * w707 - w14 * w701 - w681 * rod_small_end_rotation_2_1
-    w710 = w298 * w421 - w37 * w702 + w87 * w707 - w24 * w701 - w680 * rod_small_end_rotation_2_1
-    w711 = w89 * w421 - w39 * w674 - w30 * w673 - w663 * rod_small_end_rotation_2_1
-    w712 = w86 * w421 - w35 * w674 - w14 * w673 - w655 * rod_small_end_rotation_2_1
-    w713 = w87 * w421 - w37 * w674 - w24 * w673 + w657 * rod_small_end_rotation_2_1
-    w714 = w323 * w705 - w328 * w706 + (w334 * w708 - w337 * w709 - w339 * w710) + (w357 * w711 - w344 * w712 - w359 * w713)
-    w715 = 2 * w217
-    w716 = 2 * w225
-    w717 = rod_q2_dot * c20 + rod_q4_dot * c27
-    w718 = rod_q2_dot * rod_phi_phi_1_1_2_2
-    w719 = w139 + w143 * w168 - w153
-    w720 = w150 * c19 + (w134 * c57 + w137 * w715 - w142 * w180 - (w167 * w208 - w168 * w180 + w169 * w716) + w719 * c2)
-    w721 = w137 * c281
-    w722 = w168 * c281
-    w723 = w151 * (w717 + w718) - w154 * (rod_q6_dot * rod_phi_phi_1_5_2_0) + w720 + (w0 * w721 + w22 * w722)
-    w724 = w714 + w723
-    w725 = w330 * w426 + w324 * w423
-    w726 = w323 * w725 - w706 * rod_first_moment_x + (w363 * w709 - w364 * w710 - w337 * w708) + (w368 * w712 - w366 * w713 - w369 * w711)
-    w727 = 2 * w243
-    w728 = rod_q2_dot * rod_phi_phi_1_1_0_0 + rod_q4_dot * rod_phi_phi_1_3_0_0
-    w729 = rod_q1_dot * rod_phi_phi_1_0_2_1 + rod_q3_dot * rod_phi_phi_1_2_2_1 + rod_q5_dot * rod_phi_phi_1_4_2_1
-    w730 = w162 * w180 - w159 * w208 + w164 * w716 - (w134 * w727 + w137 * c57 - w142 * w208) + (w155 * (w718 + w728) - w154 * w729)
-    w731 = w143 * w162 + w137 * c54
-    w732 = w162 * c281
-    w733 = w726 + (w730 + w731 * c2 + (w22 * w732 + w721 * rod_small_end_x))
-    w734 = w705 * rod_first_moment_x - w328 * w725 + (w371 * w710 - w339 * w708 - w364 * w709) + (w373 * w713 - w372 * w711 - w374 * w712)
-    w735 = w154 * (w717 + w728) - w151 * (rod_q6_dot * rod_phi_phi_1_5_0_2) - w155 * (rod_q1_dot * c103 + rod_q3_dot * c113 + rod_q5_dot * c123)
-    w736 = w166 + (w168 * c54 - w163)
-    w737 = w167 * w727 - w168 * c57 + w169 * w208 - (w162 * w715 - w159 * c57 + w164 * w180) - w157 * c19 + w736 * c2
-    w738 = w734 + (w735 + w737 - (w0 * w732 - w722 * rod_small_end_x))
-    w739 = w328 * w710 - w323 * w709 - w725 * rod_mass + (w355 * w712 - w350 * w713) - (w732 - (w264 * w423 + w266 * w426))
-    w740 = w705 * rod_mass + (w710 * rod_first_moment_x + w323 * w708) + (w343 * w713 - w355 * w711) + (w722 + (w264 * w425 - w268 * w426))
-    w741 = w706 * rod_mass - (w328 * w708 + w709 * rod_first_moment_x) + (w350 * w711 - w343 * w712) - (w721 + (w266 * w425 + w268 * w423))
-    w742 = w61 * w704 - (w322 * w724 + w329 * w733 + w326 * w738 + (w376 * w739 + w378 * w740 + w380 * w741))
-    w743 = w383 / w9
-    w744 = w607 + w22 * w424
-    w745 = w0 * w424
-    w746 = w604 - w745
-    w747 = w384 * w405 + w743 + (w265 * w744 - w267 * w746)
-    w748 = w0 / w9
-    w749 = w22 * w405 + w748
-    w750 = w384 * w424 - w615 + (w269 * w746 - w265 * w749)
-    w751 = w383 * w424
-    w752 = w267 * w749 - w269 * w744 - (w612 + w751)
-    w753 = w39 * w747 + w35 * w750 + w37 * w752 + (w390 * w676 - w391 * w678 - w392 * w633)
-    w754 = w271 - w270
-    w755 = w393 * w421 + w753 * rod_small_end_rotation_2_1 + w754 * c2
-    w756 = w388 * w676 + w385 * w678 + w386 * w633 - (w30 * w747 + w14 * w750 + w24 * w752)
-    w757 = w277 - w276
-    w758 = w756 * rod_small_end_rotation_2_1 + w757 * c2
-    w759 = w407 * w708 + w709 * c280 + w408 * w710 - w706 * c279 + (w410 * w711 + w411 * w712 + w412 * w713)
-    w760 = w634 + w68 * w627
-    w761 = w760 * rod_small_end_rotation_2_1 + w529 * c2
-    w762 = w403 * w724 - w404 * w733 - w406 * w738 + w759 + w761 * rod_small_end_rotation_1_0 + (w169 * rod_phi_phi_1_0_2_1 + w137 * c294)
-    w763 = w427 * w708 + w428 * w709 + w710 * c282 - w705 * c281 + (w432 * w711 + w433 * w712 - w429 * w713)
-    w764 = w68 * w635
-    w765 = w530 - w677
-    w766 = w764 * rod_small_end_rotation_2_1 + w765 * c2
-    w767 = w423 * w733 - w425 * w724 - w426 * w738 + w763 + w766 * rod_small_end_rotation_2_1 - (w159 * rod_phi_phi_1_1_0_0 + (w142 * rod_phi_phi_1_1_2_2 + w168 * c295))
-    w768 = w442 * w708 + w709 * c284 + w443 * w710 - w706 * c283 + (w445 * w711 + w446 * w712 + w447 * w713)
-    w769 = w439 * w724 - w440 * w733 - w441 * w738 + w768 + w761 * rod_small_end_rotation_1_2 + (w169 * rod_phi_phi_1_2_2_1 + w137 * c296)
-    w770 = w455 * w708 + w456 * w709 + w710 * c286 - w705 * c285 + (w460 * w711 + w461 * w712 - w457 * w713)
-    w771 = w452 * w733 - w453 * w724 - w454 * w738 + w770 + w766 * rod_small_end_rotation_2_3 - (w159 * rod_phi_phi_1_3_0_0 + w168 * c297)
-    w772 = w469 * w708 + w709 * c288 + w470 * w710 - w706 * c287 + (w472 * w711 + w473 * w712 + w474 * w713)
-    w773 = w466 * w724 - w467 * w733 - w468 * w738 + w772 + w761 * rod_small_end_rotation_1_4 + (w169 * rod_phi_phi_1_4_2_1 + w137 * c298)
-    w774 = w482 * w738 - (w483 * w724 + w484 * w733) + (w708 * c137 + w485 * w709 + w486 * w710 + (w489 * w712 - w487 * w711 + w492 * w713))
-    w775 = w67 * w624
-    w776 = w775 - w68 * w647
-    w777 = w525 + w269 * w424
-    w778 = w774 - (w776 * rod_small_end_rotation_2_1 + w777 * c2) * rod_small_end_rotation_0_5 + (w164 * rod_phi_phi_1_5_2_0 + w134 * rod_phi_phi_1_5_0_2)
-    w779 = (w96 * w437 + (w520 * rod_small_end_rotation_1_2 + w521 * c11)) / w55
-    w780 = (w95 * w437 - w94 * w438 + (w518 * rod_small_end_rotation_1_2 + w519 * c11)) / w51 + w52 * w779
-    w781 = w92 * w437 - w85 * w438 + (w516 * rod_small_end_rotation_1_2 + w517 * c11) + w34 * w780 + w60 * w779
-    w782 = w306 * w437 - w295 * w438 + (w553 * rod_small_end_rotation_1_2 + w554 * c11) + (w307 * w779 - w308 * w780)
-    w783 = w312 * w437 - w309 * w438 + (w556 * rod_small_end_rotation_1_2 + w557 * c11) + (w313 * w779 - w314 * w780)
-    w784 = (w316 * w437 + (w559 * rod_small_end_rotation_1_2 + w560 * c11) + w317 * w779) / w55
-    w785 = w783 / w51 + w52 * w784
-    w786 = w282 * w437 - w274 * w438 + w532 * rod_small_end_rotation_1_2 - (w782 + w34 * w785 + w60 * w784) * slider_mass
-    w787 = w781 * guide_damping - w786
-    w788 = w325 * w440 + w330 * w439
-    w789 = w324 * w439 + w325 * w441
-    w790 = 2 * w779
-    w791 = w303 * w437 - w39 * w785 + w89 * w790 - w30 * w784 - w546 * rod_small_end_rotation_1_2
-    w792 = w297 * w437 - w35 * w785 + w86 * w790 - w14 * w784 - w539 * rod_small_end_rotation_1_2
-    w793 = w298 * w437 - w37 * w785 + w87 * w790 - w24 * w784 - w537 * rod_small_end_rotation_1_2
-    w794 = w89 * w437 - w39 * w780 - w30 * w779 - w510 * rod_small_end_rotation_1_2
-    w795 = w86 * w437 - w35 * w780 - w14 * w779 + w498 * rod_small_end_rotation_1_2
-    w796 = w87 * w437 - w37 * w780 - w24 * w779 - w503 * rod_small_end_rotation_1_2
-    w797 = w328 * w788 + w323 * w789 + (w334 * w791 - w337 * w792 - w339 * w793) + (w357 * w794 - w344 * w795 - w359 * w796)
-    w798 = 2 * w218
-    w799 = 2 * w226
-    w800 = rod_q1_dot * rod_phi_phi_2_0_1_1 + rod_q3_dot * rod_phi_phi_2_2_1_1 + rod_q5_dot * rod_phi_phi_2_4_1_1
-    w801 = rod_q1_dot * c37 + rod_q3_dot * c43 + rod_q5_dot * c49
-    w802 = w134 * w197 + w137 * w798 - w142 * w183 - (w167 * c78 - w168 * w183 + w169 * w799) - w171 * c36 + (w151 * (w800 + w801) - w155 * (rod_q6_dot * rod_phi_phi_2_5_1_0))
-    w803 = w142 * c36 + w581 * c11
-    w804 = w169 * c283
-    w805 = w797 + (w802 - w580 * c11 + w172 * c11 - (w0 * w803 + w22 * w804))
-    w806 = w324 * w440 - w330 * w441
-    w807 = w788 * rod_first_moment_x - w323 * w806 + (w363 * w792 - w364 * w793 - w337 * w791) + (w368 * w795 - w366 * w796 - w369 * w794)
-    w808 = 2 * w244
-    w809 = rod_q1_dot * rod_phi_phi_2_0_0_0 + rod_q3_dot * rod_phi_phi_2_2_0_0 + rod_q5_dot * rod_phi_phi_2_4_0_0
-    w810 = w155 * (w801 + w809) - w154 * (rod_q2_dot * c111 + rod_q4_dot * c121) - w151 * (rod_q6_dot * rod_phi_phi_2_5_0_1)
-    w811 = w157 * c36 + (w162 * w183 - w159 * c78 + w164 * w799 - (w134 * w808 + w137 * w197 - w142 * c78) + w590 * c11)
-    w812 = w164 * c283
-    w813 = w807 + (w810 + w811 - (w803 * rod_small_end_x - w22 * w812))
-    w814 = w789 * rod_first_moment_x + w328 * w806 + (w371 * w793 - w339 * w791 - w364 * w792) + (w373 * w796 - w372 * w794 - w374 * w795)
-    w815 = w154 * (w800 + w809) - w155 * (rod_q2_dot * rod_phi_phi_2_1_1_2 + rod_q4_dot * rod_phi_phi_2_3_1_2)
-    w816 = w167 * w808 - w168 * w197 + w169 * c78 - (w162 * w798 - w159 * w197 + w164 * w183) + w815 - w596 * c11
-    w817 = w814 + (w816 - (w804 * rod_small_end_x + w0 * w812))
-    w818 = w806 * rod_mass + (w328 * w793 - w323 * w792) + (w355 * w795 - w350 * w796) + (w266 * w441 - w264 * w440 - w812)
-    w819 = w789 * rod_mass + (w793 * rod_first_moment_x + w323 * w791) + (w343 * w796 - w355 * w794) - (w804 + (w268 * w441 + w264 * w439))
-    w820 = w350 * w794 - w343 * w795 - (w788 * rod_mass + (w328 * w791 + w792 * rod_first_moment_x)) + (w803 + (w266 * w439 + w268 * w440))
-    w821 = w61 * w787 - (w322 * w805 + w329 * w813 + w326 * w817 + (w376 * w818 + w378 * w819 + w380 * w820))
-    w822 = w393 * w437 + w617 * rod_small_end_rotation_1_2 + w618 * c11
-    w823 = w620 * rod_small_end_rotation_1_2 + w621 * c11
-    w824 = w407 * w791 + w792 * c280 + w408 * w793 + w788 * c279 + (w410 * w794 + w411 * w795 + w412 * w796)
-    w825 = w628 * rod_small_end_rotation_1_2 - w531 * c11
-    w826 = w403 * w805 - w404 * w813 - w406 * w817 + w824 + w825 * rod_small_end_rotation_1_0 - (w168 * rod_phi_phi_2_0_1_1 + (w159 * rod_phi_phi_2_0_0_0 + w142 * c299) + w803 * c10)
-    w827 = w427 * w791 + w428 * w792 + w793 * c282 - w789 * c281 + (w432 * w794 + w433 * w795 - w429 * w796)
-    w828 = w633 * c11 - w636 * rod_small_end_rotation_1_2
-    w829 = w423 * w813 - w425 * w805 - w426 * w817 + w827 + w828 * rod_small_end_rotation_2_1 + (w137 * rod_phi_phi_2_1_1_2 + w169 * c300)
-    w830 = w442 * w791 + w792 * c284 + w443 * w793 + w788 * c283 + (w445 * w794 + w446 * w795 + w447 * w796)
-    w831 = w439 * w805 - w440 * w813 - w441 * w817 + w830 + w825 * rod_small_end_rotation_1_2 - (w168 * rod_phi_phi_2_2_1_1 + (w159 * rod_phi_phi_2_2_0_0 + w142 * c301) + w803 * c11)
-    w832 = w455 * w791 + w456 * w792 + w793 * c286 - w789 * c285 + (w460 * w794 + w461 * w795 - w457 * w796)
-    w833 = w452 * w813 - w453 * w805 - w454 * w817 + w832 + w828 * rod_small_end_rotation_2_3 + (w137 * rod_phi_phi_2_3_1_2 + w169 * c302)
-    w834 = w469 * w791 + w792 * c288 + w470 * w793 + w788 * c287 + (w472 * w794 + w473 * w795 + w474 * w796)
-    w835 = w466 * w805 - w467 * w813 - w468 * w817 + w834 + w825 * rod_small_end_rotation_1_4 - (w168 * rod_phi_phi_2_4_1_1 + (w159 * rod_phi_phi_2_4_0_0 + w142 * c303) + w803 * c12)
-    w836 = w482 * w817 - (w483 * w805 + w484 * w813) + (w791 * c137 + w485 * w792 + w486 * w793 + (w489 * w795 - w487 * w794 + w492 * w796))
-    w837 = w836 + (w648 * rod_small_end_rotation_1_2 + w651 * c11) * rod_small_end_rotation_0_5 + (w162 * rod_phi_phi_2_5_1_0 + w167 * rod_phi_phi_2_5_0_1)
-    w838 = (w96 * w450 + (w671 * rod_small_end_rotation_2_3 + w672 * c3)) / w55
-    w839 = (w95 * w450 - w94 * w451 + (w669 * rod_small_end_rotation_2_3 + w670 * c3)) / w51 + w52 * w838
-    w840 = w92 * w450 - w85 * w451 + (w667 * rod_small_end_rotation_2_3 + w668 * c3) + w34 * w839 + w60 * w838
-    w841 = w306 * w450 - w295 * w451 + (w693 * rod_small_end_rotation_2_3 + w694 * c3) + (w307 * w838 - w308 * w839)
-    w842 = w312 * w450 - w309 * w451 + (w696 * rod_small_end_rotation_2_3 + w697 * c3) + (w313 * w838 - w314 * w839)
-    w843 = (w316 * w450 + (w699 * rod_small_end_rotation_2_3 + w700 * c3) + w317 * w838) / w55
-    w844 = w842 / w51 + w52 * w843
-    w845 = w282 * w450 - w274 * w451 + w679 * rod_small_end_rotation_2_3 - (w841 + w34 * w844 + w60 * w843) * slider_mass
-    w846 = w840 * guide_damping - w845
-    w847 = w325 * w454 - w324 * w453
-    w848 = w325 * w452 + w330 * w453
-    w849 = 2 * w838
-    w850 = w303 * w450 - w39 * w844 + w89 * w849 - w30 * w843 - w688 * rod_small_end_rotation_2_3
-    w851 = w297 * w450 - w35 * w844 + w86 * w849 - w14 * w843 - w681 * rod_small_end_rotation_2_3
-    w852 = w298 * w450 - w37 * w844 + w87 * w849 - w24 * w843 - w680 * rod_small_end_rotation_2_3
-    w853 = w89 * w450 - w39 * w839 - w30 * w838 - w663 * rod_small_end_rotation_2_3
-    w854 = w86 * w450 - w35 * w839 - w14 * w838 - w655 * rod_small_end_rotation_2_3
-    w855 = w87 * w450 - w37 * w839 - w24 * w838 + w657 * rod_small_end_rotation_2_3
-    w856 = w323 * w847 - w328 * w848 + (w334 * w850 - w337 * w851 - w339 * w852) + (w357 * w853 - w344 * w854 - w359 * w855)
-    w857 = 2 * w219
-    w858 = 2 * w227
-    w859 = rod_q2_dot * c22 + rod_q4_dot * c28
-    w860 = rod_q4_dot * rod_phi_phi_3_3_2_2
-    w861 = w150 * c21 + (w134 * c62 + w137 * w857 - w142 * w186 - (w167 * w211 - w168 * w186 + w169 * w858) + w719 * c3)
-    w862 = w137 * c285
-    w863 = w168 * c21 + w168 * rod_mass * c3
-    w864 = w151 * (w859 + w860) - w154 * (rod_q6_dot * rod_phi_phi_3_5_2_0) + w861 + (w0 * w862 + w22 * w863)
-    w865 = w856 + w864
-    w866 = w330 * w454 + w324 * w452
-    w867 = w323 * w866 - w848 * rod_first_moment_x + (w363 * w851 - w364 * w852 - w337 * w850) + (w368 * w854 - w366 * w855 - w369 * w853)
-    w868 = 2 * w245
-    w869 = rod_q2_dot * rod_phi_phi_3_1_0_0 + rod_q4_dot * rod_phi_phi_3_3_0_0
-    w870 = rod_q1_dot * rod_phi_phi_3_0_2_1 + rod_q3_dot * rod_phi_phi_3_2_2_1 + rod_q5_dot * rod_phi_phi_3_4_2_1
-    w871 = w162 * w186 - w159 * w211 + w164 * w858 - (w134 * w868 + w137 * c62 - w142 * w211) + (w155 * (w860 + w869) - w154 * w870)
-    w872 = w162 * c285
-    w873 = w867 + (w871 + w731 * c3 + (w22 * w872 + w862 * rod_small_end_x))
-    w874 = w847 * rod_first_moment_x - w328 * w866 + (w371 * w852 - w339 * w850 - w364 * w851) + (w373 * w855 - w372 * w853 - w374 * w854)
-    w875 = w154 * (w859 + w869) - w151 * (rod_q6_dot * rod_phi_phi_3_5_0_2) - w155 * (rod_q1_dot * c104 + rod_q3_dot * c114 + rod_q5_dot * c124)
-    w876 = w167 * w868 - w168 * c62 + w169 * w211 - (w162 * w857 - w159 * c62 + w164 * w186) - w157 * c21 + w736 * c3
-    w877 = w874 + (w875 + w876 - (w0 * w872 - w863 * rod_small_end_x))
-    w878 = w328 * w852 - w323 * w851 - w866 * rod_mass + (w355 * w854 - w350 * w855) - (w872 - (w264 * w452 + w266 * w454))
-    w879 = w847 * rod_mass + (w852 * rod_first_moment_x + w323 * w850) + (w343 * w855 - w355 * w853) + (w863 + (w264 * w453 - w268 * w454))
-    w880 = w848 * rod_mass - (w328 * w850 + w851 * rod_first_moment_x) + (w350 * w853 - w343 * w854) - (w862 + (w266 * w453 + w268 * w452))
-    w881 = w61 * w846 - (w322 * w865 + w329 * w873 + w326 * w877 + (w376 * w878 + w378 * w879 + w380 * w880))
-    w882 = w393 * w450 + w753 * rod_small_end_rotation_2_3 + w754 * c3
-    w883 = w756 * rod_small_end_rotation_2_3 + w757 * c3
-    w884 = w407 * w850 + w851 * c280 + w408 * w852 - w848 * c279 + (w410 * w853 + w411 * w854 + w412 * w855)
-    w885 = w760 * rod_small_end_rotation_2_3 + w529 * c3
-    w886 = w403 * w865 - w404 * w873 - w406 * w877 + w884 + w885 * rod_small_end_rotation_1_0 + (w169 * rod_phi_phi_3_0_2_1 + w137 * c304)
-    w887 = w427 * w850 + w428 * w851 + w852 * c282 - w847 * c281 + (w432 * w853 + w433 * w854 - w429 * w855)
-    w888 = w764 * rod_small_end_rotation_2_3 + w765 * c3
-    w889 = w423 * w873 - w425 * w865 - w426 * w877 + w887 + w888 * rod_small_end_rotation_2_1 - (w159 * rod_phi_phi_3_1_0_0 + w168 * c305 + w863 * c2)
-    w890 = w442 * w850 + w851 * c284 + w443 * w852 - w848 * c283 + (w445 * w853 + w446 * w854 + w447 * w855)
-    w891 = w439 * w865 - w440 * w873 - w441 * w877 + w890 + w885 * rod_small_end_rotation_1_2 + (w169 * rod_phi_phi_3_2_2_1 + w137 * c306)
-    w892 = w455 * w850 + w456 * w851 + w852 * c286 - w847 * c285 + (w460 * w853 + w461 * w854 - w457 * w855)
-    w893 = w452 * w873 - w453 * w865 - w454 * w877 + w892 + w888 * rod_small_end_rotation_2_3 - (w142 * rod_phi_phi_3_3_2_2 + (w159 * rod_phi_phi_3_3_0_0 + w168 * c307) + w863 * c3)
-    w894 = w469 * w850 + w851 * c288 + w470 * w852 - w848 * c287 + (w472 * w853 + w473 * w854 + w474 * w855)
-    w895 = w466 * w865 - w467 * w873 - w468 * w877 + w894 + w885 * rod_small_end_rotation_1_4 + (w169 * rod_phi_phi_3_4_2_1 + w137 * c308)
-    w896 = w482 * w877 - (w483 * w865 + w484 * w873) + (w850 * c137 + w485 * w851 + w486 * w852 + (w489 * w854 - w487 * w853 + w492 * w855))
-    w897 = w896 - (w776 * rod_small_end_rotation_2_3 + w777 * c3) * rod_small_end_rotation_0_5 + (w164 * rod_phi_phi_3_5_2_0 + w134 * rod_phi_phi_3_5_0_2)
-    w898 = (w96 * w464 + (w520 * rod_small_end_rotation_1_4 + w521 * c12)) / w55
-    w899 = (w95 * w464 - w94 * w465 + (w518 * rod_small_end_rotation_1_4 + w519 * c12)) / w51 + w52 * w898
-    w900 = w92 * w464 - w85 * w465 + (w516 * rod_small_end_rotation_1_4 + w517 * c12) + w34 * w899 + w60 * w898
-    w901 = w306 * w464 - w295 * w465 + (w553 * rod_small_end_rotation_1_4 + w554 * c12) + (w307 * w898 - w308 * w899)
-    w902 = w312 * w464 - w309 * w465 + (w556 * rod_small_end_rotation_1_4 + w557 * c12) + (w313 * w898 - w314 * w899)
-    w903 = (w316 * w464 + (w559 * rod_small_end_rotation_1_4 + w560 * c12) + w317 * w898) / w55
-    w904 = w902 / w51 + w52 * w903
-    w905 = w282 * w464 - w274 * w465 + w532 * rod_small_end_rotation_1_4 - (w901 + w34 * w904 + w60 * w903) * slider_mass
-    w906 = w900 * guide_damping - w905
-    w907 = w325 * w467 + w330 * w466
-    w908 = w324 * w466 + w325 * w468
-    w909 = 2 * w898
-    w910 = w303 * w464 - w39 * w904 + w89 * w909 - w30 * w903 - w546 * rod_small_end_rotation_1_4
-    w911 = w297 * w464 - w35 * w904 + w86 * w909 - w14 * w903 - w539 * rod_small_end_rotation_1_4
-    w912 = w298 * w464 - w37 * w904 + w87 * w909 - w24 * w903 - w537 * rod_small_end_rotation_1_4
-    w913 = w89 * w464 - w39 * w899 - w30 * w898 - w510 * rod_small_end_rotation_1_4
-    w914 = w86 * w464 - w35 * w899 - w14 * w898 + w498 * rod_small_end_rotation_1_4
-    w915 = w87 * w464 - w37 * w899 - w24 * w898 - w503 * rod_small_end_rotation_1_4
-    w916 = w328 * w907 + w323 * w908 + (w334 * w910 - w337 * w911 - w339 * w912) + (w357 * w913 - w344 * w914 - w359 * w915)
-    w917 = 2 * w220
-    w918 = 2 * w228
-    w919 = rod_q1_dot * rod_phi_phi_4_0_1_1 + rod_q3_dot * rod_phi_phi_4_2_1_1 + rod_q5_dot * rod_phi_phi_4_4_1_1
-    w920 = rod_q1_dot * c39 + rod_q3_dot * c44 + rod_q5_dot * c50
-    w921 = w134 * w200 + w137 * w917 - w142 * w189 - (w167 * c83 - w168 * w189 + w169 * w918) - w171 * c38 + (w151 * (w919 + w920) - w155 * (rod_q6_dot * rod_phi_phi_4_5_1_0))
-    w922 = w142 * c38 + w581 * c12
-    w923 = w169 * c287
-    w924 = w916 + (w921 - w580 * c12 + w172 * c12 - (w0 * w922 + w22 * w923))
-    w925 = w324 * w467 - w330 * w468
-    w926 = w907 * rod_first_moment_x - w323 * w925 + (w363 * w911 - w364 * w912 - w337 * w910) + (w368 * w914 - w366 * w915 - w369 * w913)
-    w927 = 2 * w246
-    w928 = rod_q1_dot * rod_phi_phi_4_0_0_0 + rod_q3_dot * rod_phi_phi_4_2_0_0 + rod_q5_dot * rod_phi_phi_4_4_0_0
-    w929 = w155 * (w920 + w928) - w154 * (rod_q2_dot * c112 + rod_q4_dot * c122) - w151 * (rod_q6_dot * rod_phi_phi_4_5_0_1)
-    w930 = w157 * c38 + (w162 * w189 - w159 * c83 + w164 * w918 - (w134 * w927 + w137 * w200 - w142 * c83) + w590 * c12)
-    w931 = w164 * c287
-    w932 = w926 + (w929 + w930 - (w922 * rod_small_end_x - w22 * w931))
-    w933 = w908 * rod_first_moment_x + w328 * w925 + (w371 * w912 - w339 * w910 - w364 * w911) + (w373 * w915 - w372 * w913 - w374 * w914)
-    w934 = w154 * (w919 + w928) - w155 * (rod_q2_dot * rod_phi_phi_4_1_1_2 + rod_q4_dot * rod_phi_phi_4_3_1_2)
-    w935 = w167 * w927 - w168 * w200 + w169 * c83 - (w162 * w917 - w159 * w200 + w164 * w189) + w934 - w596 * c12
-    w936 = w933 + (w935 - (w923 * rod_small_end_x + w0 * w931))
-    w937 = w925 * rod_mass + (w328 * w912 - w323 * w911) + (w355 * w914 - w350 * w915) + (w266 * w468 - w264 * w467 - w931)
-    w938 = w908 * rod_mass + (w912 * rod_first_moment_x + w323 * w910) + (w343 * w915 - w355 * w913) - (w923 + (w268 * w468 + w264 * w466))
-    w939 = w350 * w913 - w343 * w914 - (w907 * rod_mass + (w328 * w910 + w911 * rod_first_moment_x)) + (w922 + (w266 * w466 + w268 * w467))
-    w940 = w61 * w906 - (w322 * w924 + w329 * w932 + w326 * w936 + (w376 * w937 + w378 * w938 + w380 * w939))
-    w941 = w393 * w464 + w617 * rod_small_end_rotation_1_4 + w618 * c12
-    w942 = w620 * rod_small_end_rotation_1_4 + w621 * c12
-    w943 = w407 * w910 + w911 * c280 + w408 * w912 + w907 * c279 + (w410 * w913 + w411 * w914 + w412 * w915)
-    w944 = w628 * rod_small_end_rotation_1_4 - w531 * c12
-    w945 = w403 * w924 - w404 * w932 - w406 * w936 + w943 + w944 * rod_small_end_rotation_1_0 - (w168 * rod_phi_phi_4_0_1_1 + (w159 * rod_phi_phi_4_0_0_0 + w142 * c309) + w922 * c10)
-    w946 = w427 * w910 + w428 * w911 + w912 * c282 - w908 * c281 + (w432 * w913 + w433 * w914 - w429 * w915)
-    w947 = w633 * c12 - w636 * rod_small_end_rotation_1_4
-    w948 = w423 * w932 - w425 * w924 - w426 * w936 + w946 + w947 * rod_small_end_rotation_2_1 + (w137 * rod_phi_phi_4_1_1_2 + w169 * c310)
-    w949 = w442 * w910 + w911 * c284 + w443 * w912 + w907 * c283 + (w445 * w913 + w446 * w914 + w447 * w915)
-    w950 = w439 * w924 - w440 * w932 - w441 * w936 + w949 + w944 * rod_small_end_rotation_1_2 - (w168 * rod_phi_phi_4_2_1_1 + (w159 * rod_phi_phi_4_2_0_0 + w142 * c311) + w922 * c11)
-    w951 = w455 * w910 + w456 * w911 + w912 * c286 - w908 * c285 + (w460 * w913 + w461 * w914 - w457 * w915)
-    w952 = w452 * w932 - w453 * w924 - w454 * w936 + w951 + w947 * rod_small_end_rotation_2_3 + (w137 * rod_phi_phi_4_3_1_2 + w169 * c312)
-    w953 = w469 * w910 + w911 * c288 + w470 * w912 + w907 * c287 + (w472 * w913 + w473 * w914 + w474 * w915)
-    w954 = w466 * w924 - w467 * w932 - w468 * w936 + w953 + w944 * rod_small_end_rotation_1_4 - (w168 * rod_phi_phi_4_4_1_1 + (w159 * rod_phi_phi_4_4_0_0 + w142 * c313) + w922 * c12)
-    w955 = w482 * w936 - (w483 * w924 + w484 * w932) + (w910 * c137 + w485 * w911 + w486 * w912 + (w489 * w914 - w487 * w913 + w492 * w915))
-    w956 = w955 + (w648 * rod_small_end_rotation_1_4 + w651 * c12) * rod_small_end_rotation_0_5 + (w162 * rod_phi_phi_4_5_1_0 + w167 * rod_phi_phi_4_5_0_1)
-    w957 = w660 - w659
-    w958 = w957 + (w72 * w395 - w662)
-    w959 = w507 - w506
-    w960 = w959 + (w509 + w72 * w424)
-    w961 = w0 * w958 - w22 * w960 - (w512 + w665)
-    w962 = w495 + (w496 + w656)
-    w963 = w958 * rod_small_end_x - w22 * w962 + (w504 + w82 * w424)
-    w964 = w0 * w962 - w960 * rod_small_end_x + (w82 * w395 - w653)
-    w965 = (w95 * w480 - w94 * w481 + (w32 * w961 + w20 * w963 + w27 * w964) * rod_small_end_rotation_0_5) / w51
-    w966 = (w96 * w480 + (w39 * w961 + w35 * w963 + w37 * w964) * rod_small_end_rotation_0_5) / w55
-    w967 = w965 + w52 * w966
-    w968 = w92 * w480 - w85 * w481 + (w49 * w961 + w45 * w963 + w47 * w964) * rod_small_end_rotation_0_5 + w34 * w967
-    w969 = w528 + w632
-    w970 = w650 - w649
-    w971 = w687 + w151 * w959 - (w533 * w957 - w686) + (w134 / w9 + w137 * w395 + w142 * w424)
-    w972 = w167 / w9 - w168 * w395 - w169 * w424 - (w545 + w533 * w959 + (w544 + w151 * w957))
-    w973 = 2 * -w960
-    w974 = 2 * -w958
-    w975 = w0 * w971 - w22 * w972 + (w76 * w973 - w80 * w974) - (w549 + w691)
-    w976 = w155 * w957 - w154 * w959 - w538 + (w162 * w395 - w159 / w9 - w164 * w424)
-    w977 = 2 * w962
-    w978 = w971 * rod_small_end_x + w22 * w976 + (w82 * w974 - w76 * w977) + (w542 + w292 * w424)
-    w979 = w80 * w977 - w82 * w973 - (w0 * w976 + w972 * rod_small_end_x) + (w292 * w395 - w684)
-    w980 = w306 * w480 - w295 * w481 + (w49 * w975 + w45 * w978 + w47 * w979) * rod_small_end_rotation_0_5 + (w307 * w966 - w308 * w967)
-    w981 = w312 * w480 - w309 * w481 + (w32 * w975 + w20 * w978 + w27 * w979) * rod_small_end_rotation_0_5 + (w313 * w966 - w314 * w967)
-    w982 = (w316 * w480 + (w39 * w975 + w35 * w978 + w37 * w979) * rod_small_end_rotation_0_5 + w317 * w966) / w55
-    w983 = w981 / w51 + w52 * w982
-    w984 = w282 * w480 - w274 * w481 + (w45 * w777 - w49 * w969 + w47 * w970) * rod_small_end_rotation_0_5 - (w980 + w34 * w983 + w60 * w982) * slider_mass
-    w985 = (w968 + w60 * w966) * guide_damping - w984
-    w986 = 2 * w966
-    w987 = w303 * w480 - w39 * w983 + w89 * w986 - w30 * w982 - w976 * rod_small_end_rotation_0_5
-    w988 = w297 * w480 - w35 * w983 + w86 * w986 - w14 * w982 - w972 * rod_small_end_rotation_0_5
-    w989 = w298 * w480 - w37 * w983 + w87 * w986 - w24 * w982 - w971 * rod_small_end_rotation_0_5
-    w990 = w330 * w483 - w325 * w484
-    w991 = w324 * w483 + w325 * w482
-    w992 = w89 * w480 - w39 * w967 - w30 * w966 + w962 * rod_small_end_rotation_0_5
-    w993 = w86 * w480 - w35 * w967 - w14 * w966 - w960 * rod_small_end_rotation_0_5
-    w994 = w87 * w480 - w37 * w967 - w24 * w966 - w958 * rod_small_end_rotation_0_5
-    w995 = w334 * w987 - w337 * w988 - w339 * w989 - (w328 * w990 + w323 * w991) + (w357 * w992 - w344 * w993 - w359 * w994)
-    w996 = 2 * w222
-    w997 = 2 * w230
-    w998 = rod_q6_dot * rod_phi_phi_5_5_1_1
-    w999 = rod_q6_dot * rod_phi_phi_5_5_2_2
-    w1000 = rod_q1_dot * rod_phi_phi_5_0_1_0 + rod_q3_dot * rod_phi_phi_5_2_1_0 + rod_q5_dot * rod_phi_phi_5_4_1_0
-    w1001 = w151 * (w998 + w999) - w155 * w1000 - w154 * (rod_q2_dot * rod_phi_phi_5_1_2_0 + rod_q4_dot * rod_phi_phi_5_3_2_0)
-    w1002 = w995 + (w134 * w204 + w137 * w996 - w142 * c129 - (w167 * w214 - w168 * c129 + w169 * w997) + w1001)
-    w1003 = w330 * w482 + w324 * w484
-    w1004 = w363 * w988 - w364 * w989 - w337 * w987 - (w323 * w1003 + w990 * rod_first_moment_x) + (w368 * w993 - w366 * w994 - w369 * w992)
-    w1005 = 2 * w247
-    w1006 = rod_q6_dot * rod_phi_phi_5_5_0_0
-    w1007 = rod_q1_dot * rod_phi_phi_5_0_0_1 + rod_q3_dot * rod_phi_phi_5_2_0_1 + rod_q5_dot * rod_phi_phi_5_4_0_1
-    w1008 = w162 * c129 - w159 * w214 + w164 * w997 - (w134 * w1005 + w137 * w204 - w142 * w214) + (w155 * (w999 + w1006) - w151 * w1007)
-    w1009 = w1004 + w1008
-    w1010 = w328 * w1003 - w991 * rod_first_moment_x + (w371 * w989 - w339 * w987 - w364 * w988) + (w373 * w994 - w372 * w992 - w374 * w993)
-    w1011 = w154 * (w998 + w1006) - w151 * (rod_q2_dot * rod_phi_phi_5_1_0_2 + rod_q4_dot * rod_phi_phi_5_3_0_2)
-    w1012 = w1010 + (w167 * w1005 - w168 * w204 + w169 * w214 - (w162 * w996 - w159 * w204 + w164 * c129) + w1011)
-    w1013 = w1003 * rod_mass + (w328 * w989 - w323 * w988) + (w355 * w993 - w350 * w994) - (w264 * w484 + w266 * w482)
-    w1014 = w989 * rod_first_moment_x + w323 * w987 - w991 * rod_mass + (w343 * w994 - w355 * w992) + (w268 * w482 + w264 * w483)
-    w1015 = w990 * rod_mass - (w328 * w987 + w988 * rod_first_moment_x) + (w350 * w992 - w343 * w993) + (w268 * w484 - w266 * w483)
-    w1016 = w61 * w985 - (w322 * w1002 + w329 * w1009 + w326 * w1012 + (w376 * w1013 + w378 * w1014 + w380 * w1015))
-    w1017 = w610 - w424 * rod_small_end_x
-    w1018 = w748 + w395 * rod_small_end_x
-    w1019 = w265 * w1017 + w267 * w1018 - (w613 + w751)
-    w1020 = w605 + w745
-    w1021 = w603 + w387 * w424 + (w265 * w1020 - w269 * w1018)
-    w1022 = w387 * w395 - w743 - (w267 * w1020 + w269 * w1017)
-    w1023 = (w39 * w1019 + w35 * w1021 + w37 * w1022 + (w392 * w970 - (w390 * w969 + w391 * w777))) * rod_small_end_rotation_0_5
-    w1024 = w393 * w480 + w1023
-    w1025 = (w385 * w777 - w388 * w969 - w386 * w970 - (w30 * w1019 + w14 * w1021 + w24 * w1022)) * rod_small_end_rotation_0_5
-    w1026 = w407 * w987 + w988 * c280 + w408 * w989 - w990 * c279 + (w410 * w992 + w411 * w993 + w412 * w994)
-    w1027 = (w646 - w73 * w627) * rod_small_end_rotation_0_5
-    w1028 = w403 * w1002 - w404 * w1009 - w406 * w1012 + w1026 - w1027 * rod_small_end_rotation_1_0 + (w162 * rod_phi_phi_5_0_1_0 + w167 * rod_phi_phi_5_0_0_1)
-    w1029 = w427 * w987 + w428 * w988 + w989 * c282 + w991 * c281 + (w432 * w992 + w433 * w993 - w429 * w994)
-    w1030 = (w775 + w73 * w635) * rod_small_end_rotation_0_5
-    w1031 = w423 * w1009 - w425 * w1002 - w426 * w1012 + w1029 + w1030 * rod_small_end_rotation_2_1 + (w164 * rod_phi_phi_5_1_2_0 + w134 * rod_phi_phi_5_1_0_2)
-    w1032 = w442 * w987 + w988 * c284 + w443 * w989 - w990 * c283 + (w445 * w992 + w446 * w993 + w447 * w994)
-    w1033 = w439 * w1002 - w440 * w1009 - w441 * w1012 + w1032 - w1027 * rod_small_end_rotation_1_2 + (w162 * rod_phi_phi_5_2_1_0 + w167 * rod_phi_phi_5_2_0_1)
-    w1034 = w455 * w987 + w456 * w988 + w989 * c286 + w991 * c285 + (w460 * w992 + w461 * w993 - w457 * w994)
-    w1035 = w452 * w1009 - w453 * w1002 - w454 * w1012 + w1034 + w1030 * rod_small_end_rotation_2_3 + (w164 * rod_phi_phi_5_3_2_0 + w134 * rod_phi_phi_5_3_0_2)
-    w1036 = w469 * w987 + w988 * c288 + w470 * w989 - w990 * c287 + (w472 * w992 + w473 * w993 + w474 * w994)
-    w1037 = w466 * w1002 - w467 * w1009 - w468 * w1012 + w1036 - w1027 * rod_small_end_rotation_1_4 + (w162 * rod_phi_phi_5_4_1_0 + w167 * rod_phi_phi_5_4_0_1)
-    w1038 = w482 * w1012 - (w483 * w1002 + w484 * w1009) + (w987 * c137 + w485 * w988 + w486 * w989 + (w489 * w993 - w487 * w992 + w492 * w994))
-    w1039 = w1038 + w73 * w647 * c272 - (w159 * rod_phi_phi_5_5_0_0 + w168 * rod_phi_phi_5_5_1_1 + w142 * rod_phi_phi_5_5_2_2)
-    w1040 = w361 * w483 + w370 * w484 - w375 * w482 - (w336 * c137 + w338 * w485 + w340 * w486 + (w358 * w487 - w345 * w489 - w360 * w492))
+    w200 = (w198 + w199) * 0.5
+    w201 = rod_q1 * rod_phi_phi_0_5_0_1 + rod_q3 * rod_phi_phi_2_5_0_1 + rod_q5 * rod_phi_phi_4_5_0_1
+    w202 = rod_q1 * rod_phi_phi_0_5_1_0 + rod_q3 * rod_phi_phi_2_5_1_0 + rod_q5 * rod_phi_phi_4_5_1_0
+    w203 = (w201 + w202) * 0.5
+    w204 = rod_q1 * w194 + rod_q2 * c57 + rod_q3 * w197 + rod_q4 * c62 + rod_q5 * w200 + rod_q6 * w203
+    w205 = rod_q6 * rod_phi_phi_5_1_0_2
+    w206 = rod_q6 * rod_phi_phi_5_1_2_0
+    w207 = (w205 + w206) * 0.5
+    w208 = rod_q6 * rod_phi_phi_5_3_0_2
+    w209 = rod_q6 * rod_phi_phi_5_3_2_0
+    w210 = (w208 + w209) * 0.5
+    w211 = rod_q2 * rod_phi_phi_1_5_0_2 + rod_q4 * rod_phi_phi_3_5_0_2
+    w212 = rod_q2 * rod_phi_phi_1_5_2_0 + rod_q4 * rod_phi_phi_3_5_2_0
+    w213 = (w211 + w212) * 0.5
+    w214 = rod_q1 * c73 + rod_q2 * w207 + rod_q3 * c78 + rod_q4 * w210 + rod_q5 * c83 + rod_q6 * w213
+    w215 = rod_q1 * rod_phi_phi_0_0_1_1
+    w216 = w215 + rod_q3 * rod_phi_phi_2_0_1_1 + rod_q5 * rod_phi_phi_4_0_1_1
+    w217 = rod_q2 * c20
+    w218 = w217 + rod_q4 * c22
+    w219 = rod_q3 * rod_phi_phi_2_2_1_1
+    w220 = rod_q1 * rod_phi_phi_0_2_1_1 + w219 + rod_q5 * rod_phi_phi_4_2_1_1
+    w221 = rod_q4 * c28
+    w222 = rod_q2 * c27 + w221
+    w223 = rod_q5 * rod_phi_phi_4_4_1_1
+    w224 = rod_q1 * rod_phi_phi_0_4_1_1 + rod_q3 * rod_phi_phi_2_4_1_1 + w223
+    w225 = rod_inertia_moments_1_1 + rod_q1 * w216 + rod_q2 * w218 + rod_q3 * w220 + rod_q4 * w222 + rod_q5 * w224
+    w226 = rod_q6 * rod_phi_phi_5_5_1_1
+    w227 = w225 + rod_q6 * w226
+    w228 = rod_q1 * c35
+    w229 = w228 + rod_q3 * c37 + rod_q5 * c39
+    w230 = rod_q2 * rod_phi_phi_1_1_2_2
+    w231 = rod_q3 * c43
+    w232 = rod_q1 * c42 + w231 + rod_q5 * c44
+    w233 = rod_q4 * rod_phi_phi_3_3_2_2
+    w234 = rod_q5 * c50
+    w235 = rod_q1 * c47 + rod_q3 * c49 + w234
+    w236 = rod_inertia_moments_2_2 + rod_q1 * w229 + rod_q2 * w230 + rod_q3 * w232 + rod_q4 * w233 + rod_q5 * w235
+    w237 = rod_q6 * rod_phi_phi_5_5_2_2
+    w238 = w236 + rod_q6 * w237
+    w239 = w138 * w150 - w143 * w171 + (w190 * w191 + (w134 * w204 - w167 * w214) + (w137 * w227 - w169 * w238))
+    w240 = rod_q1_dot * w216 + rod_q2_dot * w218 + rod_q3_dot * w220 + rod_q4_dot * w222 + rod_q5_dot * w224
+    w241 = w240 + rod_q6_dot * w226
+    w242 = rod_q1_dot * w229 + rod_q2_dot * w230 + rod_q3_dot * w232 + rod_q4_dot * w233 + rod_q5_dot * w235
+    w243 = w242 + rod_q6_dot * w237
+    w244 = rod_q1_dot * w193 + rod_q2_dot * rod_rho_phi_1_1_0 + rod_q3_dot * w196 + rod_q4_dot * rod_rho_phi_3_1_0
+    w245 = w244 + rod_q5_dot * w199 + rod_q6_dot * w202
+    w246 = rod_q1_dot * rod_rho_phi_0_2_0 + rod_q2_dot * w206 + rod_q3_dot * rod_rho_phi_2_2_0 + rod_q4_dot * w209
+    w247 = w246 + rod_q5_dot * rod_rho_phi_4_2_0 + rod_q6_dot * w212
+    w248 = w239 + (w151 * (w241 + w243) - w155 * w245 - w154 * w247)
+    w249 = w140 - w158
+    w250 = rod_q1 * rod_phi_phi_0_0_0_0
+    w251 = w250 + rod_q3 * rod_phi_phi_2_0_0_0 + rod_q5 * rod_phi_phi_4_0_0_0
+    w252 = rod_q2 * rod_phi_phi_1_1_0_0
+    w253 = w252 + rod_q4 * rod_phi_phi_3_1_0_0
+    w254 = rod_q3 * rod_phi_phi_2_2_0_0
+    w255 = rod_q1 * rod_phi_phi_0_2_0_0 + w254 + rod_q5 * rod_phi_phi_4_2_0_0
+    w256 = rod_q4 * rod_phi_phi_3_3_0_0
+    w257 = rod_q2 * rod_phi_phi_1_3_0_0 + w256
+    w258 = rod_q5 * rod_phi_phi_4_4_0_0
+    w259 = rod_q1 * rod_phi_phi_0_4_0_0 + rod_q3 * rod_phi_phi_2_4_0_0 + w258
+    w260 = rod_q6 * rod_phi_phi_5_5_0_0
+    w261 = c88 + rod_q1 * w251 + rod_q2 * w253 + rod_q3 * w255 + rod_q4 * w257 + rod_q5 * w259 + rod_q6 * w260
+    w262 = w214 * w249 + (w162 * w190 - w137 * w204) + (w164 * w238 - w134 * w261) + (w143 * w157 + w150 * c54)
+    w263 = rod_q1_dot * w251 + rod_q2_dot * w253 + rod_q3_dot * w255 + rod_q4_dot * w257 + rod_q5_dot * w259
+    w264 = w263 + rod_q6_dot * w260
+    w265 = rod_q1_dot * w176 + rod_q2_dot * w179 + rod_q3_dot * w182 + rod_q4_dot * w185 + rod_q5_dot * w188
+    w266 = w265 + rod_q6_dot * rod_rho_phi_5_2_1
+    w267 = rod_q1_dot * w192 + rod_q2_dot * c55 + rod_q3_dot * w195 + rod_q4_dot * c60 + rod_q5_dot * w198 + rod_q6_dot * w201
+    w268 = w262 + (w155 * (w243 + w264) - w154 * w266 - w151 * w267)
+    w269 = w141 - w140
+    w270 = w204 * w269 + (w169 * w214 - w164 * w190) + (w167 * w261 - w162 * w227) - (w171 * c54 + w138 * w157)
+    w271 = rod_q1_dot * c71 + rod_q2_dot * w205 + rod_q3_dot * c76 + rod_q4_dot * w208 + rod_q5_dot * c81 + rod_q6_dot * w211
+    w272 = rod_q1_dot * w175 + rod_q2_dot * w178 + rod_q3_dot * w181 + rod_q4_dot * w184 + rod_q5_dot * w187
+    w273 = w272 + rod_q6_dot * rod_rho_phi_5_1_2
+    w274 = w270 + (w154 * (w241 + w264) - w151 * w271 - w155 * w273)
+    w275 = w11 * (w31 * w248 + w17 * w268 + w26 * w274) + w18 * (w29 * w248 + w10 * w268 + w23 * w274) + w34 * w174
+    w276 = w275 / w51
+    w277 = (w30 * w248 + w14 * w268 + w24 * w274 + w60 * w174 + w42 * w276) / w55
+    w278 = w47 * w174 + w27 * w276 + w37 * w277
+    w279 = w153 - w278
+    w280 = w45 * w174 + w20 * w276 + w35 * w277
+    w281 = w172 - w280
+    w282 = w49 * w174 + w32 * w276 + w39 * w277
+    w283 = w166 - w282
+    w284 = w37 * w283
+    w285 = w39 * w279
+    w286 = w39 * w281
+    w287 = w35 * w283
+    w288 = w49 * (w35 * w279 - w37 * w281) + w45 * (w284 - w285) + w47 * (w286 - w287)
+    w289 = w24 * w281 - w14 * w279
+    w290 = w30 * w279
+    w291 = w24 * w283
+    w292 = w290 - w291
+    w293 = w14 * w283
+    w294 = w30 * w281
+    w295 = w293 - w294
+    w296 = w49 * w289 + w45 * w292 + w47 * w295
+    w297 = w0 * w137 - w134 * rod_small_end_x - w22 * w142
+    w298 = w77 * w151
+    w299 = w297 + w298
+    w300 = w22 * w169 - (w167 * rod_small_end_x + w0 * w168)
+    w301 = w62 * w151
+    w302 = w300 - w301
+    w303 = w35 * w299 - w37 * w302
+    w304 = w159 * rod_small_end_x + w0 * w162 + w22 * w164
+    w305 = w62 * w155 - w77 * w154
+    w306 = w304 + w305
+    w307 = w37 * w306 - w39 * w299
+    w308 = w39 * w302 - w35 * w306
+    w309 = w49 * w303 + w45 * w307 + w47 * w308
+    w310 = fork_angle1_dot**2
+    w311 = w14 * w310 - w17 * w131 + w10 * w129
+    w312 = w24 * w310 - w26 * w131 + w23 * w129
+    w313 = 2 * w86
+    w314 = 2 * w87
+    w315 = w22 * w311 - w0 * w312 + (w76 * w313 - w80 * w314) + (w24 * w302 - w14 * w299)
+    w316 = 2 * w89
+    w317 = w30 * w310 - w31 * w131 + w29 * w129
+    w318 = w82 * w314 - w76 * w316 - (w312 * rod_small_end_x + w22 * w317) + (w30 * w299 - w24 * w306)
+    w319 = w0 * w317 + w311 * rod_small_end_x + (w80 * w316 - w82 * w313) + (w14 * w306 - w30 * w302)
+    w320 = w49 * w315 + w45 * w318 + w47 * w319
+    w321 = 2 * w92
+    w322 = 2 * w85
+    w323 = w32 * w303 + w20 * w307 + w27 * w308
+    w324 = axle_angle_dot**2 * crank_pin_y
+    w325 = w57 * w324
+    w326 = w32 * w315 + w20 * w318 + w27 * w319
+    w327 = 2 * w95
+    w328 = 2 * w94
+    w329 = w53 * w324
+    w330 = w39 * w315 + w35 * w318 + w37 * w319
+    w331 = 2 * w96
+    w332 = (w329 - w56 * w330 + w97 * w331) / w55
+    w333 = (w59 * w323 - w325 - w56 * w326 + (w97 * w327 - w98 * w328)) / w51 + w52 * w332
+    w334 = w59 * w288 - w56 * w296 - (w59 * w309 - w56 * w320 + (w97 * w321 - w98 * w322) + w34 * w333 + w60 * w332) * slider_mass
+    w335 = (w59 * w85 - w56 * w92 + w34 * w98 + w60 * w97) * guide_damping - w334
+    w336 = w39 * w59 + w30 * w56
+    w337 = w143 + w22 * rod_mass
+    w338 = w298 + (w297 - w150)
+    w339 = w305 + (w304 - w157)
+    w340 = w37 * w59 + w24 * w56
+    w341 = w20 * w325 - w35 * w329 + (w336 * w338 - w339 * w340)
+    w342 = w138 + w0 * rod_mass
+    w343 = w35 * w59 + w14 * w56
+    w344 = w300 - w171 - w301
+    w345 = w27 * w325 - w37 * w329 + (w339 * w343 - w336 * w344)
+    w346 = w227 + (w0 * w138 + w0 * w342)
+    w347 = w238 + (w22 * w143 + w22 * w337)
+    w348 = w346 + w347
+    w349 = 2 * w97
+    w350 = w89 * w349 - (w39 * w333 + w56 * w317) - w30 * w332
+    w351 = w204 - (w138 * rod_small_end_x + w0 * rod_first_moment_x)
+    w352 = w86 * w349 - (w35 * w333 + w56 * w311) - w14 * w332
+    w353 = w214 - (w143 * rod_small_end_x + w22 * rod_first_moment_x)
+    w354 = w87 * w349 - (w37 * w333 + w56 * w312) - w24 * w332
+    w355 = w138 * w154 - w143 * w155
+    w356 = 2 * -w82
+    w357 = w355 + w356 * rod_mass
+    w358 = w155 * w190 - w154 * w227 + 2 * w245 - (w0 * w357 + w138 * w356)
+    w359 = w35 * w98 + w56 * w86 + w14 * w97
+    w360 = w154 * w204
+    w361 = w151 * w190
+    w362 = w154 * c54 + w143 * w151 + 2 * -w152
+    w363 = 2 * -w80
+    w364 = w362 + w363 * rod_mass
+    w365 = w360 - w361 + 2 * w241 - (w0 * w364 + w138 * w363)
+    w366 = w155 * w214
+    w367 = 2 * -w156 - (w138 * w151 + w155 * c54)
+    w368 = 2 * -w76
+    w369 = w367 + w368 * rod_mass
+    w370 = w361 - w366 + 2 * w243 - (w22 * w369 + w143 * w368)
+    w371 = w365 + w370
+    w372 = w39 * w98 + w56 * w89 + w30 * w97
+    w373 = w155 * w238 - w154 * w190 + 2 * w247 - (w22 * w357 + w143 * w356)
+    w374 = w37 * w98 + w56 * w87 + w24 * w97
+    w375 = w337 * w341 - w342 * w345 + (w348 * w350 - w351 * w352 - w353 * w354) + (w358 * w359 - w371 * w372 + w373 * w374)
+    w376 = w261 + c278
+    w377 = w347 + w376
+    w378 = w190 + (w0 * w143 + w22 * w342)
+    w379 = w32 * w325 - w39 * w329 + (w340 * w344 - w338 * w343)
+    w380 = w154 * w214 - w151 * w238 + 2 * w266 - (w22 * w364 + w143 * w363)
+    w381 = w366 - w360 + 2 * w264 + (w357 * rod_small_end_x + w356 * c54)
+    w382 = w370 + w381
+    w383 = w154 * w261 - w151 * w214 + 2 * w267 + (w364 * rod_small_end_x + w363 * c54)
+    w384 = w352 * w377 - w354 * w378 - w350 * w351 - (w337 * w379 + w345 * rod_first_moment_x) + (w374 * w380 - w359 * w382 + w372 * w383)
+    w385 = w346 + w376
+    w386 = w151 * w204 - w155 * w261 + 2 * w271 + (w369 * rod_small_end_x + w368 * c54)
+    w387 = w365 + w381
+    w388 = w151 * w227 - w155 * w204 + 2 * w273 - (w0 * w369 + w138 * w368)
+    w389 = w341 * rod_first_moment_x + w342 * w379 + (w354 * w385 - w350 * w353 - w352 * w378) + (w372 * w386 - w374 * w387 + w359 * w388)
+    w390 = w39 * w54 - w32 * w58
+    w391 = w379 * rod_mass + (w342 * w354 - w337 * w352) + (w364 * w374 - w359 * w369) + (w278 * w343 - w280 * w340)
+    w392 = w35 * w54 - w20 * w58
+    w393 = w341 * rod_mass + (w354 * rod_first_moment_x + w337 * w350) + (w369 * w372 - w357 * w374) + (w282 * w340 - w278 * w336)
+    w394 = w37 * w54 - w27 * w58
+    w395 = w345 * rod_mass - (w342 * w350 + w352 * rod_first_moment_x) + (w357 * w359 - w364 * w372) + (w280 * w336 - w282 * w343)
+    w396 = w57 * c145 - (w53 * w276 + w57 * w277) * crank_pin_y + (w336 * w375 + w343 * w384 + w340 * w389 + (w390 * w391 + w392 * w393 + w394 * w395))
+    w397 = w268 - (w22 * w166 + w153 * rod_small_end_x)
+    w398 = w274 + (w172 * rod_small_end_x + w0 * w166)
+    w399 = w24 * rod_small_end_x + w22 * w30
+    w400 = w0 * w30 + w14 * rod_small_end_x
+    w401 = w248 - (w0 * w153 - w22 * w172)
+    w402 = w0 * w24 - w14 * w22
+    w403 = w39 * (w24 * w397 - w14 * w398 + (w279 * w399 + w281 * w400)) + w35 * (w30 * w398 - w24 * w401 - (w283 * w400 + w279 * w402))
+    w404 = w22 * w35 - w0 * w37
+    w405 = w37 * rod_small_end_x + w22 * w39
+    w406 = w0 * w39 + w35 * rod_small_end_x
+    w407 = w403 + w37 * (w14 * w401 - w30 * w397 + (w281 * w402 - w283 * w399)) + (w289 * w404 - w292 * w405 + w295 * w406)
+    w408 = w56 * w407
+    w409 = w1 * 0.5 / w9
+    w410 = w45 / w9 - w49 * w68 + w47 * w73
+    w411 = w35 / w9 - w39 * w68 + w37 * w73
+    w412 = w41 * w410 - w51 * w411
+    w413 = w20 / w9 - w32 * w68 + w27 * w73
+    w414 = w51 * w413 - w34 * w410
+    w415 = (w414 * rod_small_end_rotation_1_0 + w37 * c10) / w55
+    w416 = (w412 * rod_small_end_rotation_1_0 + w27 * c10) / w51 + w52 * w415
+    w417 = w409 * rod_small_end_rotation_1_0 - (w39 * w416 + w30 * w415)
+    w418 = w35 * w416 + w14 * w415 + rod_small_end_rotation_1_0 / w9
+    w419 = w4 * 0.5 / w9
+    w420 = w37 * w416 + w24 * w415 + w419 * rod_small_end_rotation_1_0
+    w421 = w175 - w176 + w138 * c10 + w0 * c279
+    w422 = w192 - w193
+    w423 = rod_q2_dot * c103 + rod_q4_dot * c104 - (rod_q2_dot * rod_phi_phi_1_0_2_1 + rod_q4_dot * rod_phi_phi_3_0_2_1)
+    w424 = 2 * w423 - (w151 * (w216 + w229) - w155 * w192 - w154 * c71) - w362 * c10 - w363 * c279
+    w425 = w355 * c10 - (w155 * (w229 + w251) - w154 * w175 - w151 * w193) + w356 * c279
+    w426 = rod_q6_dot * c273 - (w154 * (w216 + w251) - w151 * rod_rho_phi_0_2_0 - w155 * w176)
+    w427 = w350 * w421 + w352 * c280 + w354 * w422 - w345 * c279 - (w372 * w424 + w359 * w425 + w374 * w426)
+    w428 = w34 * w411 - w41 * w413
+    w429 = w428 * rod_small_end_rotation_1_0 + w47 * c10 + w34 * w416 + w60 * w415
+    w430 = w49 * w70 - w45 * w73 + w47 / w9
+    w431 = w39 * w70 - w35 * w73 + w37 / w9
+    w432 = w41 * w430 - w51 * w431
+    w433 = w32 * w70 - w20 * w73 + w27 / w9
+    w434 = w51 * w433 - w34 * w430
+    w435 = (w434 * rod_small_end_rotation_2_1 + w35 * c2) / w55
+    w436 = (w432 * rod_small_end_rotation_2_1 + w20 * c2) / w51 + w52 * w435
+    w437 = w419 * rod_small_end_rotation_2_1 - (w35 * w436 + w14 * w435)
+    w438 = w2 * 0.5 / w9
+    w439 = w39 * w436 + w30 * w435 + w438 * rod_small_end_rotation_2_1
+    w440 = w37 * w436 + w24 * w435 + rod_small_end_rotation_2_1 / w9
+    w441 = w178 - w179 - w143 * c2 - w22 * c281
+    w442 = w206 - w205
+    w443 = w154 * (w218 + w253) - w151 * w206 - w155 * w179 + w355 * c2 + w356 * c281
+    w444 = rod_q1_dot * rod_phi_phi_0_1_1_2 + rod_q3_dot * rod_phi_phi_2_1_1_2 + rod_q5_dot * rod_phi_phi_4_1_1_2
+    w445 = 2 * (w444 - (rod_q1_dot * c110 + rod_q3_dot * c111 + rod_q5_dot * c112)) - (w151 * (w218 + w230) - w155 * c55 - w154 * w205)
+    w446 = w445 + w367 * c2 + w368 * c281
+    w447 = rod_q6_dot * c274 - (w155 * (w230 + w253) - w154 * w178 - w151 * rod_rho_phi_1_1_0)
+    w448 = w350 * w441 + w352 * w442 + w354 * c282 - w341 * c281 + (w374 * w443 - (w372 * w446 + w359 * w447))
+    w449 = w34 * w431 - w41 * w433
+    w450 = w449 * rod_small_end_rotation_2_1 + w45 * c2 + w34 * w436 + w60 * w435
+    w451 = (w414 * rod_small_end_rotation_1_2 + w37 * c11) / w55
+    w452 = (w412 * rod_small_end_rotation_1_2 + w27 * c11) / w51 + w52 * w451
+    w453 = w409 * rod_small_end_rotation_1_2 - (w39 * w452 + w30 * w451)
+    w454 = w35 * w452 + w14 * w451 + rod_small_end_rotation_1_2 / w9
+    w455 = w37 * w452 + w24 * w451 + w419 * rod_small_end_rotation_1_2
+    w456 = w181 - w182 + w138 * c11 + w0 * c283
+    w457 = w195 - w196
+    w458 = rod_q2_dot * c113 + rod_q4_dot * c114 - (rod_q2_dot * rod_phi_phi_1_2_2_1 + rod_q4_dot * rod_phi_phi_3_2_2_1)
+    w459 = 2 * w458 - (w151 * (w220 + w232) - w155 * w195 - w154 * c76) - w362 * c11 - w363 * c283
+    w460 = w355 * c11 - (w155 * (w232 + w255) - w154 * w181 - w151 * w196) + w356 * c283
+    w461 = rod_q6_dot * c275 - (w154 * (w220 + w255) - w151 * rod_rho_phi_2_2_0 - w155 * w182)
+    w462 = w350 * w456 + w352 * c284 + w354 * w457 - w345 * c283 - (w372 * w459 + w359 * w460 + w374 * w461)
+    w463 = w428 * rod_small_end_rotation_1_2 + w47 * c11 + w34 * w452 + w60 * w451
+    w464 = (w434 * rod_small_end_rotation_2_3 + w35 * c3) / w55
+    w465 = (w432 * rod_small_end_rotation_2_3 + w20 * c3) / w51 + w52 * w464
+    w466 = w419 * rod_small_end_rotation_2_3 - (w35 * w465 + w14 * w464)
+    w467 = w39 * w465 + w30 * w464 + w438 * rod_small_end_rotation_2_3
+    w468 = w37 * w465 + w24 * w464 + rod_small_end_rotation_2_3 / w9
+    w469 = w184 - w185 - w143 * c3 - w22 * c285
+    w470 = w209 - w208
+    w471 = w154 * (w222 + w257) - w151 * w209 - w155 * w185 + w355 * c3 + w356 * c285
+    w472 = rod_q1_dot * rod_phi_phi_0_3_1_2 + rod_q3_dot * rod_phi_phi_2_3_1_2 + rod_q5_dot * rod_phi_phi_4_3_1_2
+    w473 = 2 * (w472 - (rod_q1_dot * c120 + rod_q3_dot * c121 + rod_q5_dot * c122)) - (w151 * (w222 + w233) - w155 * c60 - w154 * w208)
+    w474 = w473 + w367 * c3 + w368 * c285
+    w475 = rod_q6_dot * c276 - (w155 * (w233 + w257) - w154 * w184 - w151 * rod_rho_phi_3_1_0)
+    w476 = w350 * w469 + w352 * w470 + w354 * c286 - w341 * c285 + (w374 * w471 - (w372 * w474 + w359 * w475))
+    w477 = w449 * rod_small_end_rotation_2_3 + w45 * c3 + w34 * w465 + w60 * w464
+    w478 = (w414 * rod_small_end_rotation_1_4 + w37 * c12) / w55
+    w479 = (w412 * rod_small_end_rotation_1_4 + w27 * c12) / w51 + w52 * w478
+    w480 = w409 * rod_small_end_rotation_1_4 - (w39 * w479 + w30 * w478)
+    w481 = w35 * w479 + w14 * w478 + rod_small_end_rotation_1_4 / w9
+    w482 = w37 * w479 + w24 * w478 + w419 * rod_small_end_rotation_1_4
+    w483 = w187 - w188 + w138 * c12 + w0 * c287
+    w484 = w198 - w199
+    w485 = rod_q2_dot * c123 + rod_q4_dot * c124 - (rod_q2_dot * rod_phi_phi_1_4_2_1 + rod_q4_dot * rod_phi_phi_3_4_2_1)
+    w486 = 2 * w485 - (w151 * (w224 + w235) - w155 * w198 - w154 * c81) - w362 * c12 - w363 * c287
+    w487 = w355 * c12 - (w155 * (w235 + w259) - w154 * w187 - w151 * w199) + w356 * c287
+    w488 = rod_q6_dot * c277 - (w154 * (w224 + w259) - w151 * rod_rho_phi_4_2_0 - w155 * w188)
+    w489 = w350 * w483 + w352 * c288 + w354 * w484 - w345 * c287 - (w372 * w486 + w359 * w487 + w374 * w488)
+    w490 = w428 * rod_small_end_rotation_1_4 + w47 * c12 + w34 * w479 + w60 * w478
+    w491 = w49 / w9 + w45 * w68 - w47 * w70
+    w492 = w39 / w9 + w35 * w68 - w37 * w70
+    w493 = w32 / w9 + w20 * w68 - w27 * w70
+    w494 = (w51 * w493 - w34 * w491) * rod_small_end_rotation_0_5 / w55
+    w495 = (w41 * w491 - w51 * w492) * rod_small_end_rotation_0_5 / w51 + w52 * w494
+    w496 = w438 * rod_small_end_rotation_0_5 - (w37 * w495 + w24 * w494)
+    w497 = w39 * w495 + w30 * w494 + rod_small_end_rotation_0_5 / w9
+    w498 = w35 * w495 + w14 * w494 + w409 * rod_small_end_rotation_0_5
+    w499 = w212 - w211
+    w500 = w201 - w202
+    w501 = w151 * (w226 + w237) - w155 * w201 - w154 * w211
+    w502 = rod_q2_dot * rod_phi_phi_1_5_2_0 + rod_q4_dot * rod_phi_phi_3_5_2_0 - (rod_q2_dot * rod_phi_phi_1_5_0_2 + rod_q4_dot * rod_phi_phi_3_5_0_2)
+    w503 = 2 * w502 - (w155 * (w237 + w260) - w154 * rod_rho_phi_5_1_2 - w151 * w202)
+    w504 = rod_q1_dot * rod_phi_phi_0_5_0_1 + rod_q3_dot * rod_phi_phi_2_5_0_1 + rod_q5_dot * rod_phi_phi_4_5_0_1
+    w505 = rod_q1_dot * rod_phi_phi_0_5_1_0 + rod_q3_dot * rod_phi_phi_2_5_1_0 + rod_q5_dot * rod_phi_phi_4_5_1_0
+    w506 = 2 * (w504 - w505) - (w154 * (w226 + w260) - w151 * w212 - w155 * rod_rho_phi_5_2_1)
+    w507 = (w34 * w492 - w41 * w493) * rod_small_end_rotation_0_5 + w34 * w495 + w60 * w494
+    w508 = w67 * w106
+    w509 = w508 / w9
+    w510 = w79 * w409
+    w511 = w72 * w419
+    w512 = w509 + (w510 + w511)
+    w513 = w65 * w67
+    w514 = w419 * w508
+    w515 = w513 - w514
+    w516 = w72 / w9
+    w517 = w515 + (w516 + w75 * w409)
+    w518 = w76 / w9
+    w519 = w22 * w512 + w0 * w517 + (w80 * w419 - w518)
+    w520 = w409 * w508
+    w521 = w67 * w69
+    w522 = w520 - w521
+    w523 = w79 / w9
+    w524 = w522 + (w75 * w419 - w523)
+    w525 = w82 * w419
+    w526 = w76 * w409
+    w527 = w517 * rod_small_end_x + w22 * w524 - (w525 + w526)
+    w528 = w82 / w9
+    w529 = w512 * rod_small_end_x - w0 * w524 + (w80 * w409 + w528)
+    w530 = w49 * w519 + w45 * w527 + w47 * w529
+    w531 = w49 * w75 - w45 * w72
+    w532 = w32 * w519 + w20 * w527 + w27 * w529
+    w533 = w32 * w75 - w20 * w72
+    w534 = w39 * w519 + w35 * w527 + w37 * w529
+    w535 = w39 * w75 - w35 * w72
+    w536 = (w96 * w415 + (w534 * rod_small_end_rotation_1_0 + w535 * c10)) / w55
+    w537 = (w95 * w415 - w94 * w416 + (w532 * rod_small_end_rotation_1_0 + w533 * c10)) / w51 + w52 * w536
+    w538 = w92 * w415 - w85 * w416 + (w530 * rod_small_end_rotation_1_0 + w531 * c10) + w34 * w537 + w60 * w536
+    w539 = w279 / w9
+    w540 = w281 * w419 - w539
+    w541 = w283 * w419
+    w542 = w279 * w409
+    w543 = w541 + w542
+    w544 = w283 / w9
+    w545 = w281 * w409 + w544
+    w546 = w49 * w540 - w45 * w543 + w47 * w545
+    w547 = 2 * w508
+    w548 = w67 * (w65**2 + w66**2 + w69**2)
+    w549 = w419 * w548
+    w550 = w151 * w509
+    w551 = w137 / w9 - w134 * w409 - w142 * w419 - (w515 * w547 + w549 + (w550 + w155 * w522))
+    w552 = w548 / w9 - w509 * w547
+    w553 = w154 * w522 - w151 * w515 - w552 + (w169 * w419 - (w167 * w409 + w168 / w9))
+    w554 = 2 * w512
+    w555 = 2 * -w517
+    w556 = w299 / w9
+    w557 = w0 * w551 - w22 * w553 + (w76 * w554 - w80 * w555) + (w302 * w419 - w556)
+    w558 = w154 * w509
+    w559 = w409 * w548
+    w560 = w155 * w515 + w558 - (w522 * w547 - w559) + (w159 * w409 + w162 / w9 + w164 * w419)
+    w561 = 2 * -w524
+    w562 = w306 * w419
+    w563 = w299 * w409
+    w564 = w551 * rod_small_end_x + w22 * w560 + (w82 * w555 - w76 * w561) - (w562 + w563)
+    w565 = w306 / w9
+    w566 = w80 * w561 - w82 * w554 - (w0 * w560 + w553 * rod_small_end_x) + (w302 * w409 + w565)
+    w567 = w49 * w557 + w45 * w564 + w47 * w566
+    w568 = w49 * w164 + w45 * w169 - w47 * w142
+    w569 = w320 * w415 - w309 * w416 + (w567 * rod_small_end_rotation_1_0 + w568 * c10) + (w321 * w536 - w322 * w537)
+    w570 = w32 * w557 + w20 * w564 + w27 * w566
+    w571 = w32 * w164 + w20 * w169 - w27 * w142
+    w572 = w326 * w415 - w323 * w416 + (w570 * rod_small_end_rotation_1_0 + w571 * c10) + (w327 * w536 - w328 * w537)
+    w573 = w39 * w557 + w35 * w564 + w37 * w566
+    w574 = w39 * w164 + w35 * w169 - w37 * w142
+    w575 = (w330 * w415 + (w573 * rod_small_end_rotation_1_0 + w574 * c10) + w331 * w536) / w55
+    w576 = w572 / w51 + w52 * w575
+    w577 = w296 * w415 - w288 * w416 + w546 * rod_small_end_rotation_1_0 - (w569 + w34 * w576 + w60 * w575) * slider_mass
+    w578 = w538 * guide_damping - w577
+    w579 = w339 * w418 + w344 * w417
+    w580 = w338 * w417 + w339 * w420
+    w581 = 2 * w536
+    w582 = w317 * w415 - w39 * w576 + w89 * w581 - w30 * w575 - w560 * rod_small_end_rotation_1_0
+    w583 = w311 * w415 - w35 * w576 + w86 * w581 - w14 * w575 - w553 * rod_small_end_rotation_1_0
+    w584 = w312 * w415 - w37 * w576 + w87 * w581 - w24 * w575 - w551 * rod_small_end_rotation_1_0
+    w585 = w89 * w415 - w39 * w537 - w30 * w536 - w524 * rod_small_end_rotation_1_0
+    w586 = w86 * w415 - w35 * w537 - w14 * w536 + w512 * rod_small_end_rotation_1_0
+    w587 = w87 * w415 - w37 * w537 - w24 * w536 - w517 * rod_small_end_rotation_1_0
+    w588 = w342 * w579 + w337 * w580 + (w348 * w582 - w351 * w583 - w353 * w584) + (w371 * w585 - w358 * w586 - w373 * w587)
+    w589 = w177 + rod_q2 * c290 + rod_q4 * c292
+    w590 = w194 + rod_q6 * c294
+    w591 = w215 + w216 + rod_q3 * rod_phi_phi_0_2_1_1 + rod_q5 * rod_phi_phi_0_4_1_1
+    w592 = w228 + w229 + rod_q3 * c42 + rod_q5 * c47
+    w593 = rod_q1_dot * rod_phi_phi_0_0_1_1 + rod_q3_dot * rod_phi_phi_0_2_1_1 + rod_q5_dot * rod_phi_phi_0_4_1_1
+    w594 = rod_q1_dot * c35 + rod_q3_dot * c42 + rod_q5_dot * c47
+    w595 = w191 * w589 + (w134 * w590 - w167 * c73) + (w137 * w591 - w169 * w592) - w171 * c34 + (w151 * (w593 + w594) - w155 * (rod_q6_dot * rod_phi_phi_0_5_1_0))
+    w596 = w170 + w138 * w142
+    w597 = w142 * rod_mass
+    w598 = w142 * c279
+    w599 = w169 * c279
+    w600 = w588 + (w595 - w596 * c10 + w172 * c10 - (w0 * w598 + w22 * w599))
+    w601 = w338 * w418 - w344 * w420
+    w602 = w579 * rod_first_moment_x - w337 * w601 + (w377 * w583 - w378 * w584 - w351 * w582) + (w382 * w586 - w380 * w587 - w383 * w585)
+    w603 = w250 + w251 + rod_q3 * rod_phi_phi_0_2_0_0 + rod_q5 * rod_phi_phi_0_4_0_0
+    w604 = rod_q1_dot * rod_phi_phi_0_0_0_0 + rod_q3_dot * rod_phi_phi_0_2_0_0 + rod_q5_dot * rod_phi_phi_0_4_0_0
+    w605 = w155 * (w594 + w604) - w154 * (rod_q2_dot * c110 + rod_q4_dot * c120) - w151 * (rod_q6_dot * rod_phi_phi_0_5_0_1)
+    w606 = w165 - w142 * c54 - w166
+    w607 = w157 * c34 + (w164 * w592 - w134 * w603 + (w162 * w589 - w137 * w590 + (w249 * c73 + w606 * c10)))
+    w608 = w164 * c279
+    w609 = w602 + (w605 + w607 - (w598 * rod_small_end_x - w22 * w608))
+    w610 = w580 * rod_first_moment_x + w342 * w601 + (w385 * w584 - w353 * w582 - w378 * w583) + (w387 * w587 - w386 * w585 - w388 * w586)
+    w611 = w154 * (w593 + w604) - w155 * (rod_q2_dot * rod_phi_phi_0_1_1_2 + rod_q4_dot * rod_phi_phi_0_3_1_2)
+    w612 = w169 * c54 + w138 * w164
+    w613 = w269 * w590 + (w169 * c73 - w164 * w589) + (w167 * w603 - w162 * w591) + w611 - w612 * c10 - (w599 * rod_small_end_x + w0 * w608)
+    w614 = w610 + w613
+    w615 = w601 * rod_mass + (w342 * w584 - w337 * w583) + (w369 * w586 - w364 * w587) + (w280 * w420 - w278 * w418 - w608)
+    w616 = w580 * rod_mass + (w584 * rod_first_moment_x + w337 * w582) + (w357 * w587 - w369 * w585) - (w599 + (w282 * w420 + w278 * w417))
+    w617 = w364 * w585 - w357 * w586 - (w579 * rod_mass + (w342 * w582 + w583 * rod_first_moment_x)) + (w598 + (w280 * w417 + w282 * w418))
+    w618 = w61 * w578 - (w336 * w600 + w343 * w609 + w340 * w614 + (w390 * w615 + w392 * w616 + w394 * w617))
+    w619 = w398 / w9
+    w620 = w419 * rod_small_end_x
+    w621 = w22 * w409
+    w622 = w620 - w621
+    w623 = rod_small_end_x / w9
+    w624 = w0 * w409 - w623
+    w625 = w397 * w419 - w619 + (w279 * w622 - w281 * w624)
+    w626 = w22 / w9
+    w627 = w0 * w419 - w626
+    w628 = w401 * w419
+    w629 = w398 * w409
+    w630 = w283 * w624 - w279 * w627 - (w628 + w629)
+    w631 = w401 / w9
+    w632 = w397 * w409 + w631 + (w281 * w627 - w283 * w622)
+    w633 = w39 * w625 + w35 * w630 + w37 * w632 + (w404 * w540 + w405 * w543 + w406 * w545)
+    w634 = w287 - w286
+    w635 = w407 * w415 + w633 * rod_small_end_rotation_1_0 + w634 * c10
+    w636 = w402 * w540 - w399 * w543 - w400 * w545 - (w30 * w625 + w14 * w630 + w24 * w632)
+    w637 = w294 - w293
+    w638 = w636 * rod_small_end_rotation_1_0 + w637 * c10
+    w639 = w421 * w582 + w583 * c280 + w422 * w584 + w579 * c279 + (w424 * w585 + w425 * w586 + w426 * w587)
+    w640 = w397 + (w22 * w283 + w279 * rod_small_end_x)
+    w641 = w398 - (w281 * rod_small_end_x + w0 * w283)
+    w642 = w401 + (w0 * w279 - w22 * w281)
+    w643 = (w640 + (w4 * w641 - w1 * w642) * 0.5) / w9
+    w644 = w70 * w643
+    w645 = w644 * rod_small_end_rotation_1_0 - w545 * c10
+    w646 = w417 * w600 - w418 * w609 - w420 * w614 + w639 + w645 * rod_small_end_rotation_1_0 - (w159 * rod_phi_phi_0_0_0_0 + (w168 * rod_phi_phi_0_0_1_1 + w142 * c295))
+    w647 = w441 * w582 + w442 * w583 + w584 * c282 - w580 * c281 + (w446 * w585 + w447 * w586 - w443 * w587)
+    w648 = w281 * w438
+    w649 = w541 + w648
+    w650 = w67 * w642
+    w651 = (w641 + (w2 * w642 - w4 * w640) * 0.5) / w9
+    w652 = w650 - w70 * w651
+    w653 = w649 * c10 - w652 * rod_small_end_rotation_1_0
+    w654 = w437 * w609 - w439 * w600 - w440 * w614 + w647 + w653 * rod_small_end_rotation_2_1 + (w135 * c289 + (w136 * c296 + w169 * c297))
+    w655 = w456 * w582 + w583 * c284 + w457 * w584 + w579 * c283 + (w459 * w585 + w460 * w586 + w461 * w587)
+    w656 = w453 * w600 - w454 * w609 - w455 * w614 + w655 + w645 * rod_small_end_rotation_1_2 - (w159 * rod_phi_phi_0_2_0_0 + (w168 * rod_phi_phi_0_2_1_1 + w142 * c298))
+    w657 = w469 * w582 + w470 * w583 + w584 * c286 - w580 * c285 + (w474 * w585 + w475 * w586 - w471 * w587)
+    w658 = w466 * w609 - w467 * w600 - w468 * w614 + w657 + w653 * rod_small_end_rotation_2_3 + (w135 * c291 + (w136 * c299 + w169 * c300))
+    w659 = w483 * w582 + w583 * c288 + w484 * w584 + w579 * c287 + (w486 * w585 + w487 * w586 + w488 * w587)
+    w660 = w480 * w600 - w481 * w609 - w482 * w614 + w659 + w645 * rod_small_end_rotation_1_4 - (w159 * rod_phi_phi_0_4_0_0 + (w168 * rod_phi_phi_0_4_1_1 + w142 * c301))
+    w661 = w496 * w614 - (w497 * w600 + w498 * w609) + (w582 * c137 + w499 * w583 + w500 * w584 + (w503 * w586 - w501 * w585 + w506 * w587))
+    w662 = w67 * w641
+    w663 = (w642 + (w1 * w640 - w2 * w641) * 0.5) / w9
+    w664 = w662 + w70 * w663
+    w665 = w281 / w9
+    w666 = w283 * w409
+    w667 = w665 - w666
+    w668 = w661 + (w664 * rod_small_end_rotation_1_0 + w667 * c10) * rod_small_end_rotation_0_5 + (w161 * c302 + w160 * c293)
+    w669 = w80 / w9
+    w670 = w514 - w513
+    w671 = w670 + (w79 * w438 - w516)
+    w672 = w75 * w438
+    w673 = w509 + (w511 + w672)
+    w674 = w76 * w419 + w669 - (w22 * w671 + w0 * w673)
+    w675 = w66 * w67
+    w676 = w438 * w508
+    w677 = w675 - w676
+    w678 = w75 / w9
+    w679 = w677 + (w678 + w79 * w419)
+    w680 = w22 * w679 - w673 * rod_small_end_x + (w76 * w438 - w528)
+    w681 = w80 * w438
+    w682 = w0 * w679 + w671 * rod_small_end_x + (w525 + w681)
+    w683 = w49 * w674 + w45 * w680 - w47 * w682
+    w684 = w47 * w72 - w49 * w79
+    w685 = w32 * w674 + w20 * w680 - w27 * w682
+    w686 = w27 * w72 - w32 * w79
+    w687 = w39 * w674 + w35 * w680 - w37 * w682
+    w688 = w37 * w72 - w39 * w79
+    w689 = (w96 * w435 + (w687 * rod_small_end_rotation_2_1 + w688 * c2)) / w55
+    w690 = (w95 * w435 - w94 * w436 + (w685 * rod_small_end_rotation_2_1 + w686 * c2)) / w51 + w52 * w689
+    w691 = w92 * w435 - w85 * w436 + (w683 * rod_small_end_rotation_2_1 + w684 * c2) + w34 * w690 + w60 * w689
+    w692 = w665 + w279 * w419
+    w693 = w279 * w438
+    w694 = w693 - w544
+    w695 = w49 * w692 + w45 * w694 - w47 * w649
+    w696 = w151 * w670 - w155 * w677 - w552 + (w134 * w438 - w137 * w419 - w142 / w9)
+    w697 = w550 + w154 * w677 - (w547 * w670 - w549) + (w167 * w438 + w168 * w419 + w169 / w9)
+    w698 = 2 * -w671
+    w699 = 2 * w673
+    w700 = w302 / w9
+    w701 = w0 * w696 - w22 * w697 + (w76 * w698 - w80 * w699) + (w299 * w419 + w700)
+    w702 = w438 * w548
+    w703 = w155 * w509
+    w704 = w164 / w9 - (w159 * w438 + w162 * w419) - (w547 * w677 + w702 + (w703 + w154 * w670))
+    w705 = 2 * -w679
+    w706 = w696 * rod_small_end_x + w22 * w704 + (w82 * w699 - w76 * w705) + (w299 * w438 - w565)
+    w707 = w302 * w438
+    w708 = w80 * w705 - w82 * w698 - (w0 * w704 + w697 * rod_small_end_x) - (w562 + w707)
+    w709 = w49 * w701 + w45 * w706 + w47 * w708
+    w710 = w49 * w162 - w45 * w168 + w47 * w137
+    w711 = w320 * w435 - w309 * w436 + (w709 * rod_small_end_rotation_2_1 + w710 * c2) + (w321 * w689 - w322 * w690)
+    w712 = w32 * w701 + w20 * w706 + w27 * w708
+    w713 = w32 * w162 - w20 * w168 + w27 * w137
+    w714 = w326 * w435 - w323 * w436 + (w712 * rod_small_end_rotation_2_1 + w713 * c2) + (w327 * w689 - w328 * w690)
+    w715 = w39 * w701 + w35 * w706 + w37 * w708
+    w716 = w39 * w162 - w35 * w168 + w37 * w137
+    w717 = (w330 * w435 + (w715 * rod_small_end_rotation_2_1 + w716 * c2) + w331 * w689) / w55
+    w718 = w714 / w51 + w52 * w717
+    w719 = w296 * w435 - w288 * w436 + w695 * rod_small_end_rotation_2_1 - (w711 + w34 * w718 + w60 * w717) * slider_mass
+    w720 = w691 * guide_damping - w719
+    w721 = w339 * w440 - w338 * w439
+    w722 = w339 * w437 + w344 * w439
+    w723 = 2 * w689
+    w724 = w317 * w435 - w39 * w718 + w89 * w723 - w30 * w717 - w704 * rod_small_end_rotation_2_1
+    w725 = w311 * w435 - w35 * w718 + w86 * w723 - w14 * w717 - w697 * rod_small_end_rotation_2_1
+    w726 = w312 * w435 - w37 * w718 + w87 * w723 - w24 * w717 - w696 * rod_small_end_rotation_2_1
+    w727 = w89 * w435 - w39 * w690 - w30 * w689 - w679 * rod_small_end_rotation_2_1
+    w728 = w86 * w435 - w35 * w690 - w14 * w689 - w671 * rod_small_end_rotation_2_1
+    w729 = w87 * w435 - w37 * w690 - w24 * w689 + w673 * rod_small_end_rotation_2_1
+    w730 = w337 * w721 - w342 * w722 + (w348 * w724 - w351 * w725 - w353 * w726) + (w371 * w727 - w358 * w728 - w373 * w729)
+    w731 = w180 + rod_q1 * c304 + rod_q3 * c306 + rod_q5 * c308
+    w732 = w207 + rod_q6 * c310
+    w733 = w217 + w218 + rod_q4 * c27
+    w734 = 2 * w230
+    w735 = rod_q2_dot * c20 + rod_q4_dot * c27
+    w736 = rod_q2_dot * rod_phi_phi_1_1_2_2
+    w737 = w139 + w143 * w168 - w153
+    w738 = w150 * c19 + (w137 * w733 - w169 * w734 + (w134 * c57 - w167 * w732 + (w191 * w731 + w737 * c2)))
+    w739 = w137 * c281
+    w740 = w168 * c281
+    w741 = w151 * (w735 + w736) - w154 * (rod_q6_dot * rod_phi_phi_1_5_2_0) + w738 + (w0 * w739 + w22 * w740)
+    w742 = w730 + w741
+    w743 = w344 * w440 + w338 * w437
+    w744 = w337 * w743 - w722 * rod_first_moment_x + (w377 * w725 - w378 * w726 - w351 * w724) + (w382 * w728 - w380 * w729 - w383 * w727)
+    w745 = w252 + w253 + rod_q4 * rod_phi_phi_1_3_0_0
+    w746 = rod_q2_dot * rod_phi_phi_1_1_0_0 + rod_q4_dot * rod_phi_phi_1_3_0_0
+    w747 = rod_q1_dot * rod_phi_phi_1_0_2_1 + rod_q3_dot * rod_phi_phi_1_2_2_1 + rod_q5_dot * rod_phi_phi_1_4_2_1
+    w748 = w249 * w732 + (w162 * w731 - w137 * c57) + (w164 * w734 - w134 * w745) + (w155 * (w736 + w746) - w154 * w747)
+    w749 = w143 * w162 + w137 * c54
+    w750 = w162 * c281
+    w751 = w744 + (w748 + w749 * c2 + (w22 * w750 + w739 * rod_small_end_x))
+    w752 = w721 * rod_first_moment_x - w342 * w743 + (w385 * w726 - w353 * w724 - w378 * w725) + (w387 * w729 - w386 * w727 - w388 * w728)
+    w753 = w154 * (w735 + w746) - w151 * (rod_q6_dot * rod_phi_phi_1_5_0_2) - w155 * (rod_q1_dot * c103 + rod_q3_dot * c113 + rod_q5_dot * c123)
+    w754 = w166 + (w168 * c54 - w163)
+    w755 = w753 + (w269 * c57 + (w169 * w732 - w164 * w731) + (w167 * w745 - w162 * w733) - w157 * c19 + w754 * c2)
+    w756 = w752 + (w755 - (w0 * w750 - w740 * rod_small_end_x))
+    w757 = w342 * w726 - w337 * w725 - w743 * rod_mass + (w369 * w728 - w364 * w729) - (w750 - (w278 * w437 + w280 * w440))
+    w758 = w721 * rod_mass + (w726 * rod_first_moment_x + w337 * w724) + (w357 * w729 - w369 * w727) + (w740 + (w278 * w439 - w282 * w440))
+    w759 = w722 * rod_mass - (w342 * w724 + w725 * rod_first_moment_x) + (w364 * w727 - w357 * w728) - (w739 + (w280 * w439 + w282 * w437))
+    w760 = w61 * w720 - (w336 * w742 + w343 * w751 + w340 * w756 + (w390 * w757 + w392 * w758 + w394 * w759))
+    w761 = w397 / w9
+    w762 = w623 + w22 * w438
+    w763 = w0 * w438
+    w764 = w620 - w763
+    w765 = w398 * w419 + w761 + (w279 * w762 - w281 * w764)
+    w766 = w0 / w9
+    w767 = w22 * w419 + w766
+    w768 = w398 * w438 - w631 + (w283 * w764 - w279 * w767)
+    w769 = w397 * w438
+    w770 = w281 * w767 - w283 * w762 - (w628 + w769)
+    w771 = w39 * w765 + w35 * w768 + w37 * w770 + (w404 * w692 - w405 * w694 - w406 * w649)
+    w772 = w285 - w284
+    w773 = w407 * w435 + w771 * rod_small_end_rotation_2_1 + w772 * c2
+    w774 = w402 * w692 + w399 * w694 + w400 * w649 - (w30 * w765 + w14 * w768 + w24 * w770)
+    w775 = w291 - w290
+    w776 = w774 * rod_small_end_rotation_2_1 + w775 * c2
+    w777 = w421 * w724 + w725 * c280 + w422 * w726 - w722 * c279 + (w424 * w727 + w425 * w728 + w426 * w729)
+    w778 = w650 + w68 * w643
+    w779 = w778 * rod_small_end_rotation_2_1 + w543 * c2
+    w780 = w417 * w742 - w418 * w751 - w420 * w756 + w777 + w779 * rod_small_end_rotation_1_0 + (w135 * c303 + (w136 * c311 + w137 * c312))
+    w781 = w441 * w724 + w442 * w725 + w726 * c282 - w721 * c281 + (w446 * w727 + w447 * w728 - w443 * w729)
+    w782 = w68 * w651
+    w783 = w544 - w693
+    w784 = w782 * rod_small_end_rotation_2_1 + w783 * c2
+    w785 = w437 * w751 - w439 * w742 - w440 * w756 + w781 + w784 * rod_small_end_rotation_2_1 - (w159 * rod_phi_phi_1_1_0_0 + (w142 * rod_phi_phi_1_1_2_2 + w168 * c313))
+    w786 = w456 * w724 + w725 * c284 + w457 * w726 - w722 * c283 + (w459 * w727 + w460 * w728 + w461 * w729)
+    w787 = w453 * w742 - w454 * w751 - w455 * w756 + w786 + w779 * rod_small_end_rotation_1_2 + (w135 * c305 + (w136 * c314 + w137 * c315))
+    w788 = w469 * w724 + w470 * w725 + w726 * c286 - w721 * c285 + (w474 * w727 + w475 * w728 - w471 * w729)
+    w789 = w466 * w751 - w467 * w742 - w468 * w756 + w788 + w784 * rod_small_end_rotation_2_3 - (w159 * rod_phi_phi_1_3_0_0 + w168 * c316)
+    w790 = w483 * w724 + w725 * c288 + w484 * w726 - w722 * c287 + (w486 * w727 + w487 * w728 + w488 * w729)
+    w791 = w480 * w742 - w481 * w751 - w482 * w756 + w790 + w779 * rod_small_end_rotation_1_4 + (w135 * c307 + (w136 * c317 + w137 * c318))
+    w792 = w496 * w756 - (w497 * w742 + w498 * w751) + (w724 * c137 + w499 * w725 + w500 * w726 + (w503 * w728 - w501 * w727 + w506 * w729))
+    w793 = w67 * w640
+    w794 = w793 - w68 * w663
+    w795 = w539 + w283 * w438
+    w796 = w792 - (w794 * rod_small_end_rotation_2_1 + w795 * c2) * rod_small_end_rotation_0_5 + (w133 * c319 + w99 * c309)
+    w797 = (w96 * w451 + (w534 * rod_small_end_rotation_1_2 + w535 * c11)) / w55
+    w798 = (w95 * w451 - w94 * w452 + (w532 * rod_small_end_rotation_1_2 + w533 * c11)) / w51 + w52 * w797
+    w799 = w92 * w451 - w85 * w452 + (w530 * rod_small_end_rotation_1_2 + w531 * c11) + w34 * w798 + w60 * w797
+    w800 = w320 * w451 - w309 * w452 + (w567 * rod_small_end_rotation_1_2 + w568 * c11) + (w321 * w797 - w322 * w798)
+    w801 = w326 * w451 - w323 * w452 + (w570 * rod_small_end_rotation_1_2 + w571 * c11) + (w327 * w797 - w328 * w798)
+    w802 = (w330 * w451 + (w573 * rod_small_end_rotation_1_2 + w574 * c11) + w331 * w797) / w55
+    w803 = w801 / w51 + w52 * w802
+    w804 = w296 * w451 - w288 * w452 + w546 * rod_small_end_rotation_1_2 - (w800 + w34 * w803 + w60 * w802) * slider_mass
+    w805 = w799 * guide_damping - w804
+    w806 = w339 * w454 + w344 * w453
+    w807 = w338 * w453 + w339 * w455
+    w808 = 2 * w797
+    w809 = w317 * w451 - w39 * w803 + w89 * w808 - w30 * w802 - w560 * rod_small_end_rotation_1_2
+    w810 = w311 * w451 - w35 * w803 + w86 * w808 - w14 * w802 - w553 * rod_small_end_rotation_1_2
+    w811 = w312 * w451 - w37 * w803 + w87 * w808 - w24 * w802 - w551 * rod_small_end_rotation_1_2
+    w812 = w89 * w451 - w39 * w798 - w30 * w797 - w524 * rod_small_end_rotation_1_2
+    w813 = w86 * w451 - w35 * w798 - w14 * w797 + w512 * rod_small_end_rotation_1_2
+    w814 = w87 * w451 - w37 * w798 - w24 * w797 - w517 * rod_small_end_rotation_1_2
+    w815 = w342 * w806 + w337 * w807 + (w348 * w809 - w351 * w810 - w353 * w811) + (w371 * w812 - w358 * w813 - w373 * w814)
+    w816 = w183 + rod_q2 * c321 + rod_q4 * c323
+    w817 = w197 + rod_q6 * c325
+    w818 = rod_q1 * rod_phi_phi_2_0_1_1 + (w219 + w220) + rod_q5 * rod_phi_phi_2_4_1_1
+    w819 = rod_q1 * c37 + (w231 + w232) + rod_q5 * c49
+    w820 = rod_q1_dot * rod_phi_phi_2_0_1_1 + rod_q3_dot * rod_phi_phi_2_2_1_1 + rod_q5_dot * rod_phi_phi_2_4_1_1
+    w821 = rod_q1_dot * c37 + rod_q3_dot * c43 + rod_q5_dot * c49
+    w822 = w191 * w816 + (w134 * w817 - w167 * c78) + (w137 * w818 - w169 * w819) - w171 * c36 + (w151 * (w820 + w821) - w155 * (rod_q6_dot * rod_phi_phi_2_5_1_0))
+    w823 = w142 * c36 + w597 * c11
+    w824 = w169 * c283
+    w825 = w815 + (w822 - w596 * c11 + w172 * c11 - (w0 * w823 + w22 * w824))
+    w826 = w338 * w454 - w344 * w455
+    w827 = w806 * rod_first_moment_x - w337 * w826 + (w377 * w810 - w378 * w811 - w351 * w809) + (w382 * w813 - w380 * w814 - w383 * w812)
+    w828 = rod_q1 * rod_phi_phi_2_0_0_0 + (w254 + w255) + rod_q5 * rod_phi_phi_2_4_0_0
+    w829 = rod_q1_dot * rod_phi_phi_2_0_0_0 + rod_q3_dot * rod_phi_phi_2_2_0_0 + rod_q5_dot * rod_phi_phi_2_4_0_0
+    w830 = w155 * (w821 + w829) - w154 * (rod_q2_dot * c111 + rod_q4_dot * c121) - w151 * (rod_q6_dot * rod_phi_phi_2_5_0_1)
+    w831 = w157 * c36 + (w164 * w819 - w134 * w828 + (w162 * w816 - w137 * w817 + (w249 * c78 + w606 * c11)))
+    w832 = w164 * c283
+    w833 = w827 + (w830 + w831 - (w823 * rod_small_end_x - w22 * w832))
+    w834 = w807 * rod_first_moment_x + w342 * w826 + (w385 * w811 - w353 * w809 - w378 * w810) + (w387 * w814 - w386 * w812 - w388 * w813)
+    w835 = w154 * (w820 + w829) - w155 * (rod_q2_dot * rod_phi_phi_2_1_1_2 + rod_q4_dot * rod_phi_phi_2_3_1_2)
+    w836 = w269 * w817 + (w169 * c78 - w164 * w816) + (w167 * w828 - w162 * w818) + w835 - w612 * c11 - (w824 * rod_small_end_x + w0 * w832)
+    w837 = w834 + w836
+    w838 = w826 * rod_mass + (w342 * w811 - w337 * w810) + (w369 * w813 - w364 * w814) + (w280 * w455 - w278 * w454 - w832)
+    w839 = w807 * rod_mass + (w811 * rod_first_moment_x + w337 * w809) + (w357 * w814 - w369 * w812) - (w824 + (w282 * w455 + w278 * w453))
+    w840 = w364 * w812 - w357 * w813 - (w806 * rod_mass + (w342 * w809 + w810 * rod_first_moment_x)) + (w823 + (w280 * w453 + w282 * w454))
+    w841 = w61 * w805 - (w336 * w825 + w343 * w833 + w340 * w837 + (w390 * w838 + w392 * w839 + w394 * w840))
+    w842 = w407 * w451 + w633 * rod_small_end_rotation_1_2 + w634 * c11
+    w843 = w636 * rod_small_end_rotation_1_2 + w637 * c11
+    w844 = w421 * w809 + w810 * c280 + w422 * w811 + w806 * c279 + (w424 * w812 + w425 * w813 + w426 * w814)
+    w845 = w644 * rod_small_end_rotation_1_2 - w545 * c11
+    w846 = w417 * w825 - w418 * w833 - w420 * w837 + w844 + w845 * rod_small_end_rotation_1_0 - (w168 * rod_phi_phi_2_0_1_1 + (w159 * rod_phi_phi_2_0_0_0 + w142 * c326) + w823 * c10)
+    w847 = w441 * w809 + w442 * w810 + w811 * c282 - w807 * c281 + (w446 * w812 + w447 * w813 - w443 * w814)
+    w848 = w649 * c11 - w652 * rod_small_end_rotation_1_2
+    w849 = w437 * w833 - w439 * w825 - w440 * w837 + w847 + w848 * rod_small_end_rotation_2_1 + (w135 * c320 + (w136 * c327 + w169 * c328))
+    w850 = w456 * w809 + w810 * c284 + w457 * w811 + w806 * c283 + (w459 * w812 + w460 * w813 + w461 * w814)
+    w851 = w453 * w825 - w454 * w833 - w455 * w837 + w850 + w845 * rod_small_end_rotation_1_2 - (w168 * rod_phi_phi_2_2_1_1 + (w159 * rod_phi_phi_2_2_0_0 + w142 * c329) + w823 * c11)
+    w852 = w469 * w809 + w470 * w810 + w811 * c286 - w807 * c285 + (w474 * w812 + w475 * w813 - w471 * w814)
+    w853 = w466 * w833 - w467 * w825 - w468 * w837 + w852 + w848 * rod_small_end_rotation_2_3 + (w135 * c322 + (w136 * c330 + w169 * c331))
+    w854 = w483 * w809 + w810 * c288 + w484 * w811 + w806 * c287 + (w486 * w812 + w487 * w813 + w488 * w814)
+    w855 = w480 * w825 - w481 * w833 - w482 * w837 + w854 + w845 * rod_small_end_rotation_1_4 - (w168 * rod_phi_phi_2_4_1_1 + (w159 * rod_phi_phi_2_4_0_0 + w142 * c332) + w823 * c12)
+    w856 = w496 * w837 - (w497 * w825 + w498 * w833) + (w809 * c137 + w499 * w810 + w500 * w811 + (w503 * w813 - w501 * w812 + w506 * w814))
+    w857 = w856 + (w664 * rod_small_end_rotation_1_2 + w667 * c11) * rod_small_end_rotation_0_5 + (w161 * c333 + w160 * c324)
+    w858 = (w96 * w464 + (w687 * rod_small_end_rotation_2_3 + w688 * c3)) / w55
+    w859 = (w95 * w464 - w94 * w465 + (w685 * rod_small_end_rotation_2_3 + w686 * c3)) / w51 + w52 * w858
+    w860 = w92 * w464 - w85 * w465 + (w683 * rod_small_end_rotation_2_3 + w684 * c3) + w34 * w859 + w60 * w858
+    w861 = w320 * w464 - w309 * w465 + (w709 * rod_small_end_rotation_2_3 + w710 * c3) + (w321 * w858 - w322 * w859)
+    w862 = w326 * w464 - w323 * w465 + (w712 * rod_small_end_rotation_2_3 + w713 * c3) + (w327 * w858 - w328 * w859)
+    w863 = (w330 * w464 + (w715 * rod_small_end_rotation_2_3 + w716 * c3) + w331 * w858) / w55
+    w864 = w862 / w51 + w52 * w863
+    w865 = w296 * w464 - w288 * w465 + w695 * rod_small_end_rotation_2_3 - (w861 + w34 * w864 + w60 * w863) * slider_mass
+    w866 = w860 * guide_damping - w865
+    w867 = w339 * w468 - w338 * w467
+    w868 = w339 * w466 + w344 * w467
+    w869 = 2 * w858
+    w870 = w317 * w464 - w39 * w864 + w89 * w869 - w30 * w863 - w704 * rod_small_end_rotation_2_3
+    w871 = w311 * w464 - w35 * w864 + w86 * w869 - w14 * w863 - w697 * rod_small_end_rotation_2_3
+    w872 = w312 * w464 - w37 * w864 + w87 * w869 - w24 * w863 - w696 * rod_small_end_rotation_2_3
+    w873 = w89 * w464 - w39 * w859 - w30 * w858 - w679 * rod_small_end_rotation_2_3
+    w874 = w86 * w464 - w35 * w859 - w14 * w858 - w671 * rod_small_end_rotation_2_3
+    w875 = w87 * w464 - w37 * w859 - w24 * w858 + w673 * rod_small_end_rotation_2_3
+    w876 = w337 * w867 - w342 * w868 + (w348 * w870 - w351 * w871 - w353 * w872) + (w371 * w873 - w358 * w874 - w373 * w875)
+    w877 = w186 + (rod_q1 * c335 + rod_q3 * c337) + rod_q5 * c339
+    w878 = w210 + rod_q6 * c341
+    w879 = rod_q2 * c22 + (w221 + w222)
+    w880 = 2 * w233
+    w881 = rod_q2_dot * c22 + rod_q4_dot * c28
+    w882 = rod_q4_dot * rod_phi_phi_3_3_2_2
+    w883 = w150 * c21 + (w137 * w879 - w169 * w880 + (w134 * c62 - w167 * w878 + (w191 * w877 + w737 * c3)))
+    w884 = w137 * c285
+    w885 = w168 * c21 + w168 * rod_mass * c3
+    w886 = w151 * (w881 + w882) - w154 * (rod_q6_dot * rod_phi_phi_3_5_2_0) + w883 + (w0 * w884 + w22 * w885)
+    w887 = w876 + w886
+    w888 = w344 * w468 + w338 * w466
+    w889 = w337 * w888 - w868 * rod_first_moment_x + (w377 * w871 - w378 * w872 - w351 * w870) + (w382 * w874 - w380 * w875 - w383 * w873)
+    w890 = rod_q2 * rod_phi_phi_3_1_0_0 + (w256 + w257)
+    w891 = rod_q2_dot * rod_phi_phi_3_1_0_0 + rod_q4_dot * rod_phi_phi_3_3_0_0
+    w892 = rod_q1_dot * rod_phi_phi_3_0_2_1 + rod_q3_dot * rod_phi_phi_3_2_2_1 + rod_q5_dot * rod_phi_phi_3_4_2_1
+    w893 = w249 * w878 + (w162 * w877 - w137 * c62) + (w164 * w880 - w134 * w890) + (w155 * (w882 + w891) - w154 * w892)
+    w894 = w162 * c285
+    w895 = w889 + (w893 + w749 * c3 + (w22 * w894 + w884 * rod_small_end_x))
+    w896 = w867 * rod_first_moment_x - w342 * w888 + (w385 * w872 - w353 * w870 - w378 * w871) + (w387 * w875 - w386 * w873 - w388 * w874)
+    w897 = w154 * (w881 + w891) - w151 * (rod_q6_dot * rod_phi_phi_3_5_0_2) - w155 * (rod_q1_dot * c104 + rod_q3_dot * c114 + rod_q5_dot * c124)
+    w898 = w897 + (w269 * c62 + (w169 * w878 - w164 * w877) + (w167 * w890 - w162 * w879) - w157 * c21 + w754 * c3)
+    w899 = w896 + (w898 - (w0 * w894 - w885 * rod_small_end_x))
+    w900 = w342 * w872 - w337 * w871 - w888 * rod_mass + (w369 * w874 - w364 * w875) - (w894 - (w278 * w466 + w280 * w468))
+    w901 = w867 * rod_mass + (w872 * rod_first_moment_x + w337 * w870) + (w357 * w875 - w369 * w873) + (w885 + (w278 * w467 - w282 * w468))
+    w902 = w868 * rod_mass - (w342 * w870 + w871 * rod_first_moment_x) + (w364 * w873 - w357 * w874) - (w884 + (w280 * w467 + w282 * w466))
+    w903 = w61 * w866 - (w336 * w887 + w343 * w895 + w340 * w899 + (w390 * w900 + w392 * w901 + w394 * w902))
+    w904 = w407 * w464 + w771 * rod_small_end_rotation_2_3 + w772 * c3
+    w905 = w774 * rod_small_end_rotation_2_3 + w775 * c3
+    w906 = w421 * w870 + w871 * c280 + w422 * w872 - w868 * c279 + (w424 * w873 + w425 * w874 + w426 * w875)
+    w907 = w778 * rod_small_end_rotation_2_3 + w543 * c3
+    w908 = w417 * w887 - w418 * w895 - w420 * w899 + w906 + w907 * rod_small_end_rotation_1_0 + (w135 * c334 + (w136 * c342 + w137 * c343))
+    w909 = w441 * w870 + w442 * w871 + w872 * c282 - w867 * c281 + (w446 * w873 + w447 * w874 - w443 * w875)
+    w910 = w782 * rod_small_end_rotation_2_3 + w783 * c3
+    w911 = w437 * w895 - w439 * w887 - w440 * w899 + w909 + w910 * rod_small_end_rotation_2_1 - (w159 * rod_phi_phi_3_1_0_0 + w168 * c344 + w885 * c2)
+    w912 = w456 * w870 + w871 * c284 + w457 * w872 - w868 * c283 + (w459 * w873 + w460 * w874 + w461 * w875)
+    w913 = w453 * w887 - w454 * w895 - w455 * w899 + w912 + w907 * rod_small_end_rotation_1_2 + (w135 * c336 + (w136 * c345 + w137 * c346))
+    w914 = w469 * w870 + w470 * w871 + w872 * c286 - w867 * c285 + (w474 * w873 + w475 * w874 - w471 * w875)
+    w915 = w466 * w895 - w467 * w887 - w468 * w899 + w914 + w910 * rod_small_end_rotation_2_3 - (w142 * rod_phi_phi_3_3_2_2 + (w159 * rod_phi_phi_3_3_0_0 + w168 * c347) + w885 * c3)
+    w916 = w483 * w870 + w871 * c288 + w484 * w872 - w868 * c287 + (w486 * w873 + w487 * w874 + w488 * w875)
+    w917 = w480 * w887 - w481 * w895 - w482 * w899 + w916 + w907 * rod_small_end_rotation_1_4 + (w135 * c338 + (w136 * c348 + w137 * c349))
+    w918 = w496 * w899 - (w497 * w887 + w498 * w895) + (w870 * c137 + w499 * w871 + w500 * w872 + (w503 * w874 - w501 * w873 + w506 * w875))
+    w919 = w918 - (w794 * rod_small_end_rotation_2_3 + w795 * c3) * rod_small_end_rotation_0_5 + (w133 * c350 + w99 * c340)
+    w920 = (w96 * w478 + (w534 * rod_small_end_rotation_1_4 + w535 * c12)) / w55
+    w921 = (w95 * w478 - w94 * w479 + (w532 * rod_small_end_rotation_1_4 + w533 * c12)) / w51 + w52 * w920
+    w922 = w92 * w478 - w85 * w479 + (w530 * rod_small_end_rotation_1_4 + w531 * c12) + w34 * w921 + w60 * w920
+    w923 = w320 * w478 - w309 * w479 + (w567 * rod_small_end_rotation_1_4 + w568 * c12) + (w321 * w920 - w322 * w921)
+    w924 = w326 * w478 - w323 * w479 + (w570 * rod_small_end_rotation_1_4 + w571 * c12) + (w327 * w920 - w328 * w921)
+    w925 = (w330 * w478 + (w573 * rod_small_end_rotation_1_4 + w574 * c12) + w331 * w920) / w55
+    w926 = w924 / w51 + w52 * w925
+    w927 = w296 * w478 - w288 * w479 + w546 * rod_small_end_rotation_1_4 - (w923 + w34 * w926 + w60 * w925) * slider_mass
+    w928 = w922 * guide_damping - w927
+    w929 = w339 * w481 + w344 * w480
+    w930 = w338 * w480 + w339 * w482
+    w931 = 2 * w920
+    w932 = w317 * w478 - w39 * w926 + w89 * w931 - w30 * w925 - w560 * rod_small_end_rotation_1_4
+    w933 = w311 * w478 - w35 * w926 + w86 * w931 - w14 * w925 - w553 * rod_small_end_rotation_1_4
+    w934 = w312 * w478 - w37 * w926 + w87 * w931 - w24 * w925 - w551 * rod_small_end_rotation_1_4
+    w935 = w89 * w478 - w39 * w921 - w30 * w920 - w524 * rod_small_end_rotation_1_4
+    w936 = w86 * w478 - w35 * w921 - w14 * w920 + w512 * rod_small_end_rotation_1_4
+    w937 = w87 * w478 - w37 * w921 - w24 * w920 - w517 * rod_small_end_rotation_1_4
+    w938 = w342 * w929 + w337 * w930 + (w348 * w932 - w351 * w933 - w353 * w934) + (w371 * w935 - w358 * w936 - w373 * w937)
+    w939 = w189 + (rod_q2 * c352 + rod_q4 * c354)
+    w940 = w200 + rod_q6 * c356
+    w941 = rod_q1 * rod_phi_phi_4_0_1_1 + rod_q3 * rod_phi_phi_4_2_1_1 + (w223 + w224)
+    w942 = rod_q1 * c39 + rod_q3 * c44 + (w234 + w235)
+    w943 = rod_q1_dot * rod_phi_phi_4_0_1_1 + rod_q3_dot * rod_phi_phi_4_2_1_1 + rod_q5_dot * rod_phi_phi_4_4_1_1
+    w944 = rod_q1_dot * c39 + rod_q3_dot * c44 + rod_q5_dot * c50
+    w945 = w191 * w939 + (w134 * w940 - w167 * c83) + (w137 * w941 - w169 * w942) - w171 * c38 + (w151 * (w943 + w944) - w155 * (rod_q6_dot * rod_phi_phi_4_5_1_0))
+    w946 = w142 * c38 + w597 * c12
+    w947 = w169 * c287
+    w948 = w938 + (w945 - w596 * c12 + w172 * c12 - (w0 * w946 + w22 * w947))
+    w949 = w338 * w481 - w344 * w482
+    w950 = w929 * rod_first_moment_x - w337 * w949 + (w377 * w933 - w378 * w934 - w351 * w932) + (w382 * w936 - w380 * w937 - w383 * w935)
+    w951 = rod_q1 * rod_phi_phi_4_0_0_0 + rod_q3 * rod_phi_phi_4_2_0_0 + (w258 + w259)
+    w952 = rod_q1_dot * rod_phi_phi_4_0_0_0 + rod_q3_dot * rod_phi_phi_4_2_0_0 + rod_q5_dot * rod_phi_phi_4_4_0_0
+    w953 = w155 * (w944 + w952) - w154 * (rod_q2_dot * c112 + rod_q4_dot * c122) - w151 * (rod_q6_dot * rod_phi_phi_4_5_0_1)
+    w954 = w157 * c38 + (w164 * w942 - w134 * w951 + (w162 * w939 - w137 * w940 + (w249 * c83 + w606 * c12)))
+    w955 = w164 * c287
+    w956 = w950 + (w953 + w954 - (w946 * rod_small_end_x - w22 * w955))
+    w957 = w930 * rod_first_moment_x + w342 * w949 + (w385 * w934 - w353 * w932 - w378 * w933) + (w387 * w937 - w386 * w935 - w388 * w936)
+    w958 = w154 * (w943 + w952) - w155 * (rod_q2_dot * rod_phi_phi_4_1_1_2 + rod_q4_dot * rod_phi_phi_4_3_1_2)
+    w959 = w269 * w940 + (w169 * c83 - w164 * w939) + (w167 * w951 - w162 * w941) + w958 - w612 * c12 - (w947 * rod_small_end_x + w0 * w955)
+    w960 = w957 + w959
+    w961 = w949 * rod_mass + (w342 * w934 - w337 * w933) + (w369 * w936 - w364 * w937) + (w280 * w482 - w278 * w481 - w955)
+    w962 = w930 * rod_mass + (w934 * rod_first_moment_x + w337 * w932) + (w357 * w937 - w369 * w935) - (w947 + (w282 * w482 + w278 * w480))
+    w963 = w364 * w935 - w357 * w936 - (w929 * rod_mass + (w342 * w932 + w933 * rod_first_moment_x)) + (w946 + (w280 * w480 + w282 * w481))
+    w964 = w61 * w928 - (w336 * w948 + w343 * w956 + w340 * w960 + (w390 * w961 + w392 * w962 + w394 * w963))
+    w965 = w407 * w478 + w633 * rod_small_end_rotation_1_4 + w634 * c12
+    w966 = w636 * rod_small_end_rotation_1_4 + w637 * c12
+    w967 = w421 * w932 + w933 * c280 + w422 * w934 + w929 * c279 + (w424 * w935 + w425 * w936 + w426 * w937)
+    w968 = w644 * rod_small_end_rotation_1_4 - w545 * c12
+    w969 = w417 * w948 - w418 * w956 - w420 * w960 + w967 + w968 * rod_small_end_rotation_1_0 - (w168 * rod_phi_phi_4_0_1_1 + (w159 * rod_phi_phi_4_0_0_0 + w142 * c357) + w946 * c10)
+    w970 = w441 * w932 + w442 * w933 + w934 * c282 - w930 * c281 + (w446 * w935 + w447 * w936 - w443 * w937)
+    w971 = w649 * c12 - w652 * rod_small_end_rotation_1_4
+    w972 = w437 * w956 - w439 * w948 - w440 * w960 + w970 + w971 * rod_small_end_rotation_2_1 + (w135 * c351 + (w136 * c358 + w169 * c359))
+    w973 = w456 * w932 + w933 * c284 + w457 * w934 + w929 * c283 + (w459 * w935 + w460 * w936 + w461 * w937)
+    w974 = w453 * w948 - w454 * w956 - w455 * w960 + w973 + w968 * rod_small_end_rotation_1_2 - (w168 * rod_phi_phi_4_2_1_1 + (w159 * rod_phi_phi_4_2_0_0 + w142 * c360) + w946 * c11)
+    w975 = w469 * w932 + w470 * w933 + w934 * c286 - w930 * c285 + (w474 * w935 + w475 * w936 - w471 * w937)
+    w976 = w466 * w956 - w467 * w948 - w468 * w960 + w975 + w971 * rod_small_end_rotation_2_3 + (w135 * c353 + (w136 * c361 + w169 * c362))
+    w977 = w483 * w932 + w933 * c288 + w484 * w934 + w929 * c287 + (w486 * w935 + w487 * w936 + w488 * w937)
+    w978 = w480 * w948 - w481 * w956 - w482 * w960 + w977 + w968 * rod_small_end_rotation_1_4 - (w168 * rod_phi_phi_4_4_1_1 + (w159 * rod_phi_phi_4_4_0_0 + w142 * c363) + w946 * c12)
+    w979 = w496 * w960 - (w497 * w948 + w498 * w956) + (w932 * c137 + w499 * w933 + w500 * w934 + (w503 * w936 - w501 * w935 + w506 * w937))
+    w980 = w979 + (w664 * rod_small_end_rotation_1_4 + w667 * c12) * rod_small_end_rotation_0_5 + (w161 * c364 + w160 * c355)
+    w981 = w676 - w675
+    w982 = w981 + (w72 * w409 - w678)
+    w983 = w521 - w520
+    w984 = w983 + (w523 + w72 * w438)
+    w985 = w0 * w982 - w22 * w984 - (w526 + w681)
+    w986 = w509 + (w510 + w672)
+    w987 = w982 * rod_small_end_x - w22 * w986 + (w518 + w82 * w438)
+    w988 = w0 * w986 - w984 * rod_small_end_x + (w82 * w409 - w669)
+    w989 = (w95 * w494 - w94 * w495 + (w32 * w985 + w20 * w987 + w27 * w988) * rod_small_end_rotation_0_5) / w51
+    w990 = (w96 * w494 + (w39 * w985 + w35 * w987 + w37 * w988) * rod_small_end_rotation_0_5) / w55
+    w991 = w989 + w52 * w990
+    w992 = w92 * w494 - w85 * w495 + (w49 * w985 + w45 * w987 + w47 * w988) * rod_small_end_rotation_0_5 + w34 * w991
+    w993 = w542 + w648
+    w994 = w666 - w665
+    w995 = w703 + w151 * w983 - (w547 * w981 - w702) + (w134 / w9 + w137 * w409 + w142 * w438)
+    w996 = w167 / w9 - w168 * w409 - w169 * w438 - (w559 + w547 * w983 + (w558 + w151 * w981))
+    w997 = 2 * -w984
+    w998 = 2 * -w982
+    w999 = w0 * w995 - w22 * w996 + (w76 * w997 - w80 * w998) - (w563 + w707)
+    w1000 = w155 * w981 - w154 * w983 - w552 + (w162 * w409 - w159 / w9 - w164 * w438)
+    w1001 = 2 * w986
+    w1002 = w995 * rod_small_end_x + w22 * w1000 + (w82 * w998 - w76 * w1001) + (w556 + w306 * w438)
+    w1003 = w80 * w1001 - w82 * w997 - (w0 * w1000 + w996 * rod_small_end_x) + (w306 * w409 - w700)
+    w1004 = w320 * w494 - w309 * w495 + (w49 * w999 + w45 * w1002 + w47 * w1003) * rod_small_end_rotation_0_5
+    w1005 = w326 * w494 - w323 * w495 + (w32 * w999 + w20 * w1002 + w27 * w1003) * rod_small_end_rotation_0_5
+    w1006 = w330 * w494 + (w39 * w999 + w35 * w1002 + w37 * w1003) * rod_small_end_rotation_0_5 + w331 * w990
+    w1007 = w1006 / w55
+    w1008 = (w1005 + (w327 * w990 - w328 * w991)) / w51 + w52 * w1007
+    w1009 = w296 * w494 - w288 * w495 + (w45 * w795 - w49 * w993 + w47 * w994) * rod_small_end_rotation_0_5 - (w1004 + (w321 * w990 - w322 * w991) + w34 * w1008 + w60 * w1007) * slider_mass
+    w1010 = (w992 + w60 * w990) * guide_damping - w1009
+    w1011 = 2 * w990
+    w1012 = w317 * w494 - w39 * w1008 + w89 * w1011 - w30 * w1007 - w1000 * rod_small_end_rotation_0_5
+    w1013 = w311 * w494 - w35 * w1008 + w86 * w1011 - w14 * w1007 - w996 * rod_small_end_rotation_0_5
+    w1014 = w312 * w494 - w37 * w1008 + w87 * w1011 - w24 * w1007 - w995 * rod_small_end_rotation_0_5
+    w1015 = w344 * w497 - w339 * w498
+    w1016 = w338 * w497 + w339 * w496
+    w1017 = w89 * w494 - w39 * w991 - w30 * w990 + w986 * rod_small_end_rotation_0_5
+    w1018 = w86 * w494 - w35 * w991 - w14 * w990 - w984 * rod_small_end_rotation_0_5
+    w1019 = w87 * w494 - w37 * w991 - w24 * w990 - w982 * rod_small_end_rotation_0_5
+    w1020 = w348 * w1012 - w351 * w1013 - w353 * w1014 - (w342 * w1015 + w337 * w1016) + (w371 * w1017 - w358 * w1018 - w373 * w1019)
+    w1021 = w203 + (rod_q1 * c366 + rod_q3 * c368 + rod_q5 * c370)
+    w1022 = w213 + (rod_q2 * c372 + rod_q4 * c374)
+    w1023 = 2 * w226
+    w1024 = 2 * w237
+    w1025 = rod_q6_dot * rod_phi_phi_5_5_1_1
+    w1026 = rod_q6_dot * rod_phi_phi_5_5_2_2
+    w1027 = rod_q1_dot * rod_phi_phi_5_0_1_0 + rod_q3_dot * rod_phi_phi_5_2_1_0 + rod_q5_dot * rod_phi_phi_5_4_1_0
+    w1028 = w151 * (w1025 + w1026) - w155 * w1027 - w154 * (rod_q2_dot * rod_phi_phi_5_1_2_0 + rod_q4_dot * rod_phi_phi_5_3_2_0)
+    w1029 = w1020 + (w191 * c129 + (w134 * w1021 - w167 * w1022) + (w137 * w1023 - w169 * w1024) + w1028)
+    w1030 = w344 * w496 + w338 * w498
+    w1031 = w377 * w1013 - w378 * w1014 - w351 * w1012 - (w337 * w1030 + w1015 * rod_first_moment_x) + (w382 * w1018 - w380 * w1019 - w383 * w1017)
+    w1032 = 2 * w260
+    w1033 = rod_q6_dot * rod_phi_phi_5_5_0_0
+    w1034 = rod_q1_dot * rod_phi_phi_5_0_0_1 + rod_q3_dot * rod_phi_phi_5_2_0_1 + rod_q5_dot * rod_phi_phi_5_4_0_1
+    w1035 = w249 * w1022 + (w162 * c129 - w137 * w1021) + (w164 * w1024 - w134 * w1032) + (w155 * (w1026 + w1033) - w151 * w1034)
+    w1036 = w1031 + w1035
+    w1037 = w342 * w1030 - w1016 * rod_first_moment_x + (w385 * w1014 - w353 * w1012 - w378 * w1013) + (w387 * w1019 - w386 * w1017 - w388 * w1018)
+    w1038 = w154 * (w1025 + w1033) - w151 * (rod_q2_dot * rod_phi_phi_5_1_0_2 + rod_q4_dot * rod_phi_phi_5_3_0_2)
+    w1039 = w1037 + (w269 * w1021 + (w169 * w1022 - w164 * c129) + (w167 * w1032 - w162 * w1023) + w1038)
+    w1040 = w1030 * rod_mass + (w342 * w1014 - w337 * w1013) + (w369 * w1018 - w364 * w1019) - (w278 * w498 + w280 * w496)
+    w1041 = w1014 * rod_first_moment_x + w337 * w1012 - w1016 * rod_mass + (w357 * w1019 - w369 * w1017) + (w282 * w496 + w278 * w497)
+    w1042 = w1015 * rod_mass - (w342 * w1012 + w1013 * rod_first_moment_x) + (w364 * w1017 - w357 * w1018) + (w282 * w498 - w280 * w497)
+    w1043 = w61 * w1010 - (w336 * w1029 + w343 * w1036 + w340 * w1039 + (w390 * w1040 + w392 * w1041 + w394 * w1042))
+    w1044 = w626 - w438 * rod_small_end_x
+    w1045 = w766 + w409 * rod_small_end_x
+    w1046 = w279 * w1044 + w281 * w1045 - (w629 + w769)
+    w1047 = w621 + w763
+    w1048 = w619 + w401 * w438 + (w279 * w1047 - w283 * w1045)
+    w1049 = w401 * w409 - w761 - (w281 * w1047 + w283 * w1044)
+    w1050 = (w39 * w1046 + w35 * w1048 + w37 * w1049 + (w406 * w994 - (w404 * w993 + w405 * w795))) * rod_small_end_rotation_0_5
+    w1051 = w407 * w494 + w1050
+    w1052 = (w399 * w795 - w402 * w993 - w400 * w994 - (w30 * w1046 + w14 * w1048 + w24 * w1049)) * rod_small_end_rotation_0_5
+    w1053 = w421 * w1012 + w1013 * c280 + w422 * w1014 - w1015 * c279 + (w424 * w1017 + w425 * w1018 + w426 * w1019)
+    w1054 = (w662 - w73 * w643) * rod_small_end_rotation_0_5
+    w1055 = w417 * w1029 - w418 * w1036 - w420 * w1039 + w1053 - w1054 * rod_small_end_rotation_1_0 + (w161 * c149 + w160 * c365)
+    w1056 = w441 * w1012 + w442 * w1013 + w1014 * c282 + w1016 * c281 + (w446 * w1017 + w447 * w1018 - w443 * w1019)
+    w1057 = (w793 + w73 * w651) * rod_small_end_rotation_0_5
+    w1058 = w437 * w1036 - w439 * w1029 - w440 * w1039 + w1056 + w1057 * rod_small_end_rotation_2_1 + (w133 * c152 + w99 * c371)
+    w1059 = w456 * w1012 + w1013 * c284 + w457 * w1014 - w1015 * c283 + (w459 * w1017 + w460 * w1018 + w461 * w1019)
+    w1060 = w453 * w1029 - w454 * w1036 - w455 * w1039 + w1059 - w1054 * rod_small_end_rotation_1_2 + (w161 * c155 + w160 * c367)
+    w1061 = w469 * w1012 + w470 * w1013 + w1014 * c286 + w1016 * c285 + (w474 * w1017 + w475 * w1018 - w471 * w1019)
+    w1062 = w466 * w1036 - w467 * w1029 - w468 * w1039 + w1061 + w1057 * rod_small_end_rotation_2_3 + (w133 * c158 + w99 * c373)
+    w1063 = w483 * w1012 + w1013 * c288 + w484 * w1014 - w1015 * c287 + (w486 * w1017 + w487 * w1018 + w488 * w1019)
+    w1064 = w480 * w1029 - w481 * w1036 - w482 * w1039 + w1063 - w1054 * rod_small_end_rotation_1_4 + (w161 * c161 + w160 * c369)
+    w1065 = w496 * w1039 - (w497 * w1029 + w498 * w1036) + (w1012 * c137 + w499 * w1013 + w500 * w1014 + (w503 * w1018 - w501 * w1017 + w506 * w1019))
+    w1066 = w1065 + w73 * w663 * c272 - (w159 * rod_phi_phi_5_5_0_0 + w168 * rod_phi_phi_5_5_1_1 + w142 * rod_phi_phi_5_5_2_2)
+    w1067 = w375 * w497 + w384 * w498 - w389 * w496 - (w350 * c137 + w352 * w499 + w354 * w500 + (w372 * w501 - w359 * w503 - w374 * w506))
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # axle.angle
-            w61 * w321 - w382 + w59 * w394, w602 - w59 * w619 + w56 * w622, w742 - w59 * w755 + w56 * w758,
-            w821 - w59 * w822 + w56 * w823, w881 - w59 * w882 + w56 * w883, w940 - w59 * w941 + w56 * w942,
-            w1016 - w59 * w1024 + w56 * w1025,
+            w61 * w335 - w396 + w59 * w408, w618 - w59 * w635 + w56 * w638, w760 - w59 * w773 + w56 * w776,
+            w841 - w59 * w842 + w56 * w843, w903 - w59 * w904 + w56 * w905, w964 - w59 * w965 + w56 * w966,
+            w1043 - w59 * w1051 + w56 * w1052,
         ),
         ca.horzcat(  # rod.q1
-            w375 * w406 - (w361 * w403 - w370 * w404) - w413 - w321 * w415 - w394 * w402,
-            w402 * w619 - (rod_K_ff_0_0 + w630 + w415 * w564) - w401 * w622,
-            w402 * w755 - (w762 + w415 * w704) - w401 * w758, w402 * w822 - (w826 + w415 * w787) - w401 * w823,
-            w402 * w882 - (w886 + w415 * w846) - w401 * w883, w402 * w941 - (w945 + w415 * w906) - w401 * w942,
-            w402 * w1024 - (w1028 + w415 * w985) - w401 * w1025,
+            w389 * w420 - (w375 * w417 - w384 * w418) - w427 - w335 * w429 - w408 * w416,
+            w416 * w635 - (rod_K_ff_0_0 + w646 + w429 * w578) - w415 * w638,
+            w416 * w773 - (w780 + w429 * w720) - w415 * w776, w416 * w842 - (w846 + w429 * w805) - w415 * w843,
+            w416 * w904 - (w908 + w429 * w866) - w415 * w905, w416 * w965 - (w969 + w429 * w928) - w415 * w966,
+            w416 * w1051 - (w1055 + w429 * w1010) - w415 * w1052,
         ),
         ca.horzcat(  # rod.q2
-            w375 * w426 - (w370 * w423 - w361 * w425) - w434 - w321 * w436 - w394 * w422,
-            w422 * w619 - (w638 + w436 * w564) - w421 * w622,
-            w422 * w755 - (rod_K_ff_1_1 + w767 + w436 * w704) - w421 * w758,
-            w422 * w822 - (w829 + w436 * w787) - w421 * w823, w422 * w882 - (w889 + w436 * w846) - w421 * w883,
-            w422 * w941 - (w948 + w436 * w906) - w421 * w942, w422 * w1024 - (w1031 + w436 * w985) - w421 * w1025,
+            w389 * w440 - (w384 * w437 - w375 * w439) - w448 - w335 * w450 - w408 * w436,
+            w436 * w635 - (w654 + w450 * w578) - w435 * w638,
+            w436 * w773 - (rod_K_ff_1_1 + w785 + w450 * w720) - w435 * w776,
+            w436 * w842 - (w849 + w450 * w805) - w435 * w843, w436 * w904 - (w911 + w450 * w866) - w435 * w905,
+            w436 * w965 - (w972 + w450 * w928) - w435 * w966, w436 * w1051 - (w1058 + w450 * w1010) - w435 * w1052,
         ),
         ca.horzcat(  # rod.q3
-            w375 * w441 - (w361 * w439 - w370 * w440) - w448 - w321 * w449 - w394 * w438,
-            w438 * w619 - (w640 + w449 * w564) - w437 * w622, w438 * w755 - (w769 + w449 * w704) - w437 * w758,
-            w438 * w822 - (rod_K_ff_2_2 + w831 + w449 * w787) - w437 * w823,
-            w438 * w882 - (w891 + w449 * w846) - w437 * w883, w438 * w941 - (w950 + w449 * w906) - w437 * w942,
-            w438 * w1024 - (w1033 + w449 * w985) - w437 * w1025,
+            w389 * w455 - (w375 * w453 - w384 * w454) - w462 - w335 * w463 - w408 * w452,
+            w452 * w635 - (w656 + w463 * w578) - w451 * w638, w452 * w773 - (w787 + w463 * w720) - w451 * w776,
+            w452 * w842 - (rod_K_ff_2_2 + w851 + w463 * w805) - w451 * w843,
+            w452 * w904 - (w913 + w463 * w866) - w451 * w905, w452 * w965 - (w974 + w463 * w928) - w451 * w966,
+            w452 * w1051 - (w1060 + w463 * w1010) - w451 * w1052,
         ),
         ca.horzcat(  # rod.q4
-            w375 * w454 - (w370 * w452 - w361 * w453) - w462 - w321 * w463 - w394 * w451,
-            w451 * w619 - (w642 + w463 * w564) - w450 * w622, w451 * w755 - (w771 + w463 * w704) - w450 * w758,
-            w451 * w822 - (w833 + w463 * w787) - w450 * w823,
-            w451 * w882 - (rod_K_ff_3_3 + w893 + w463 * w846) - w450 * w883,
-            w451 * w941 - (w952 + w463 * w906) - w450 * w942, w451 * w1024 - (w1035 + w463 * w985) - w450 * w1025,
+            w389 * w468 - (w384 * w466 - w375 * w467) - w476 - w335 * w477 - w408 * w465,
+            w465 * w635 - (w658 + w477 * w578) - w464 * w638, w465 * w773 - (w789 + w477 * w720) - w464 * w776,
+            w465 * w842 - (w853 + w477 * w805) - w464 * w843,
+            w465 * w904 - (rod_K_ff_3_3 + w915 + w477 * w866) - w464 * w905,
+            w465 * w965 - (w976 + w477 * w928) - w464 * w966, w465 * w1051 - (w1062 + w477 * w1010) - w464 * w1052,
         ),
         ca.horzcat(  # rod.q5
-            w375 * w468 - (w361 * w466 - w370 * w467) - w475 - w321 * w476 - w394 * w465,
-            w465 * w619 - (w644 + w476 * w564) - w464 * w622, w465 * w755 - (w773 + w476 * w704) - w464 * w758,
-            w465 * w822 - (w835 + w476 * w787) - w464 * w823, w465 * w882 - (w895 + w476 * w846) - w464 * w883,
-            w465 * w941 - (rod_K_ff_4_4 + w954 + w476 * w906) - w464 * w942,
-            w465 * w1024 - (w1037 + w476 * w985) - w464 * w1025,
+            w389 * w482 - (w375 * w480 - w384 * w481) - w489 - w335 * w490 - w408 * w479,
+            w479 * w635 - (w660 + w490 * w578) - w478 * w638, w479 * w773 - (w791 + w490 * w720) - w478 * w776,
+            w479 * w842 - (w855 + w490 * w805) - w478 * w843, w479 * w904 - (w917 + w490 * w866) - w478 * w905,
+            w479 * w965 - (rod_K_ff_4_4 + w978 + w490 * w928) - w478 * w966,
+            w479 * w1051 - (w1064 + w490 * w1010) - w478 * w1052,
         ),
         ca.horzcat(  # rod.q6
-            w1040 - w321 * w493 - w394 * w481, w481 * w619 - (w652 + w493 * w564) - w480 * w622,
-            w481 * w755 - (w778 + w493 * w704) - w480 * w758, w481 * w822 - (w837 + w493 * w787) - w480 * w823,
-            w481 * w882 - (w897 + w493 * w846) - w480 * w883, w481 * w941 - (w956 + w493 * w906) - w480 * w942,
-            w481 * w1024 - (rod_K_ff_5_5 + w1039 + w493 * w985) - w480 * w1025,
+            w1067 - w335 * w507 - w408 * w495, w495 * w635 - (w668 + w507 * w578) - w494 * w638,
+            w495 * w773 - (w796 + w507 * w720) - w494 * w776, w495 * w842 - (w857 + w507 * w805) - w494 * w843,
+            w495 * w904 - (w919 + w507 * w866) - w494 * w905, w495 * w965 - (w980 + w507 * w928) - w494 * w966,
+            w495 * w1051 - (rod_K_ff_5_5 + w1066 + w507 * w1010) - w494 * w1052,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -7178,7 +7337,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d (n_d = 24) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 383) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 7 x 7) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     3434 operations.
     """
@@ -7186,7 +7345,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
-    c = ca.SX.sym("c", 339)
+    c = ca.SX.sym("c", 383)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -7361,31 +7520,31 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c286 = c[286]
     c287 = c[287]
     c288 = c[288]
+    c296 = c[296]
+    c299 = c[299]
+    c302 = c[302]
+    c311 = c[311]
     c314 = c[314]
-    c315 = c[315]
-    c316 = c[316]
     c317 = c[317]
-    c318 = c[318]
     c319 = c[319]
-    c320 = c[320]
-    c321 = c[321]
-    c322 = c[322]
-    c323 = c[323]
-    c324 = c[324]
-    c325 = c[325]
-    c326 = c[326]
     c327 = c[327]
-    c328 = c[328]
-    c329 = c[329]
     c330 = c[330]
-    c331 = c[331]
-    c332 = c[332]
     c333 = c[333]
-    c334 = c[334]
-    c335 = c[335]
-    c336 = c[336]
-    c337 = c[337]
-    c338 = c[338]
+    c342 = c[342]
+    c345 = c[345]
+    c348 = c[348]
+    c350 = c[350]
+    c358 = c[358]
+    c361 = c[361]
+    c364 = c[364]
+    c375 = c[375]
+    c376 = c[376]
+    c377 = c[377]
+    c378 = c[378]
+    c379 = c[379]
+    c380 = c[380]
+    c381 = c[381]
+    c382 = c[382]
     # intermediate terms (508)
     w0 = ca.sin(fork_angle1)
     w1 = rod_q2 * c2 + rod_q4 * c3
@@ -7714,7 +7873,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w324 = 2 * (w101 * w195 - w24 * w323 - w33 * w322 - w310 * rod_small_end_rotation_1_0)
     w325 = 2 * (w98 * w195 - w16 * w323 - w26 * w322 + w300 * rod_small_end_rotation_1_0)
     w326 = 2 * (w99 * w195 - w21 * w323 - w31 * w322 - w304 * rod_small_end_rotation_1_0)
-    w327 = w87 * c314
+    w327 = w87 * c375
     w328 = 2 * -w89
     w329 = w51 * w328
     w330 = w328 * rod_mass
@@ -7750,7 +7909,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w360 = w358 * rod_mass
     w361 = w360 * c2 - w333
     w362 = w51 * w131 + w358 * c54
-    w363 = w91 * c318
+    w363 = w91 * c376
     w364 = w358 * c34
     w365 = w358 * c36
     w366 = w358 * c38
@@ -7759,7 +7918,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w369 = 2 * (w101 * w233 - w24 * w368 - w33 * w367 - w310 * rod_small_end_rotation_1_2)
     w370 = 2 * (w98 * w233 - w16 * w368 - w26 * w367 + w300 * rod_small_end_rotation_1_2)
     w371 = 2 * (w99 * w233 - w21 * w368 - w31 * w367 - w304 * rod_small_end_rotation_1_2)
-    w372 = w87 * c323
+    w372 = w87 * c377
     w373 = w330 * c11 - w150 * c36
     w374 = (w105 * w247 + (w351 * rod_small_end_rotation_2_3 + w352 * c3)) / w45
     w375 = (w104 * w247 - w97 * w248 + (w349 * rod_small_end_rotation_2_3 + w350 * c3)) / w35 + w36 * w374
@@ -7767,13 +7926,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w377 = 2 * (w98 * w247 - w16 * w375 - w26 * w374 - w336 * rod_small_end_rotation_2_3)
     w378 = 2 * (w99 * w247 - w21 * w375 - w31 * w374 + w338 * rod_small_end_rotation_2_3)
     w379 = w360 * c3 - w334
-    w380 = w91 * c327
+    w380 = w91 * c378
     w381 = (w105 * w262 + (w320 * rod_small_end_rotation_1_4 + w321 * c12)) / w45
     w382 = (w104 * w262 - w97 * w263 + (w318 * rod_small_end_rotation_1_4 + w319 * c12)) / w35 + w36 * w381
     w383 = 2 * (w101 * w262 - w24 * w382 - w33 * w381 - w310 * rod_small_end_rotation_1_4)
     w384 = 2 * (w98 * w262 - w16 * w382 - w26 * w381 + w300 * rod_small_end_rotation_1_4)
     w385 = 2 * (w99 * w262 - w21 * w382 - w31 * w381 - w304 * rod_small_end_rotation_1_4)
-    w386 = w87 * c332
+    w386 = w87 * c379
     w387 = w330 * c12 - w150 * c38
     w388 = w341 - w340 + (w87 * w198 - w342)
     w389 = w308 - w307 + (w309 + w87 * w221)
@@ -7787,10 +7946,10 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w397 = 2 * (w101 * w279 - w24 * w396 - w33 * w395 + w391 * rod_small_end_rotation_0_5)
     w398 = 2 * (w98 * w279 - w16 * w396 - w26 * w395 - w389 * rod_small_end_rotation_0_5)
     w399 = 2 * (w99 * w279 - w21 * w396 - w31 * w395 - w388 * rod_small_end_rotation_0_5)
-    w400 = w131 * c54 + w148 + 2 * (rod_q2_dot * c336 - rod_q4_dot * c21)
+    w400 = w131 * c54 + w148 + 2 * (rod_q2_dot * c380 - rod_q4_dot * c21)
     w401 = w400 + w149 * rod_mass
     w402 = w132 - w146 + 2 * w147 - (w1 * w401 + w57 * w149)
-    w403 = 2 * (rod_q1_dot * c337 - rod_q3_dot * c36 - rod_q5_dot * c38) - (w57 * w133 + w150 * c54)
+    w403 = 2 * (rod_q1_dot * c381 - rod_q3_dot * c36 - rod_q5_dot * c38) - (w57 * w133 + w150 * c54)
     w404 = w403 + w153 * rod_mass
     w405 = w146 - w151 + 2 * w152 - (w17 * w404 + w51 * w153)
     w406 = w402 + w405
@@ -7804,7 +7963,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w414 = w67 * w133 - w118 * w150 + 2 * (w181 + rod_q6_dot * rod_rho_phi_5_1_2) - (w1 * w404 + w57 * w153)
     w415 = w56 * rod_first_moment_x + w58 * w174 + (w130 * w179 - w108 * w129 - w120 * w173) + (w163 * w412 - w50 * w413 - w160 * w414)
     w416 = w186 * guide_damping + 2 * (w46 * w188 - w49 * w187 - w44 * w107 - w106 * w185) * slider_mass
-    w417 = (w174 * c338 - (w58 * w130 - w52 * w120) - (w404 * w160 - w401 * w163)) * w182 - w183 * (w56 * rod_mass + (w130 * rod_first_moment_x + w52 * w108) + (w158 * w163 - w50 * w404))
+    w417 = (w174 * c382 - (w58 * w130 - w52 * w120) - (w404 * w160 - w401 * w163)) * w182 - w183 * (w56 * rod_mass + (w130 * rod_first_moment_x + w52 * w108) + (w158 * w163 - w50 * w404))
     w418 = w417 - w184 * (w59 * rod_mass - (w58 * w108 + w120 * rod_first_moment_x) + (w50 * w401 - w158 * w160))
     w419 = 2 * w205 - (w206 - w109 * w150 - w131 * c71) - w400 * c10 - w149 * c279
     w420 = w407 * w199 - w411 * w200 - w415 * w202 + (w108 * w203 + w120 * c280 + w130 * w204 - w59 * c279 + (w50 * w419 + w160 * w208 + w163 * w210))
@@ -7903,34 +8062,34 @@ def dQ_hat_dq_i_dot() -> ca.Function:
         ),
         ca.horzcat(  # rod.q1
             w416 * w197 - w420, w437 - rod_D_ff_0_0 - w197 * w431,
-            w450 - (w133 * c319 - w364 * c2 - w361 * c10) - w197 * w444, w463 - w197 * w457,
-            w476 - (w133 * c328 - w364 * c3 - w379 * c10) - w197 * w470, w489 - w197 * w483,
+            w450 - (w133 * c311 - w364 * c2 - w361 * c10) - w197 * w444, w463 - w197 * w457,
+            w476 - (w133 * c342 - w364 * c3 - w379 * c10) - w197 * w470, w489 - w197 * w483,
             w502 - w131 * c149 - w197 * w496,
         ),
         ca.horzcat(  # rod.q2
-            w416 * w219 - w422, w438 - (w133 * c315 - w333 * c10 - w327 * c2) - w219 * w431,
-            w451 - rod_D_ff_1_1 - w219 * w444, w464 - (w133 * c324 - w333 * c11 - w372 * c2) - w219 * w457,
-            w477 - w219 * w470, w490 - (w133 * c333 - w333 * c12 - w386 * c2) - w219 * w483,
+            w416 * w219 - w422, w438 - (w133 * c296 - w333 * c10 - w327 * c2) - w219 * w431,
+            w451 - rod_D_ff_1_1 - w219 * w444, w464 - (w133 * c327 - w333 * c11 - w372 * c2) - w219 * w457,
+            w477 - w219 * w470, w490 - (w133 * c358 - w333 * c12 - w386 * c2) - w219 * w483,
             w503 - w150 * c152 - w219 * w496,
         ),
         ca.horzcat(  # rod.q3
-            w416 * w235 - w424, w439 - w235 * w431, w452 - (w133 * c320 - w365 * c2 - w361 * c11) - w235 * w444,
-            w465 - rod_D_ff_2_2 - w235 * w457, w478 - (w133 * c329 - w365 * c3 - w379 * c11) - w235 * w470,
+            w416 * w235 - w424, w439 - w235 * w431, w452 - (w133 * c314 - w365 * c2 - w361 * c11) - w235 * w444,
+            w465 - rod_D_ff_2_2 - w235 * w457, w478 - (w133 * c345 - w365 * c3 - w379 * c11) - w235 * w470,
             w491 - w235 * w483, w504 - w131 * c155 - w235 * w496,
         ),
         ca.horzcat(  # rod.q4
-            w416 * w249 - w426, w440 - (w133 * c316 - w334 * c10 - w327 * c3) - w249 * w431, w453 - w249 * w444,
-            w466 - (w133 * c325 - w334 * c11 - w372 * c3) - w249 * w457, w479 - rod_D_ff_3_3 - w249 * w470,
-            w492 - (w133 * c334 - w334 * c12 - w386 * c3) - w249 * w483, w505 - w150 * c158 - w249 * w496,
+            w416 * w249 - w426, w440 - (w133 * c299 - w334 * c10 - w327 * c3) - w249 * w431, w453 - w249 * w444,
+            w466 - (w133 * c330 - w334 * c11 - w372 * c3) - w249 * w457, w479 - rod_D_ff_3_3 - w249 * w470,
+            w492 - (w133 * c361 - w334 * c12 - w386 * c3) - w249 * w483, w505 - w150 * c158 - w249 * w496,
         ),
         ca.horzcat(  # rod.q5
-            w416 * w264 - w428, w441 - w264 * w431, w454 - (w133 * c321 - w366 * c2 - w361 * c12) - w264 * w444,
-            w467 - w264 * w457, w480 - (w133 * c330 - w366 * c3 - w379 * c12) - w264 * w470,
+            w416 * w264 - w428, w441 - w264 * w431, w454 - (w133 * c317 - w366 * c2 - w361 * c12) - w264 * w444,
+            w467 - w264 * w457, w480 - (w133 * c348 - w366 * c3 - w379 * c12) - w264 * w470,
             w493 - rod_D_ff_4_4 - w264 * w483, w506 - w131 * c161 - w264 * w496,
         ),
         ca.horzcat(  # rod.q6
-            w416 * w281 - w429, w442 - w131 * c317 - w281 * w431, w455 - w150 * c322 - w281 * w444,
-            w468 - w131 * c326 - w281 * w457, w481 - w150 * c331 - w281 * w470, w494 - w131 * c335 - w281 * w483,
+            w416 * w281 - w429, w442 - w131 * c302 - w281 * w431, w455 - w150 * c319 - w281 * w444,
+            w468 - w131 * c333 - w281 * w457, w481 - w150 * c350 - w281 * w470, w494 - w131 * c364 - w281 * w483,
             w507 - rod_D_ff_5_5 - w281 * w496,
         ),
     )
@@ -7946,17 +8105,17 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 7) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 383) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 7 x 7) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 7 x 7) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    8097 operations.
+    8139 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
     q_i_ddot = ca.SX.sym("q_i_ddot", 7)
-    c = ca.SX.sym("c", 339)
+    c = ca.SX.sym("c", 383)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -8200,8 +8359,52 @@ def residual_jacobian() -> ca.Function:
     c333 = c[333]
     c334 = c[334]
     c335 = c[335]
+    c336 = c[336]
+    c337 = c[337]
     c338 = c[338]
-    # intermediate terms (1253)
+    c339 = c[339]
+    c340 = c[340]
+    c341 = c[341]
+    c342 = c[342]
+    c343 = c[343]
+    c344 = c[344]
+    c345 = c[345]
+    c346 = c[346]
+    c347 = c[347]
+    c348 = c[348]
+    c349 = c[349]
+    c350 = c[350]
+    c351 = c[351]
+    c352 = c[352]
+    c353 = c[353]
+    c354 = c[354]
+    c355 = c[355]
+    c356 = c[356]
+    c357 = c[357]
+    c358 = c[358]
+    c359 = c[359]
+    c360 = c[360]
+    c361 = c[361]
+    c362 = c[362]
+    c363 = c[363]
+    c364 = c[364]
+    c365 = c[365]
+    c366 = c[366]
+    c367 = c[367]
+    c368 = c[368]
+    c369 = c[369]
+    c370 = c[370]
+    c371 = c[371]
+    c372 = c[372]
+    c373 = c[373]
+    c374 = c[374]
+    c375 = c[375]
+    c376 = c[376]
+    c377 = c[377]
+    c378 = c[378]
+    c379 = c[379]
+    c382 = c[382]
+    # intermediate terms (1274)
     w0 = rod_q2 * c2 + rod_q4 * c3
     w1 = rod_q2 * rod_small_end_rotation_2_1 + rod_q4 * rod_small_end_rotation_2_3
     w2 = rod_q1 * rod_small_end_rotation_1_0 + rod_q3 * rod_small_end_rotation_1_2 + rod_q5 * rod_small_end_rotation_1_4
@@ -8432,1121 +8635,1142 @@ def residual_jacobian() -> ca.Function:
     w227 = guide_travel_dot * guide_damping - (w194 * slider_mass + (w226 - w12 * (w30 * w219 + w14 * w225 + w24 * w202)))
     w228 = rod_q2 * c103 + rod_q4 * c104
     w229 = rod_q2 * rod_phi_phi_1_0_2_1 + rod_q4 * rod_phi_phi_3_0_2_1
-    w230 = w228 + w229
+    w230 = (w228 + w229) * 0.5
     w231 = rod_q1 * rod_phi_phi_0_1_1_2 + rod_q3 * rod_phi_phi_2_1_1_2 + rod_q5 * rod_phi_phi_4_1_1_2
     w232 = rod_q1 * c110 + rod_q3 * c111 + rod_q5 * c112
-    w233 = w231 + w232
+    w233 = (w231 + w232) * 0.5
     w234 = rod_q2 * c113 + rod_q4 * c114
     w235 = rod_q2 * rod_phi_phi_1_2_2_1 + rod_q4 * rod_phi_phi_3_2_2_1
-    w236 = w234 + w235
+    w236 = (w234 + w235) * 0.5
     w237 = rod_q1 * rod_phi_phi_0_3_1_2 + rod_q3 * rod_phi_phi_2_3_1_2 + rod_q5 * rod_phi_phi_4_3_1_2
     w238 = rod_q1 * c120 + rod_q3 * c121 + rod_q5 * c122
-    w239 = w237 + w238
+    w239 = (w237 + w238) * 0.5
     w240 = rod_q2 * c123 + rod_q4 * c124
     w241 = rod_q2 * rod_phi_phi_1_4_2_1 + rod_q4 * rod_phi_phi_3_4_2_1
-    w242 = w240 + w241
-    w243 = rod_q1 * (w230 * 0.5) + rod_q2 * (w233 * 0.5) + rod_q3 * (w236 * 0.5) + rod_q4 * (w239 * 0.5) + rod_q5 * (w242 * 0.5)
-    w244 = w243 + rod_q6 * c129
+    w242 = (w240 + w241) * 0.5
+    w243 = rod_q1 * w230 + rod_q2 * w233 + rod_q3 * w236 + rod_q4 * w239 + rod_q5 * w242 + rod_q6 * c129
+    w244 = w207 - w181
     w245 = rod_q6 * rod_phi_phi_5_0_0_1
     w246 = rod_q6 * rod_phi_phi_5_0_1_0
-    w247 = w245 + w246
+    w247 = (w245 + w246) * 0.5
     w248 = rod_q6 * rod_phi_phi_5_2_0_1
     w249 = rod_q6 * rod_phi_phi_5_2_1_0
-    w250 = w248 + w249
+    w250 = (w248 + w249) * 0.5
     w251 = rod_q6 * rod_phi_phi_5_4_0_1
     w252 = rod_q6 * rod_phi_phi_5_4_1_0
-    w253 = w251 + w252
-    w254 = rod_q1 * (w247 * 0.5) + rod_q2 * c57 + rod_q3 * (w250 * 0.5) + rod_q4 * c62 + rod_q5 * (w253 * 0.5)
-    w255 = rod_q1 * rod_phi_phi_0_5_0_1 + rod_q3 * rod_phi_phi_2_5_0_1 + rod_q5 * rod_phi_phi_4_5_0_1
-    w256 = rod_q1 * rod_phi_phi_0_5_1_0 + rod_q3 * rod_phi_phi_2_5_1_0 + rod_q5 * rod_phi_phi_4_5_1_0
-    w257 = w255 + w256
-    w258 = w254 + rod_q6 * (w257 * 0.5)
-    w259 = rod_q6 * rod_phi_phi_5_1_0_2
-    w260 = rod_q6 * rod_phi_phi_5_1_2_0
-    w261 = w259 + w260
-    w262 = rod_q6 * rod_phi_phi_5_3_0_2
-    w263 = rod_q6 * rod_phi_phi_5_3_2_0
-    w264 = w262 + w263
-    w265 = rod_q2 * rod_phi_phi_1_5_0_2 + rod_q4 * rod_phi_phi_3_5_0_2
-    w266 = rod_q2 * rod_phi_phi_1_5_2_0 + rod_q4 * rod_phi_phi_3_5_2_0
-    w267 = w265 + w266
-    w268 = rod_q1 * c73 + rod_q2 * (w261 * 0.5) + rod_q3 * c78 + rod_q4 * (w264 * 0.5) + rod_q5 * c83 + rod_q6 * (w267 * 0.5)
-    w269 = rod_q1 * rod_phi_phi_0_0_1_1 + rod_q3 * rod_phi_phi_2_0_1_1 + rod_q5 * rod_phi_phi_4_0_1_1
-    w270 = rod_q2 * c20 + rod_q4 * c22
-    w271 = rod_q1 * rod_phi_phi_0_2_1_1 + rod_q3 * rod_phi_phi_2_2_1_1 + rod_q5 * rod_phi_phi_4_2_1_1
-    w272 = rod_q2 * c27 + rod_q4 * c28
-    w273 = rod_q1 * rod_phi_phi_0_4_1_1 + rod_q3 * rod_phi_phi_2_4_1_1 + rod_q5 * rod_phi_phi_4_4_1_1
-    w274 = rod_inertia_moments_1_1 + rod_q1 * w269 + rod_q2 * w270 + rod_q3 * w271 + rod_q4 * w272 + rod_q5 * w273
-    w275 = rod_q6 * rod_phi_phi_5_5_1_1
-    w276 = w274 + rod_q6 * w275
-    w277 = rod_q1 * c35 + rod_q3 * c37 + rod_q5 * c39
-    w278 = rod_q2 * rod_phi_phi_1_1_2_2
-    w279 = rod_q1 * c42 + rod_q3 * c43 + rod_q5 * c44
-    w280 = rod_q4 * rod_phi_phi_3_3_2_2
-    w281 = rod_q1 * c47 + rod_q3 * c49 + rod_q5 * c50
-    w282 = rod_inertia_moments_2_2 + rod_q1 * w277 + rod_q2 * w278 + rod_q3 * w279 + rod_q4 * w280 + rod_q5 * w281
-    w283 = rod_q6 * rod_phi_phi_5_5_2_2
-    w284 = w282 + rod_q6 * w283
-    w285 = w178 * w199 - w183 * w224 + (w244 * (w207 - w181) + (w170 * w258 - w220 * w268) + (w177 * w276 - w222 * w284))
-    w286 = rod_q1_dot * w269 + rod_q2_dot * w270 + rod_q3_dot * w271 + rod_q4_dot * w272 + rod_q5_dot * w273
-    w287 = w286 + rod_q6_dot * w275
-    w288 = rod_q1_dot * w277 + rod_q2_dot * w278 + rod_q3_dot * w279 + rod_q4_dot * w280 + rod_q5_dot * w281
-    w289 = w288 + rod_q6_dot * w283
-    w290 = rod_q1_dot * w246 + rod_q2_dot * rod_rho_phi_1_1_0 + rod_q3_dot * w249 + rod_q4_dot * rod_rho_phi_3_1_0
-    w291 = w290 + rod_q5_dot * w252 + rod_q6_dot * w256
-    w292 = rod_q1_dot * rod_rho_phi_0_2_0 + rod_q2_dot * w260 + rod_q3_dot * rod_rho_phi_2_2_0 + rod_q4_dot * w263
-    w293 = w292 + rod_q5_dot * rod_rho_phi_4_2_0 + rod_q6_dot * w266
-    w294 = w228 - w229
-    w295 = w231 - w232
-    w296 = w234 - w235
-    w297 = w237 - w238
-    w298 = w240 - w241
-    w299 = rod_q1_ddot * w294 + rod_q2_ddot * w295 + rod_q3_ddot * w296 + rod_q4_ddot * w297 + rod_q5_ddot * w298
-    w300 = w285 + (w200 * (w287 + w289) - w204 * w291 - w203 * w293) + (w299 + rod_q6_ddot * c137)
-    w301 = rod_q1 * rod_phi_phi_0_0_0_0 + rod_q3 * rod_phi_phi_2_0_0_0 + rod_q5 * rod_phi_phi_4_0_0_0
-    w302 = rod_q2 * rod_phi_phi_1_1_0_0 + rod_q4 * rod_phi_phi_3_1_0_0
-    w303 = rod_q1 * rod_phi_phi_0_2_0_0 + rod_q3 * rod_phi_phi_2_2_0_0 + rod_q5 * rod_phi_phi_4_2_0_0
-    w304 = rod_q2 * rod_phi_phi_1_3_0_0 + rod_q4 * rod_phi_phi_3_3_0_0
-    w305 = rod_q1 * rod_phi_phi_0_4_0_0 + rod_q3 * rod_phi_phi_2_4_0_0 + rod_q5 * rod_phi_phi_4_4_0_0
-    w306 = rod_q6 * rod_phi_phi_5_5_0_0
-    w307 = c88 + rod_q1 * w301 + rod_q2 * w302 + rod_q3 * w303 + rod_q4 * w304 + rod_q5 * w305 + rod_q6 * w306
-    w308 = w268 * (w180 - w207) + (w215 * w244 - w177 * w258) + (w217 * w284 - w170 * w307) + (w183 * w206 + w199 * c54)
-    w309 = rod_q1_dot * w301 + rod_q2_dot * w302 + rod_q3_dot * w303 + rod_q4_dot * w304 + rod_q5_dot * w305
-    w310 = w309 + rod_q6_dot * w306
-    w311 = rod_q1_dot * w229 + rod_q2_dot * w232 + rod_q3_dot * w235 + rod_q4_dot * w238 + rod_q5_dot * w241
-    w312 = w311 + rod_q6_dot * rod_rho_phi_5_2_1
-    w313 = rod_q1_dot * w245 + rod_q2_dot * c55 + rod_q3_dot * w248 + rod_q4_dot * c60 + rod_q5_dot * w251 + rod_q6_dot * w255
-    w314 = w260 - w259
-    w315 = w263 - w262
-    w316 = rod_q1_ddot * c132 + rod_q2_ddot * w314 + rod_q3_ddot * c134 + rod_q4_ddot * w315 + rod_q5_ddot * c136
-    w317 = w266 - w265
-    w318 = w308 + (w204 * (w289 + w310) - w203 * w312 - w200 * w313) + (w316 + rod_q6_ddot * w317)
-    w319 = w258 * (w181 - w180) + (w222 * w268 - w217 * w244) + (w220 * w307 - w215 * w276) - (w224 * c54 + w178 * w206)
-    w320 = rod_q1_dot * c71 + rod_q2_dot * w259 + rod_q3_dot * c76 + rod_q4_dot * w262 + rod_q5_dot * c81 + rod_q6_dot * w265
-    w321 = rod_q1_dot * w228 + rod_q2_dot * w231 + rod_q3_dot * w234 + rod_q4_dot * w237 + rod_q5_dot * w240
-    w322 = w321 + rod_q6_dot * rod_rho_phi_5_1_2
-    w323 = w245 - w246
-    w324 = w248 - w249
-    w325 = w251 - w252
-    w326 = rod_q1_ddot * w323 + rod_q2_ddot * c133 + rod_q3_ddot * w324 + rod_q4_ddot * c135 + rod_q5_ddot * w325
-    w327 = w255 - w256
-    w328 = w319 + (w203 * (w287 + w310) - w200 * w320 - w204 * w322) + (w326 + rod_q6_ddot * w327)
-    w329 = w11 * (w31 * w300 + w17 * w318 + w26 * w328) + w18 * (w29 * w300 + w10 * w318 + w23 * w328) + w34 * w227
-    w330 = w329 / w51
-    w331 = (w30 * w300 + w14 * w318 + w24 * w328 + w61 * w227 + w42 * w330) / w55
-    w332 = w47 * w227 + w27 * w330 + w37 * w331
-    w333 = w202 - w332
-    w334 = w45 * w227 + w20 * w330 + w35 * w331
-    w335 = w225 - w334
-    w336 = w49 * w227 + w32 * w330 + w39 * w331
-    w337 = w219 - w336
-    w338 = w37 * w337
-    w339 = w39 * w333
-    w340 = w39 * w335
-    w341 = w35 * w337
-    w342 = w49 * (w35 * w333 - w37 * w335) + w45 * (w338 - w339) + w47 * (w340 - w341)
-    w343 = w24 * w335 - w14 * w333
-    w344 = w30 * w333
-    w345 = w24 * w337
-    w346 = w344 - w345
-    w347 = w14 * w337
-    w348 = w30 * w335
-    w349 = w347 - w348
-    w350 = w49 * w343 + w45 * w346 + w47 * w349
-    w351 = w0 * w177 - w170 * rod_small_end_x - w22 * w182
-    w352 = w78 * w200
-    w353 = rod_q1_ddot * c10 + rod_q3_ddot * c11 + rod_q5_ddot * c12
-    w354 = w351 + w352 + w353
-    w355 = w22 * w222 - (w220 * rod_small_end_x + w0 * w221)
-    w356 = w63 * w200
-    w357 = rod_q2_ddot * c2 + rod_q4_ddot * c3
-    w358 = w355 - w356 + w357
-    w359 = w35 * w354 - w37 * w358
-    w360 = w208 * rod_small_end_x + w0 * w215 + w22 * w217
-    w361 = w63 * w204 - w78 * w203
-    w362 = w360 + w361
-    w363 = w37 * w362 - w39 * w354
-    w364 = w39 * w358 - w35 * w362
-    w365 = w49 * w359 + w45 * w363 + w47 * w364
-    w366 = fork_angle1_dot**2
-    w367 = w14 * w366 - w17 * w162 + w10 * w160
-    w368 = w24 * w366 - w26 * w162 + w23 * w160
-    w369 = 2 * w87
-    w370 = 2 * w88
-    w371 = w22 * w367 - w0 * w368 + (w77 * w369 - w81 * w370) + (w24 * w358 - w14 * w354)
-    w372 = 2 * w90
-    w373 = w30 * w366 - w31 * w162 + w29 * w160
-    w374 = w83 * w370 - w77 * w372 - (w368 * rod_small_end_x + w22 * w373) + (w30 * w354 - w24 * w362)
-    w375 = w0 * w373 + w367 * rod_small_end_x + (w81 * w372 - w83 * w369) + (w14 * w362 - w30 * w358)
-    w376 = w49 * w371 + w45 * w374 + w47 * w375
-    w377 = 2 * w93
-    w378 = 2 * w86
-    w379 = w32 * w359 + w20 * w363 + w27 * w364
-    w380 = axle_angle_dot**2 * crank_pin_y
-    w381 = axle_angle_ddot * crank_pin_y
-    w382 = w57 * w380 - w53 * w381
-    w383 = w32 * w371 + w20 * w374 + w27 * w375
-    w384 = 2 * w97
-    w385 = 2 * w96
-    w386 = w57 * w381 + w53 * w380
-    w387 = w39 * w371 + w35 * w374 + w37 * w375
-    w388 = 2 * w99
-    w389 = (w386 - w56 * w387 + w100 * w388) / w55
-    w390 = (w60 * w379 - w382 - w56 * w383 + (w100 * w384 - w101 * w385)) / w51 + w52 * w389
-    w391 = w60 * w342 - w56 * w350 - (w60 * w365 - w56 * w376 + (w100 * w377 - w101 * w378) + w34 * w390 + w61 * w389) * slider_mass
-    w392 = w102 * guide_damping - w391
-    w393 = w39 * w60 + w30 * w56
-    w394 = w183 + w22 * rod_mass
-    w395 = w351 - w199 + (w352 + w353)
-    w396 = w361 + (w360 - w206)
-    w397 = w37 * w60 + w24 * w56
-    w398 = w20 * w382 - w35 * w386 + (w393 * w395 - w396 * w397)
-    w399 = w178 + w0 * rod_mass
-    w400 = w35 * w60 + w14 * w56
-    w401 = w355 - w224 + (w357 - w356)
-    w402 = w27 * w382 - w37 * w386 + (w396 * w400 - w393 * w401)
-    w403 = w276 + (w0 * w178 + w0 * w399)
-    w404 = w284 + (w22 * w183 + w22 * w394)
-    w405 = w403 + w404
-    w406 = 2 * w100
-    w407 = w90 * w406 - (w39 * w390 + w56 * w373) - w30 * w389
-    w408 = w258 - (w178 * rod_small_end_x + w0 * rod_first_moment_x)
-    w409 = w87 * w406 - (w35 * w390 + w56 * w367) - w14 * w389
-    w410 = w268 - (w183 * rod_small_end_x + w22 * rod_first_moment_x)
-    w411 = w88 * w406 - (w37 * w390 + w56 * w368) - w24 * w389
-    w412 = w178 * w203
-    w413 = w412 - w183 * w204
-    w414 = 2 * -w83
-    w415 = w413 + w414 * rod_mass
-    w416 = w204 * w244 - w203 * w276 + 2 * w291 - (w0 * w415 + w178 * w414)
-    w417 = w35 * w101 + w56 * w87 + w14 * w100
-    w418 = w203 * w258
-    w419 = w200 * w244
-    w420 = w183 * w200
-    w421 = w203 * c54 + w420 + 2 * -w201
-    w422 = 2 * -w81
-    w423 = w421 + w422 * rod_mass
-    w424 = w418 - w419 + 2 * w287 - (w0 * w423 + w178 * w422)
-    w425 = w204 * w268
-    w426 = 2 * -w205 - (w178 * w200 + w204 * c54)
-    w427 = 2 * -w77
-    w428 = w426 + w427 * rod_mass
-    w429 = w419 - w425 + 2 * w289 - (w22 * w428 + w183 * w427)
-    w430 = w424 + w429
-    w431 = w39 * w101 + w56 * w90 + w30 * w100
-    w432 = w204 * w284 - w203 * w244 + 2 * w293 - (w22 * w415 + w183 * w414)
-    w433 = w37 * w101 + w56 * w88 + w24 * w100
-    w434 = w394 * w398 - w399 * w402 + (w405 * w407 - w408 * w409 - w410 * w411) + (w416 * w417 - w430 * w431 + w432 * w433)
-    w435 = c278 + w307
-    w436 = w404 + w435
-    w437 = w244 + (w0 * w183 + w22 * w399)
-    w438 = w32 * w382 - w39 * w386 + (w397 * w401 - w395 * w400)
-    w439 = w203 * w268 - w200 * w284 + 2 * w312 - (w22 * w423 + w183 * w422)
-    w440 = w425 - w418 + 2 * w310 + (w415 * rod_small_end_x + w414 * c54)
-    w441 = w429 + w440
-    w442 = w203 * w307 - w200 * w268 + 2 * w313 + (w423 * rod_small_end_x + w422 * c54)
-    w443 = w409 * w436 - w411 * w437 - w407 * w408 - (w394 * w438 + w402 * rod_first_moment_x) + (w433 * w439 - w417 * w441 + w431 * w442)
-    w444 = w403 + w435
-    w445 = w200 * w258 - w204 * w307 + 2 * w320 + (w428 * rod_small_end_x + w427 * c54)
-    w446 = w424 + w440
-    w447 = w200 * w276 - w204 * w258 + 2 * w322 - (w0 * w428 + w178 * w427)
-    w448 = w398 * rod_first_moment_x + w399 * w438 + (w411 * w444 - w407 * w410 - w409 * w437) + (w431 * w445 - w433 * w446 + w417 * w447)
-    w449 = w39 * w54 - w32 * w58
-    w450 = w438 * rod_mass + (w399 * w411 - w394 * w409) + (w423 * w433 - w417 * w428) + (w332 * w400 - w334 * w397)
-    w451 = w35 * w54 - w20 * w58
-    w452 = w398 * rod_mass + (w411 * rod_first_moment_x + w394 * w407) + (w428 * w431 - w415 * w433) + (w336 * w397 - w332 * w393)
-    w453 = w37 * w54 - w27 * w58
-    w454 = w402 * rod_mass - (w399 * w407 + w409 * rod_first_moment_x) + (w415 * w417 - w423 * w431) + (w334 * w393 - w336 * w400)
-    w455 = w57 * c145 - (w53 * w330 + w57 * w331) * crank_pin_y + (w393 * w434 + w400 * w443 + w397 * w448 + (w449 * w450 + w451 * w452 + w453 * w454))
-    w456 = w318 - (w22 * w219 + w202 * rod_small_end_x)
-    w457 = w328 + (w225 * rod_small_end_x + w0 * w219)
-    w458 = w24 * rod_small_end_x + w22 * w30
-    w459 = w0 * w30 + w14 * rod_small_end_x
-    w460 = w300 - (w0 * w202 - w22 * w225)
-    w461 = w0 * w24 - w14 * w22
-    w462 = w39 * (w24 * w456 - w14 * w457 + (w333 * w458 + w335 * w459)) + w35 * (w30 * w457 - w24 * w460 - (w337 * w459 + w333 * w461))
-    w463 = w22 * w35 - w0 * w37
-    w464 = w37 * rod_small_end_x + w22 * w39
-    w465 = w0 * w39 + w35 * rod_small_end_x
-    w466 = w462 + w37 * (w14 * w460 - w30 * w456 + (w335 * w461 - w337 * w458)) + (w343 * w463 - w346 * w464 + w349 * w465)
-    w467 = w56 * w466
-    w468 = w1 * 0.5 / w9
-    w469 = w130 + w52 * w148
-    w470 = w468 * rod_small_end_rotation_1_0 - (w39 * w469 + w30 * w148)
-    w471 = w164 + (w35 * w469 + w14 * w148)
-    w472 = w4 * 0.5 / w9
-    w473 = w37 * w469 + w24 * w148 + w472 * rod_small_end_rotation_1_0
-    w474 = w294 + w178 * c10 + w0 * c279
-    w475 = rod_q2_dot * c103 + rod_q4_dot * c104 - (rod_q2_dot * rod_phi_phi_1_0_2_1 + rod_q4_dot * rod_phi_phi_3_0_2_1)
-    w476 = w200 * (w269 + w277)
-    w477 = 2 * w475 - (w476 - w204 * w245 - w203 * c71) - w421 * c10 - w422 * c279
-    w478 = w204 * (w277 + w301)
-    w479 = w413 * c10 - (w478 - w203 * w228 - w200 * w246) + w414 * c279
-    w480 = w203 * (w269 + w301)
-    w481 = rod_q6_dot * c273 - (w480 - w200 * rod_rho_phi_0_2_0 - w204 * w229)
-    w482 = w407 * w474 + w409 * c280 + w323 * w411 - w402 * c279 - (w431 * w477 + w417 * w479 + w433 * w481)
-    w483 = w185 + w34 * w469 + w61 * w148
-    w484 = w134 + w52 * w151
-    w485 = w472 * rod_small_end_rotation_2_1 - (w35 * w484 + w14 * w151)
-    w486 = w2 * 0.5 / w9
-    w487 = w39 * w484 + w30 * w151 + w486 * rod_small_end_rotation_2_1
-    w488 = w210 + (w37 * w484 + w24 * w151)
-    w489 = w295 - w183 * c2 - w22 * c281
-    w490 = w203 * (w270 + w302)
-    w491 = w490 - w200 * w260 - w204 * w232 + w413 * c2 + w414 * c281
-    w492 = rod_q1_dot * rod_phi_phi_0_1_1_2 + rod_q3_dot * rod_phi_phi_2_1_1_2 + rod_q5_dot * rod_phi_phi_4_1_1_2
-    w493 = w200 * (w270 + w278)
-    w494 = 2 * (w492 - (rod_q1_dot * c110 + rod_q3_dot * c111 + rod_q5_dot * c112)) - (w493 - w204 * c55 - w203 * w259)
-    w495 = w494 + w426 * c2 + w427 * c281
-    w496 = w204 * (w278 + w302)
-    w497 = rod_q6_dot * c274 - (w496 - w203 * w231 - w200 * rod_rho_phi_1_1_0)
-    w498 = w407 * w489 + w314 * w409 + w411 * c282 - w398 * c281 + (w433 * w491 - (w431 * w495 + w417 * w497))
-    w499 = w188 + w34 * w484 + w61 * w151
-    w500 = w135 + w52 * w152
-    w501 = w468 * rod_small_end_rotation_1_2 - (w39 * w500 + w30 * w152)
-    w502 = w165 + (w35 * w500 + w14 * w152)
-    w503 = w37 * w500 + w24 * w152 + w472 * rod_small_end_rotation_1_2
-    w504 = w296 + w178 * c11 + w0 * c283
-    w505 = rod_q2_dot * c113 + rod_q4_dot * c114 - (rod_q2_dot * rod_phi_phi_1_2_2_1 + rod_q4_dot * rod_phi_phi_3_2_2_1)
-    w506 = w200 * (w271 + w279)
-    w507 = 2 * w505 - (w506 - w204 * w248 - w203 * c76) - w421 * c11 - w422 * c283
-    w508 = w204 * (w279 + w303)
-    w509 = w413 * c11 - (w508 - w203 * w234 - w200 * w249) + w414 * c283
-    w510 = w203 * (w271 + w303)
-    w511 = rod_q6_dot * c275 - (w510 - w200 * rod_rho_phi_2_2_0 - w204 * w235)
-    w512 = w407 * w504 + w409 * c284 + w324 * w411 - w402 * c283 - (w431 * w507 + w417 * w509 + w433 * w511)
-    w513 = w189 + w34 * w500 + w61 * w152
-    w514 = w136 + w52 * w153
-    w515 = w472 * rod_small_end_rotation_2_3 - (w35 * w514 + w14 * w153)
-    w516 = w39 * w514 + w30 * w153 + w486 * rod_small_end_rotation_2_3
-    w517 = w212 + (w37 * w514 + w24 * w153)
-    w518 = w297 - w183 * c3 - w22 * c285
-    w519 = w203 * (w272 + w304)
-    w520 = w519 - w200 * w263 - w204 * w238 + w413 * c3 + w414 * c285
-    w521 = rod_q1_dot * rod_phi_phi_0_3_1_2 + rod_q3_dot * rod_phi_phi_2_3_1_2 + rod_q5_dot * rod_phi_phi_4_3_1_2
-    w522 = w200 * (w272 + w280)
-    w523 = 2 * (w521 - (rod_q1_dot * c120 + rod_q3_dot * c121 + rod_q5_dot * c122)) - (w522 - w204 * c60 - w203 * w262)
-    w524 = w523 + w426 * c3 + w427 * c285
-    w525 = w204 * (w280 + w304)
-    w526 = rod_q6_dot * c276 - (w525 - w203 * w237 - w200 * rod_rho_phi_3_1_0)
-    w527 = w407 * w518 + w315 * w409 + w411 * c286 - w398 * c285 + (w433 * w520 - (w431 * w524 + w417 * w526))
-    w528 = w190 + w34 * w514 + w61 * w153
-    w529 = w137 + w52 * w154
-    w530 = w468 * rod_small_end_rotation_1_4 - (w39 * w529 + w30 * w154)
-    w531 = w167 + (w35 * w529 + w14 * w154)
-    w532 = w37 * w529 + w24 * w154 + w472 * rod_small_end_rotation_1_4
-    w533 = w298 + w178 * c12 + w0 * c287
-    w534 = rod_q2_dot * c123 + rod_q4_dot * c124 - (rod_q2_dot * rod_phi_phi_1_4_2_1 + rod_q4_dot * rod_phi_phi_3_4_2_1)
-    w535 = w200 * (w273 + w281)
-    w536 = 2 * w534 - (w535 - w204 * w251 - w203 * c81) - w421 * c12 - w422 * c287
-    w537 = w204 * (w281 + w305)
-    w538 = w413 * c12 - (w537 - w203 * w240 - w200 * w252) + w414 * c287
-    w539 = w203 * (w273 + w305)
-    w540 = rod_q6_dot * c277 - (w539 - w200 * rod_rho_phi_4_2_0 - w204 * w241)
-    w541 = w407 * w533 + w409 * c288 + w325 * w411 - w402 * c287 - (w431 * w536 + w417 * w538 + w433 * w540)
-    w542 = w191 + w34 * w529 + w61 * w154
-    w543 = w141 + w52 * w157
-    w544 = w486 * rod_small_end_rotation_0_5 - (w37 * w543 + w24 * w157)
-    w545 = w174 + (w39 * w543 + w30 * w157)
-    w546 = w35 * w543 + w14 * w157 + w468 * rod_small_end_rotation_0_5
-    w547 = w200 * (w275 + w283)
-    w548 = w547 - w204 * w255 - w203 * w265
-    w549 = rod_q2_dot * rod_phi_phi_1_5_2_0 + rod_q4_dot * rod_phi_phi_3_5_2_0 - (rod_q2_dot * rod_phi_phi_1_5_0_2 + rod_q4_dot * rod_phi_phi_3_5_0_2)
-    w550 = w204 * (w283 + w306)
-    w551 = 2 * w549 - (w550 - w203 * rod_rho_phi_5_1_2 - w200 * w256)
-    w552 = rod_q1_dot * rod_phi_phi_0_5_0_1 + rod_q3_dot * rod_phi_phi_2_5_0_1 + rod_q5_dot * rod_phi_phi_4_5_0_1
-    w553 = rod_q1_dot * rod_phi_phi_0_5_1_0 + rod_q3_dot * rod_phi_phi_2_5_1_0 + rod_q5_dot * rod_phi_phi_4_5_1_0
-    w554 = w203 * (w275 + w306)
-    w555 = 2 * (w552 - w553) - (w554 - w200 * w266 - w204 * rod_rho_phi_5_2_1)
-    w556 = w192 + w34 * w543 + w61 * w157
-    w557 = w68 * w110
-    w558 = w557 / w9
-    w559 = w80 * w468
-    w560 = w73 * w472
-    w561 = w558 + (w559 + w560)
-    w562 = w66 * w68
-    w563 = w472 * w557
-    w564 = w562 - w563
-    w565 = w73 / w9
-    w566 = w564 + (w565 + w76 * w468)
-    w567 = w77 / w9
-    w568 = w22 * w561 + w0 * w566 + (w81 * w472 - w567)
-    w569 = w468 * w557
-    w570 = w68 * w70
-    w571 = w569 - w570
-    w572 = w80 / w9
-    w573 = w571 + (w76 * w472 - w572)
-    w574 = w83 * w472
-    w575 = w77 * w468
-    w576 = w566 * rod_small_end_x + w22 * w573 - (w574 + w575)
-    w577 = w83 / w9
-    w578 = w561 * rod_small_end_x - w0 * w573 + (w81 * w468 + w577)
-    w579 = w49 * w568 + w45 * w576 + w47 * w578
-    w580 = w49 * w76 - w45 * w73
-    w581 = w32 * w568 + w20 * w576 + w27 * w578
-    w582 = w32 * w76 - w20 * w73
-    w583 = w39 * w568 + w35 * w576 + w37 * w578
-    w584 = w39 * w76 - w35 * w73
-    w585 = (w99 * w148 + (w583 * rod_small_end_rotation_1_0 + w584 * c10)) / w55
-    w586 = (w97 * w148 - w96 * w469 + (w581 * rod_small_end_rotation_1_0 + w582 * c10)) / w51 + w52 * w585
-    w587 = w93 * w148 - w86 * w469 + (w579 * rod_small_end_rotation_1_0 + w580 * c10) + w34 * w586 + w61 * w585
-    w588 = w333 / w9
-    w589 = w335 * w472 - w588
-    w590 = w337 * w472
-    w591 = w333 * w468
-    w592 = w590 + w591
-    w593 = w337 / w9
-    w594 = w335 * w468 + w593
-    w595 = w49 * w589 - w45 * w592 + w47 * w594
-    w596 = rod_q6_ddot * rod_small_end_rotation_0_5
-    w597 = w68 * w596
-    w598 = 2 * w557
-    w599 = rod_q1_ddot * rod_small_end_rotation_1_0 + rod_q3_ddot * rod_small_end_rotation_1_2 + rod_q5_ddot * rod_small_end_rotation_1_4
-    w600 = rod_q2_ddot * rod_small_end_rotation_2_1 + rod_q4_ddot * rod_small_end_rotation_2_3
-    w601 = w68 * (w66**2 + w67**2 + w70**2 + (w4 * w596 + w2 * w599 + w1 * w600))
-    w602 = w472 * w601
-    w603 = w200 * w558
-    w604 = w597 - (w564 * w598 + w602) - (w603 + w204 * w571) + (w177 / w9 - w170 * w468 - w182 * w472)
-    w605 = w601 / w9 - w558 * w598
-    w606 = w203 * w571 - w200 * w564 - w605 + (w222 * w472 - (w220 * w468 + w221 / w9))
-    w607 = 2 * w561
-    w608 = 2 * -w566
-    w609 = w354 / w9
-    w610 = w0 * w604 - w22 * w606 + (w77 * w607 - w81 * w608) + (w358 * w472 - w609)
-    w611 = w203 * w558
-    w612 = w68 * w600
-    w613 = w468 * w601
-    w614 = w204 * w564 + w611 - (w612 + (w571 * w598 - w613)) + (w208 * w468 + w215 / w9 + w217 * w472)
-    w615 = 2 * -w573
-    w616 = w362 * w472
-    w617 = w354 * w468
-    w618 = w604 * rod_small_end_x + w22 * w614 + (w83 * w608 - w77 * w615) - (w616 + w617)
-    w619 = w362 / w9
-    w620 = w81 * w615 - w83 * w607 - (w0 * w614 + w606 * rod_small_end_x) + (w358 * w468 + w619)
-    w621 = w49 * w610 + w45 * w618 + w47 * w620
-    w622 = w49 * w217 + w45 * w222 - w47 * w182
-    w623 = w148 * w376 - w365 * w469 + (w621 * rod_small_end_rotation_1_0 + w622 * c10) + (w377 * w585 - w378 * w586)
-    w624 = w32 * w610 + w20 * w618 + w27 * w620
-    w625 = w32 * w217 + w20 * w222 - w27 * w182
-    w626 = w148 * w383 - w379 * w469 + (w624 * rod_small_end_rotation_1_0 + w625 * c10) + (w384 * w585 - w385 * w586)
-    w627 = w39 * w610 + w35 * w618 + w37 * w620
-    w628 = w39 * w217 + w35 * w222 - w37 * w182
-    w629 = (w148 * w387 + (w627 * rod_small_end_rotation_1_0 + w628 * c10) + w388 * w585) / w55
-    w630 = w626 / w51 + w52 * w629
-    w631 = w148 * w350 - w342 * w469 + w595 * rod_small_end_rotation_1_0 - (w623 + w34 * w630 + w61 * w629) * slider_mass
-    w632 = w587 * guide_damping - w631
-    w633 = w396 * w471 + w401 * w470
-    w634 = w395 * w470 + w396 * w473
-    w635 = 2 * w585
-    w636 = w148 * w373 - w39 * w630 + w90 * w635 - w30 * w629 - w614 * rod_small_end_rotation_1_0
-    w637 = w148 * w367 - w35 * w630 + w87 * w635 - w14 * w629 - w606 * rod_small_end_rotation_1_0
-    w638 = w148 * w368 - w37 * w630 + w88 * w635 - w24 * w629 - w604 * rod_small_end_rotation_1_0
-    w639 = w90 * w148 - w39 * w586 - w30 * w585 - w573 * rod_small_end_rotation_1_0
-    w640 = w87 * w148 - w35 * w586 - w14 * w585 + w561 * rod_small_end_rotation_1_0
-    w641 = w88 * w148 - w37 * w586 - w24 * w585 - w566 * rod_small_end_rotation_1_0
-    w642 = w399 * w633 + w394 * w634 + (w405 * w636 - w408 * w637 - w410 * w638) + (w430 * w639 - w416 * w640 - w432 * w641)
-    w643 = 2 * w269
-    w644 = 2 * w277
-    w645 = rod_q1_dot * rod_phi_phi_0_0_1_1 + rod_q3_dot * rod_phi_phi_0_2_1_1 + rod_q5_dot * rod_phi_phi_0_4_1_1
-    w646 = rod_q1_dot * c35 + rod_q3_dot * c42 + rod_q5_dot * c47
-    w647 = w170 * w247 + w177 * w643 - w182 * w230 - (w220 * c73 - w221 * w230 + w222 * w644) - w224 * c34 + (w200 * (w645 + w646) - w204 * (rod_q6_dot * rod_phi_phi_0_5_1_0))
-    w648 = rod_q2_ddot * rod_phi_phi_0_1_1_2 + rod_q4_ddot * rod_phi_phi_0_3_1_2 - (rod_q2_ddot * c110 + rod_q4_ddot * c120)
-    w649 = w223 + w178 * w182
-    w650 = w182 * rod_mass
-    w651 = w182 * c279
-    w652 = w222 * c279
-    w653 = w642 + (w647 + w648 - w649 * c10 + w225 * c10 - (w0 * w651 + w22 * w652))
-    w654 = w395 * w471 - w401 * w473
-    w655 = w633 * rod_first_moment_x - w394 * w654 + (w436 * w637 - w437 * w638 - w408 * w636) + (w441 * w640 - w439 * w641 - w442 * w639)
-    w656 = 2 * w301
-    w657 = rod_q1_dot * rod_phi_phi_0_0_0_0 + rod_q3_dot * rod_phi_phi_0_2_0_0 + rod_q5_dot * rod_phi_phi_0_4_0_0
-    w658 = w204 * (w646 + w657) - w203 * (rod_q2_dot * c110 + rod_q4_dot * c120) - w200 * (rod_q6_dot * rod_phi_phi_0_5_0_1)
-    w659 = w218 - w182 * c54 - w219
-    w660 = w206 * c34 + (w215 * w230 - w208 * c73 + w217 * w644 - (w170 * w656 + w177 * w247 - w182 * c73) + w659 * c10)
-    w661 = w217 * c279
-    w662 = w655 + (w658 + w660 - (w651 * rod_small_end_x - w22 * w661))
-    w663 = w634 * rod_first_moment_x + w399 * w654 + (w444 * w638 - w410 * w636 - w437 * w637) + (w446 * w641 - w445 * w639 - w447 * w640)
-    w664 = w203 * (w645 + w657) - w204 * (rod_q2_dot * rod_phi_phi_0_1_1_2 + rod_q4_dot * rod_phi_phi_0_3_1_2)
-    w665 = w220 * w656 - w221 * w247 + w222 * c73 - (w215 * w643 - w208 * w247 + w217 * w230) + w664 + rod_q6_ddot * c317
-    w666 = w222 * c54 + w178 * w217
-    w667 = w663 + (w665 - w666 * c10 - (w652 * rod_small_end_x + w0 * w661))
-    w668 = w654 * rod_mass + (w399 * w638 - w394 * w637) + (w428 * w640 - w423 * w641) + (w334 * w473 - w332 * w471 - w661)
-    w669 = w634 * rod_mass + (w638 * rod_first_moment_x + w394 * w636) + (w415 * w641 - w428 * w639) - (w652 + (w336 * w473 + w332 * w470))
-    w670 = w423 * w639 - w415 * w640 - (w633 * rod_mass + (w399 * w636 + w637 * rod_first_moment_x)) + (w651 + (w334 * w470 + w336 * w471))
-    w671 = w62 * w632 - (w393 * w653 + w400 * w662 + w397 * w667 + (w449 * w668 + w451 * w669 + w453 * w670))
-    w672 = w457 / w9
-    w673 = w472 * rod_small_end_x
-    w674 = w22 * w468
-    w675 = w673 - w674
-    w676 = rod_small_end_x / w9
-    w677 = w0 * w468 - w676
-    w678 = w456 * w472 - w672 + (w333 * w675 - w335 * w677)
-    w679 = w22 / w9
-    w680 = w0 * w472 - w679
-    w681 = w460 * w472
-    w682 = w457 * w468
-    w683 = w337 * w677 - w333 * w680 - (w681 + w682)
-    w684 = w460 / w9
-    w685 = w456 * w468 + w684 + (w335 * w680 - w337 * w675)
-    w686 = w39 * w678 + w35 * w683 + w37 * w685 + (w463 * w589 + w464 * w592 + w465 * w594)
-    w687 = w341 - w340
-    w688 = w148 * w466 + w686 * rod_small_end_rotation_1_0 + w687 * c10
-    w689 = w461 * w589 - w458 * w592 - w459 * w594 - (w30 * w678 + w14 * w683 + w24 * w685)
-    w690 = w348 - w347
-    w691 = w689 * rod_small_end_rotation_1_0 + w690 * c10
-    w692 = w474 * w636 + w637 * c280 + w323 * w638 + w633 * c279 + (w477 * w639 + w479 * w640 + w481 * w641)
-    w693 = w456 + (w22 * w337 + w333 * rod_small_end_x)
-    w694 = w457 - (w335 * rod_small_end_x + w0 * w337)
-    w695 = w460 + (w0 * w333 - w22 * w335)
-    w696 = (w693 + (w4 * w694 - w1 * w695) * 0.5) / w9
-    w697 = w71 * w696
-    w698 = w697 * rod_small_end_rotation_1_0 - w594 * c10
-    w699 = w470 * w653 - w471 * w662 - w473 * w667 + w692 + w698 * rod_small_end_rotation_1_0 - (w208 * rod_phi_phi_0_0_0_0 + (w221 * rod_phi_phi_0_0_1_1 + w182 * c289))
-    w700 = w489 * w636 + w314 * w637 + w638 * c282 - w634 * c281 + (w495 * w639 + w497 * w640 - w491 * w641)
-    w701 = w335 * w486
-    w702 = w590 + w701
-    w703 = w68 * w695
-    w704 = (w694 + (w2 * w695 - w4 * w693) * 0.5) / w9
-    w705 = w703 - w71 * w704
-    w706 = w702 * c10 - w705 * rod_small_end_rotation_1_0
-    w707 = w485 * w662 - w487 * w653 - w488 * w667 + w700 + w706 * rod_small_end_rotation_2_1 + (w177 * rod_phi_phi_0_1_1_2 + w222 * c290)
-    w708 = w504 * w636 + w637 * c284 + w324 * w638 + w633 * c283 + (w507 * w639 + w509 * w640 + w511 * w641)
-    w709 = w501 * w653 - w502 * w662 - w503 * w667 + w708 + w698 * rod_small_end_rotation_1_2 - (w208 * rod_phi_phi_0_2_0_0 + (w221 * rod_phi_phi_0_2_1_1 + w182 * c291))
-    w710 = w518 * w636 + w315 * w637 + w638 * c286 - w634 * c285 + (w524 * w639 + w526 * w640 - w520 * w641)
-    w711 = w515 * w662 - w516 * w653 - w517 * w667 + w710 + w706 * rod_small_end_rotation_2_3 + (w177 * rod_phi_phi_0_3_1_2 + w222 * c292)
-    w712 = w533 * w636 + w637 * c288 + w325 * w638 + w633 * c287 + (w536 * w639 + w538 * w640 + w540 * w641)
-    w713 = w530 * w653 - w531 * w662 - w532 * w667 + w712 + w698 * rod_small_end_rotation_1_4 - (w208 * rod_phi_phi_0_4_0_0 + (w221 * rod_phi_phi_0_4_1_1 + w182 * c293))
-    w714 = w544 * w667 - (w545 * w653 + w546 * w662) + (w636 * c137 + w317 * w637 + w327 * w638 + (w551 * w640 - w548 * w639 + w555 * w641))
-    w715 = w68 * w694
-    w716 = (w695 + (w1 * w693 - w2 * w694) * 0.5) / w9
-    w717 = w715 + w71 * w716
-    w718 = w335 / w9
-    w719 = w337 * w468
-    w720 = w718 - w719
-    w721 = w714 + (w717 * rod_small_end_rotation_1_0 + w720 * c10) * rod_small_end_rotation_0_5 + (w215 * rod_phi_phi_0_5_1_0 + w220 * rod_phi_phi_0_5_0_1)
-    w722 = w81 / w9
-    w723 = w563 - w562
-    w724 = w723 + (w80 * w486 - w565)
-    w725 = w76 * w486
-    w726 = w558 + (w560 + w725)
-    w727 = w77 * w472 + w722 - (w22 * w724 + w0 * w726)
-    w728 = w67 * w68
-    w729 = w486 * w557
-    w730 = w728 - w729
-    w731 = w76 / w9
-    w732 = w730 + (w731 + w80 * w472)
-    w733 = w22 * w732 - w726 * rod_small_end_x + (w77 * w486 - w577)
-    w734 = w81 * w486
-    w735 = w0 * w732 + w724 * rod_small_end_x + (w574 + w734)
-    w736 = w49 * w727 + w45 * w733 - w47 * w735
-    w737 = w47 * w73 - w49 * w80
-    w738 = w32 * w727 + w20 * w733 - w27 * w735
-    w739 = w27 * w73 - w32 * w80
-    w740 = w39 * w727 + w35 * w733 - w37 * w735
-    w741 = w37 * w73 - w39 * w80
-    w742 = (w99 * w151 + (w740 * rod_small_end_rotation_2_1 + w741 * c2)) / w55
-    w743 = (w97 * w151 - w96 * w484 + (w738 * rod_small_end_rotation_2_1 + w739 * c2)) / w51 + w52 * w742
-    w744 = w93 * w151 - w86 * w484 + (w736 * rod_small_end_rotation_2_1 + w737 * c2) + w34 * w743 + w61 * w742
-    w745 = w718 + w333 * w472
-    w746 = w333 * w486
-    w747 = w746 - w593
-    w748 = w49 * w745 + w45 * w747 - w47 * w702
-    w749 = w200 * w723 - w204 * w730 - w605 + (w170 * w486 - w177 * w472 - w182 / w9)
-    w750 = w603 + w203 * w730 - (w597 + (w598 * w723 - w602)) + (w220 * w486 + w221 * w472 + w222 / w9)
-    w751 = 2 * -w724
-    w752 = 2 * w726
-    w753 = w358 / w9
-    w754 = w0 * w749 - w22 * w750 + (w77 * w751 - w81 * w752) + (w354 * w472 + w753)
-    w755 = w68 * w599
-    w756 = w486 * w601
-    w757 = w204 * w558
-    w758 = w755 - (w598 * w730 + w756) - (w757 + w203 * w723) + (w217 / w9 - (w208 * w486 + w215 * w472))
-    w759 = 2 * -w732
-    w760 = w749 * rod_small_end_x + w22 * w758 + (w83 * w752 - w77 * w759) + (w354 * w486 - w619)
-    w761 = w358 * w486
-    w762 = w81 * w759 - w83 * w751 - (w0 * w758 + w750 * rod_small_end_x) - (w616 + w761)
-    w763 = w49 * w754 + w45 * w760 + w47 * w762
-    w764 = w49 * w215 - w45 * w221 + w47 * w177
-    w765 = w151 * w376 - w365 * w484 + (w763 * rod_small_end_rotation_2_1 + w764 * c2) + (w377 * w742 - w378 * w743)
-    w766 = w32 * w754 + w20 * w760 + w27 * w762
-    w767 = w32 * w215 - w20 * w221 + w27 * w177
-    w768 = w151 * w383 - w379 * w484 + (w766 * rod_small_end_rotation_2_1 + w767 * c2) + (w384 * w742 - w385 * w743)
-    w769 = w39 * w754 + w35 * w760 + w37 * w762
-    w770 = w39 * w215 - w35 * w221 + w37 * w177
-    w771 = (w151 * w387 + (w769 * rod_small_end_rotation_2_1 + w770 * c2) + w388 * w742) / w55
-    w772 = w768 / w51 + w52 * w771
-    w773 = w151 * w350 - w342 * w484 + w748 * rod_small_end_rotation_2_1 - (w765 + w34 * w772 + w61 * w771) * slider_mass
-    w774 = w744 * guide_damping - w773
-    w775 = w396 * w488 - w395 * w487
-    w776 = w396 * w485 + w401 * w487
-    w777 = 2 * w742
-    w778 = w151 * w373 - w39 * w772 + w90 * w777 - w30 * w771 - w758 * rod_small_end_rotation_2_1
-    w779 = w151 * w367 - w35 * w772 + w87 * w777 - w14 * w771 - w750 * rod_small_end_rotation_2_1
-    w780 = w151 * w368 - w37 * w772 + w88 * w777 - w24 * w771 - w749 * rod_small_end_rotation_2_1
-    w781 = w90 * w151 - w39 * w743 - w30 * w742 - w732 * rod_small_end_rotation_2_1
-    w782 = w87 * w151 - w35 * w743 - w14 * w742 - w724 * rod_small_end_rotation_2_1
-    w783 = w88 * w151 - w37 * w743 - w24 * w742 + w726 * rod_small_end_rotation_2_1
-    w784 = w394 * w775 - w399 * w776 + (w405 * w778 - w408 * w779 - w410 * w780) + (w430 * w781 - w416 * w782 - w432 * w783)
-    w785 = 2 * w270
-    w786 = 2 * w278
-    w787 = rod_q2_dot * c20 + rod_q4_dot * c27
-    w788 = rod_q2_dot * rod_phi_phi_1_1_2_2
-    w789 = rod_q1_ddot * rod_phi_phi_1_0_2_1 + rod_q3_ddot * rod_phi_phi_1_2_2_1 + rod_q5_ddot * rod_phi_phi_1_4_2_1
-    w790 = w179 + w183 * w221 - w202
-    w791 = w199 * c19 + (w170 * c57 + w177 * w785 - w182 * w233 - (w220 * w261 - w221 * w233 + w222 * w786) + w790 * c2)
-    w792 = rod_q1_ddot * c103 + rod_q3_ddot * c113 + rod_q5_ddot * c123 - w789 + (w200 * (w787 + w788) - w203 * (rod_q6_dot * rod_phi_phi_1_5_2_0) + w791)
-    w793 = w177 * c281
-    w794 = w221 * c281
-    w795 = w784 + (w792 + (w0 * w793 + w22 * w794))
-    w796 = w401 * w488 + w395 * w485
-    w797 = w394 * w796 - w776 * rod_first_moment_x + (w436 * w779 - w437 * w780 - w408 * w778) + (w441 * w782 - w439 * w783 - w442 * w781)
-    w798 = 2 * w302
-    w799 = rod_q2_dot * rod_phi_phi_1_1_0_0 + rod_q4_dot * rod_phi_phi_1_3_0_0
-    w800 = rod_q1_dot * rod_phi_phi_1_0_2_1 + rod_q3_dot * rod_phi_phi_1_2_2_1 + rod_q5_dot * rod_phi_phi_1_4_2_1
-    w801 = w215 * w233 - w208 * w261 + w217 * w786 - (w170 * w798 + w177 * c57 - w182 * w261) + (w204 * (w788 + w799) - w203 * w800)
-    w802 = w183 * w215 + w177 * c54
-    w803 = w215 * c281
-    w804 = w797 + (w801 + rod_q6_ddot * c322 + w802 * c2 + (w22 * w803 + w793 * rod_small_end_x))
-    w805 = w775 * rod_first_moment_x - w399 * w796 + (w444 * w780 - w410 * w778 - w437 * w779) + (w446 * w783 - w445 * w781 - w447 * w782)
-    w806 = w203 * (w787 + w799) - w200 * (rod_q6_dot * rod_phi_phi_1_5_0_2) - w204 * (rod_q1_dot * c103 + rod_q3_dot * c113 + rod_q5_dot * c123)
-    w807 = w219 + (w221 * c54 - w216)
-    w808 = w220 * w798 - w221 * c57 + w222 * w261 - (w215 * w785 - w208 * c57 + w217 * w233) - w206 * c19 + w807 * c2
-    w809 = w805 + (w806 + w808 - (w0 * w803 - w794 * rod_small_end_x))
-    w810 = w399 * w780 - w394 * w779 - w796 * rod_mass + (w428 * w782 - w423 * w783) - (w803 - (w332 * w485 + w334 * w488))
-    w811 = w775 * rod_mass + (w780 * rod_first_moment_x + w394 * w778) + (w415 * w783 - w428 * w781) + (w794 + (w332 * w487 - w336 * w488))
-    w812 = w776 * rod_mass - (w399 * w778 + w779 * rod_first_moment_x) + (w423 * w781 - w415 * w782) - (w793 + (w334 * w487 + w336 * w485))
-    w813 = w62 * w774 - (w393 * w795 + w400 * w804 + w397 * w809 + (w449 * w810 + w451 * w811 + w453 * w812))
-    w814 = w456 / w9
-    w815 = w676 + w22 * w486
-    w816 = w0 * w486
-    w817 = w673 - w816
-    w818 = w457 * w472 + w814 + (w333 * w815 - w335 * w817)
-    w819 = w0 / w9
-    w820 = w22 * w472 + w819
-    w821 = w457 * w486 - w684 + (w337 * w817 - w333 * w820)
-    w822 = w456 * w486
-    w823 = w335 * w820 - w337 * w815 - (w681 + w822)
-    w824 = w39 * w818 + w35 * w821 + w37 * w823 + (w463 * w745 - w464 * w747 - w465 * w702)
-    w825 = w339 - w338
-    w826 = w151 * w466 + w824 * rod_small_end_rotation_2_1 + w825 * c2
-    w827 = w461 * w745 + w458 * w747 + w459 * w702 - (w30 * w818 + w14 * w821 + w24 * w823)
-    w828 = w345 - w344
-    w829 = w827 * rod_small_end_rotation_2_1 + w828 * c2
-    w830 = w474 * w778 + w779 * c280 + w323 * w780 - w776 * c279 + (w477 * w781 + w479 * w782 + w481 * w783)
-    w831 = w703 + w69 * w696
-    w832 = w831 * rod_small_end_rotation_2_1 + w592 * c2
-    w833 = w470 * w795 - w471 * w804 - w473 * w809 + w830 + w832 * rod_small_end_rotation_1_0 + (w222 * rod_phi_phi_1_0_2_1 + w177 * c294)
-    w834 = w489 * w778 + w314 * w779 + w780 * c282 - w775 * c281 + (w495 * w781 + w497 * w782 - w491 * w783)
-    w835 = w69 * w704
-    w836 = w593 - w746
-    w837 = w835 * rod_small_end_rotation_2_1 + w836 * c2
-    w838 = w485 * w804 - w487 * w795 - w488 * w809 + w834 + w837 * rod_small_end_rotation_2_1 - (w208 * rod_phi_phi_1_1_0_0 + (w182 * rod_phi_phi_1_1_2_2 + w221 * c295))
-    w839 = w504 * w778 + w779 * c284 + w324 * w780 - w776 * c283 + (w507 * w781 + w509 * w782 + w511 * w783)
-    w840 = w501 * w795 - w502 * w804 - w503 * w809 + w839 + w832 * rod_small_end_rotation_1_2 + (w222 * rod_phi_phi_1_2_2_1 + w177 * c296)
-    w841 = w518 * w778 + w315 * w779 + w780 * c286 - w775 * c285 + (w524 * w781 + w526 * w782 - w520 * w783)
-    w842 = w515 * w804 - w516 * w795 - w517 * w809 + w841 + w837 * rod_small_end_rotation_2_3 - (w208 * rod_phi_phi_1_3_0_0 + w221 * c297)
-    w843 = w533 * w778 + w779 * c288 + w325 * w780 - w776 * c287 + (w536 * w781 + w538 * w782 + w540 * w783)
-    w844 = w530 * w795 - w531 * w804 - w532 * w809 + w843 + w832 * rod_small_end_rotation_1_4 + (w222 * rod_phi_phi_1_4_2_1 + w177 * c298)
-    w845 = w544 * w809 - (w545 * w795 + w546 * w804) + (w778 * c137 + w317 * w779 + w327 * w780 + (w551 * w782 - w548 * w781 + w555 * w783))
-    w846 = w68 * w693
-    w847 = w846 - w69 * w716
-    w848 = w588 + w337 * w486
-    w849 = w845 - (w847 * rod_small_end_rotation_2_1 + w848 * c2) * rod_small_end_rotation_0_5 + (w217 * rod_phi_phi_1_5_2_0 + w170 * rod_phi_phi_1_5_0_2)
-    w850 = (w99 * w152 + (w583 * rod_small_end_rotation_1_2 + w584 * c11)) / w55
-    w851 = (w97 * w152 - w96 * w500 + (w581 * rod_small_end_rotation_1_2 + w582 * c11)) / w51 + w52 * w850
-    w852 = w93 * w152 - w86 * w500 + (w579 * rod_small_end_rotation_1_2 + w580 * c11) + w34 * w851 + w61 * w850
-    w853 = w152 * w376 - w365 * w500 + (w621 * rod_small_end_rotation_1_2 + w622 * c11) + (w377 * w850 - w378 * w851)
-    w854 = w152 * w383 - w379 * w500 + (w624 * rod_small_end_rotation_1_2 + w625 * c11) + (w384 * w850 - w385 * w851)
-    w855 = (w152 * w387 + (w627 * rod_small_end_rotation_1_2 + w628 * c11) + w388 * w850) / w55
-    w856 = w854 / w51 + w52 * w855
-    w857 = w152 * w350 - w342 * w500 + w595 * rod_small_end_rotation_1_2 - (w853 + w34 * w856 + w61 * w855) * slider_mass
-    w858 = w852 * guide_damping - w857
-    w859 = w396 * w502 + w401 * w501
-    w860 = w395 * w501 + w396 * w503
-    w861 = 2 * w850
-    w862 = w152 * w373 - w39 * w856 + w90 * w861 - w30 * w855 - w614 * rod_small_end_rotation_1_2
-    w863 = w152 * w367 - w35 * w856 + w87 * w861 - w14 * w855 - w606 * rod_small_end_rotation_1_2
-    w864 = w152 * w368 - w37 * w856 + w88 * w861 - w24 * w855 - w604 * rod_small_end_rotation_1_2
-    w865 = w90 * w152 - w39 * w851 - w30 * w850 - w573 * rod_small_end_rotation_1_2
-    w866 = w87 * w152 - w35 * w851 - w14 * w850 + w561 * rod_small_end_rotation_1_2
-    w867 = w88 * w152 - w37 * w851 - w24 * w850 - w566 * rod_small_end_rotation_1_2
-    w868 = w399 * w859 + w394 * w860 + (w405 * w862 - w408 * w863 - w410 * w864) + (w430 * w865 - w416 * w866 - w432 * w867)
-    w869 = 2 * w271
-    w870 = 2 * w279
-    w871 = rod_q1_dot * rod_phi_phi_2_0_1_1 + rod_q3_dot * rod_phi_phi_2_2_1_1 + rod_q5_dot * rod_phi_phi_2_4_1_1
-    w872 = rod_q1_dot * c37 + rod_q3_dot * c43 + rod_q5_dot * c49
-    w873 = w170 * w250 + w177 * w869 - w182 * w236 - (w220 * c78 - w221 * w236 + w222 * w870) - w224 * c36 + (w200 * (w871 + w872) - w204 * (rod_q6_dot * rod_phi_phi_2_5_1_0))
-    w874 = rod_q2_ddot * rod_phi_phi_2_1_1_2 + rod_q4_ddot * rod_phi_phi_2_3_1_2 - (rod_q2_ddot * c111 + rod_q4_ddot * c121)
-    w875 = w182 * c36 + w650 * c11
-    w876 = w222 * c283
-    w877 = w868 + (w873 + w874 - w649 * c11 + w225 * c11 - (w0 * w875 + w22 * w876))
-    w878 = w395 * w502 - w401 * w503
-    w879 = w859 * rod_first_moment_x - w394 * w878 + (w436 * w863 - w437 * w864 - w408 * w862) + (w441 * w866 - w439 * w867 - w442 * w865)
-    w880 = 2 * w303
-    w881 = rod_q1_dot * rod_phi_phi_2_0_0_0 + rod_q3_dot * rod_phi_phi_2_2_0_0 + rod_q5_dot * rod_phi_phi_2_4_0_0
-    w882 = w204 * (w872 + w881) - w203 * (rod_q2_dot * c111 + rod_q4_dot * c121) - w200 * (rod_q6_dot * rod_phi_phi_2_5_0_1)
-    w883 = w206 * c36 + (w215 * w236 - w208 * c78 + w217 * w870 - (w170 * w880 + w177 * w250 - w182 * c78) + w659 * c11)
-    w884 = w217 * c283
-    w885 = w879 + (w882 + w883 - (w875 * rod_small_end_x - w22 * w884))
-    w886 = w860 * rod_first_moment_x + w399 * w878 + (w444 * w864 - w410 * w862 - w437 * w863) + (w446 * w867 - w445 * w865 - w447 * w866)
-    w887 = w203 * (w871 + w881) - w204 * (rod_q2_dot * rod_phi_phi_2_1_1_2 + rod_q4_dot * rod_phi_phi_2_3_1_2)
-    w888 = w220 * w880 - w221 * w250 + w222 * c78 - (w215 * w869 - w208 * w250 + w217 * w236) + w887 + rod_q6_ddot * c326
-    w889 = w886 + (w888 - w666 * c11 - (w876 * rod_small_end_x + w0 * w884))
-    w890 = w878 * rod_mass + (w399 * w864 - w394 * w863) + (w428 * w866 - w423 * w867) + (w334 * w503 - w332 * w502 - w884)
-    w891 = w860 * rod_mass + (w864 * rod_first_moment_x + w394 * w862) + (w415 * w867 - w428 * w865) - (w876 + (w336 * w503 + w332 * w501))
-    w892 = w423 * w865 - w415 * w866 - (w859 * rod_mass + (w399 * w862 + w863 * rod_first_moment_x)) + (w875 + (w334 * w501 + w336 * w502))
-    w893 = w62 * w858 - (w393 * w877 + w400 * w885 + w397 * w889 + (w449 * w890 + w451 * w891 + w453 * w892))
-    w894 = w152 * w466 + w686 * rod_small_end_rotation_1_2 + w687 * c11
-    w895 = w689 * rod_small_end_rotation_1_2 + w690 * c11
-    w896 = w474 * w862 + w863 * c280 + w323 * w864 + w859 * c279 + (w477 * w865 + w479 * w866 + w481 * w867)
-    w897 = w697 * rod_small_end_rotation_1_2 - w594 * c11
-    w898 = w470 * w877 - w471 * w885 - w473 * w889 + w896 + w897 * rod_small_end_rotation_1_0 - (w221 * rod_phi_phi_2_0_1_1 + (w208 * rod_phi_phi_2_0_0_0 + w182 * c299) + w875 * c10)
-    w899 = w489 * w862 + w314 * w863 + w864 * c282 - w860 * c281 + (w495 * w865 + w497 * w866 - w491 * w867)
-    w900 = w702 * c11 - w705 * rod_small_end_rotation_1_2
-    w901 = w485 * w885 - w487 * w877 - w488 * w889 + w899 + w900 * rod_small_end_rotation_2_1 + (w177 * rod_phi_phi_2_1_1_2 + w222 * c300)
-    w902 = w504 * w862 + w863 * c284 + w324 * w864 + w859 * c283 + (w507 * w865 + w509 * w866 + w511 * w867)
-    w903 = w501 * w877 - w502 * w885 - w503 * w889 + w902 + w897 * rod_small_end_rotation_1_2 - (w221 * rod_phi_phi_2_2_1_1 + (w208 * rod_phi_phi_2_2_0_0 + w182 * c301) + w875 * c11)
-    w904 = w518 * w862 + w315 * w863 + w864 * c286 - w860 * c285 + (w524 * w865 + w526 * w866 - w520 * w867)
-    w905 = w515 * w885 - w516 * w877 - w517 * w889 + w904 + w900 * rod_small_end_rotation_2_3 + (w177 * rod_phi_phi_2_3_1_2 + w222 * c302)
-    w906 = w533 * w862 + w863 * c288 + w325 * w864 + w859 * c287 + (w536 * w865 + w538 * w866 + w540 * w867)
-    w907 = w530 * w877 - w531 * w885 - w532 * w889 + w906 + w897 * rod_small_end_rotation_1_4 - (w221 * rod_phi_phi_2_4_1_1 + (w208 * rod_phi_phi_2_4_0_0 + w182 * c303) + w875 * c12)
-    w908 = w544 * w889 - (w545 * w877 + w546 * w885) + (w862 * c137 + w317 * w863 + w327 * w864 + (w551 * w866 - w548 * w865 + w555 * w867))
-    w909 = w908 + (w717 * rod_small_end_rotation_1_2 + w720 * c11) * rod_small_end_rotation_0_5 + (w215 * rod_phi_phi_2_5_1_0 + w220 * rod_phi_phi_2_5_0_1)
-    w910 = (w99 * w153 + (w740 * rod_small_end_rotation_2_3 + w741 * c3)) / w55
-    w911 = (w97 * w153 - w96 * w514 + (w738 * rod_small_end_rotation_2_3 + w739 * c3)) / w51 + w52 * w910
-    w912 = w93 * w153 - w86 * w514 + (w736 * rod_small_end_rotation_2_3 + w737 * c3) + w34 * w911 + w61 * w910
-    w913 = w153 * w376 - w365 * w514 + (w763 * rod_small_end_rotation_2_3 + w764 * c3) + (w377 * w910 - w378 * w911)
-    w914 = w153 * w383 - w379 * w514 + (w766 * rod_small_end_rotation_2_3 + w767 * c3) + (w384 * w910 - w385 * w911)
-    w915 = (w153 * w387 + (w769 * rod_small_end_rotation_2_3 + w770 * c3) + w388 * w910) / w55
-    w916 = w914 / w51 + w52 * w915
-    w917 = w153 * w350 - w342 * w514 + w748 * rod_small_end_rotation_2_3 - (w913 + w34 * w916 + w61 * w915) * slider_mass
-    w918 = w912 * guide_damping - w917
-    w919 = w396 * w517 - w395 * w516
-    w920 = w396 * w515 + w401 * w516
-    w921 = 2 * w910
-    w922 = w153 * w373 - w39 * w916 + w90 * w921 - w30 * w915 - w758 * rod_small_end_rotation_2_3
-    w923 = w153 * w367 - w35 * w916 + w87 * w921 - w14 * w915 - w750 * rod_small_end_rotation_2_3
-    w924 = w153 * w368 - w37 * w916 + w88 * w921 - w24 * w915 - w749 * rod_small_end_rotation_2_3
-    w925 = w90 * w153 - w39 * w911 - w30 * w910 - w732 * rod_small_end_rotation_2_3
-    w926 = w87 * w153 - w35 * w911 - w14 * w910 - w724 * rod_small_end_rotation_2_3
-    w927 = w88 * w153 - w37 * w911 - w24 * w910 + w726 * rod_small_end_rotation_2_3
-    w928 = w394 * w919 - w399 * w920 + (w405 * w922 - w408 * w923 - w410 * w924) + (w430 * w925 - w416 * w926 - w432 * w927)
-    w929 = 2 * w272
-    w930 = 2 * w280
-    w931 = rod_q2_dot * c22 + rod_q4_dot * c28
-    w932 = rod_q4_dot * rod_phi_phi_3_3_2_2
-    w933 = rod_q1_ddot * rod_phi_phi_3_0_2_1 + rod_q3_ddot * rod_phi_phi_3_2_2_1 + rod_q5_ddot * rod_phi_phi_3_4_2_1
-    w934 = w199 * c21 + (w170 * c62 + w177 * w929 - w182 * w239 - (w220 * w264 - w221 * w239 + w222 * w930) + w790 * c3)
-    w935 = rod_q1_ddot * c104 + rod_q3_ddot * c114 + rod_q5_ddot * c124 - w933 + (w200 * (w931 + w932) - w203 * (rod_q6_dot * rod_phi_phi_3_5_2_0) + w934)
-    w936 = w177 * c285
-    w937 = w221 * c21 + w221 * rod_mass * c3
-    w938 = w928 + (w935 + (w0 * w936 + w22 * w937))
-    w939 = w401 * w517 + w395 * w515
-    w940 = w394 * w939 - w920 * rod_first_moment_x + (w436 * w923 - w437 * w924 - w408 * w922) + (w441 * w926 - w439 * w927 - w442 * w925)
-    w941 = 2 * w304
-    w942 = rod_q2_dot * rod_phi_phi_3_1_0_0 + rod_q4_dot * rod_phi_phi_3_3_0_0
-    w943 = rod_q1_dot * rod_phi_phi_3_0_2_1 + rod_q3_dot * rod_phi_phi_3_2_2_1 + rod_q5_dot * rod_phi_phi_3_4_2_1
-    w944 = w215 * w239 - w208 * w264 + w217 * w930 - (w170 * w941 + w177 * c62 - w182 * w264) + (w204 * (w932 + w942) - w203 * w943)
-    w945 = w215 * c285
-    w946 = w940 + (w944 + rod_q6_ddot * c331 + w802 * c3 + (w22 * w945 + w936 * rod_small_end_x))
-    w947 = w919 * rod_first_moment_x - w399 * w939 + (w444 * w924 - w410 * w922 - w437 * w923) + (w446 * w927 - w445 * w925 - w447 * w926)
-    w948 = w203 * (w931 + w942) - w200 * (rod_q6_dot * rod_phi_phi_3_5_0_2) - w204 * (rod_q1_dot * c104 + rod_q3_dot * c114 + rod_q5_dot * c124)
-    w949 = w220 * w941 - w221 * c62 + w222 * w264 - (w215 * w929 - w208 * c62 + w217 * w239) - w206 * c21 + w807 * c3
-    w950 = w947 + (w948 + w949 - (w0 * w945 - w937 * rod_small_end_x))
-    w951 = w399 * w924 - w394 * w923 - w939 * rod_mass + (w428 * w926 - w423 * w927) - (w945 - (w332 * w515 + w334 * w517))
-    w952 = w919 * rod_mass + (w924 * rod_first_moment_x + w394 * w922) + (w415 * w927 - w428 * w925) + (w937 + (w332 * w516 - w336 * w517))
-    w953 = w920 * rod_mass - (w399 * w922 + w923 * rod_first_moment_x) + (w423 * w925 - w415 * w926) - (w936 + (w334 * w516 + w336 * w515))
-    w954 = w62 * w918 - (w393 * w938 + w400 * w946 + w397 * w950 + (w449 * w951 + w451 * w952 + w453 * w953))
-    w955 = w153 * w466 + w824 * rod_small_end_rotation_2_3 + w825 * c3
-    w956 = w827 * rod_small_end_rotation_2_3 + w828 * c3
-    w957 = w474 * w922 + w923 * c280 + w323 * w924 - w920 * c279 + (w477 * w925 + w479 * w926 + w481 * w927)
-    w958 = w831 * rod_small_end_rotation_2_3 + w592 * c3
-    w959 = w470 * w938 - w471 * w946 - w473 * w950 + w957 + w958 * rod_small_end_rotation_1_0 + (w222 * rod_phi_phi_3_0_2_1 + w177 * c304)
-    w960 = w489 * w922 + w314 * w923 + w924 * c282 - w919 * c281 + (w495 * w925 + w497 * w926 - w491 * w927)
-    w961 = w835 * rod_small_end_rotation_2_3 + w836 * c3
-    w962 = w485 * w946 - w487 * w938 - w488 * w950 + w960 + w961 * rod_small_end_rotation_2_1 - (w208 * rod_phi_phi_3_1_0_0 + w221 * c305 + w937 * c2)
-    w963 = w504 * w922 + w923 * c284 + w324 * w924 - w920 * c283 + (w507 * w925 + w509 * w926 + w511 * w927)
-    w964 = w501 * w938 - w502 * w946 - w503 * w950 + w963 + w958 * rod_small_end_rotation_1_2 + (w222 * rod_phi_phi_3_2_2_1 + w177 * c306)
-    w965 = w518 * w922 + w315 * w923 + w924 * c286 - w919 * c285 + (w524 * w925 + w526 * w926 - w520 * w927)
-    w966 = w515 * w946 - w516 * w938 - w517 * w950 + w965 + w961 * rod_small_end_rotation_2_3 - (w182 * rod_phi_phi_3_3_2_2 + (w208 * rod_phi_phi_3_3_0_0 + w221 * c307) + w937 * c3)
-    w967 = w533 * w922 + w923 * c288 + w325 * w924 - w920 * c287 + (w536 * w925 + w538 * w926 + w540 * w927)
-    w968 = w530 * w938 - w531 * w946 - w532 * w950 + w967 + w958 * rod_small_end_rotation_1_4 + (w222 * rod_phi_phi_3_4_2_1 + w177 * c308)
-    w969 = w544 * w950 - (w545 * w938 + w546 * w946) + (w922 * c137 + w317 * w923 + w327 * w924 + (w551 * w926 - w548 * w925 + w555 * w927))
-    w970 = w969 - (w847 * rod_small_end_rotation_2_3 + w848 * c3) * rod_small_end_rotation_0_5 + (w217 * rod_phi_phi_3_5_2_0 + w170 * rod_phi_phi_3_5_0_2)
-    w971 = (w99 * w154 + (w583 * rod_small_end_rotation_1_4 + w584 * c12)) / w55
-    w972 = (w97 * w154 - w96 * w529 + (w581 * rod_small_end_rotation_1_4 + w582 * c12)) / w51 + w52 * w971
-    w973 = w93 * w154 - w86 * w529 + (w579 * rod_small_end_rotation_1_4 + w580 * c12) + w34 * w972 + w61 * w971
-    w974 = w154 * w376 - w365 * w529 + (w621 * rod_small_end_rotation_1_4 + w622 * c12) + (w377 * w971 - w378 * w972)
-    w975 = w154 * w383 - w379 * w529 + (w624 * rod_small_end_rotation_1_4 + w625 * c12) + (w384 * w971 - w385 * w972)
-    w976 = (w154 * w387 + (w627 * rod_small_end_rotation_1_4 + w628 * c12) + w388 * w971) / w55
-    w977 = w975 / w51 + w52 * w976
-    w978 = w154 * w350 - w342 * w529 + w595 * rod_small_end_rotation_1_4 - (w974 + w34 * w977 + w61 * w976) * slider_mass
-    w979 = w973 * guide_damping - w978
-    w980 = w396 * w531 + w401 * w530
-    w981 = w395 * w530 + w396 * w532
-    w982 = 2 * w971
-    w983 = w154 * w373 - w39 * w977 + w90 * w982 - w30 * w976 - w614 * rod_small_end_rotation_1_4
-    w984 = w154 * w367 - w35 * w977 + w87 * w982 - w14 * w976 - w606 * rod_small_end_rotation_1_4
-    w985 = w154 * w368 - w37 * w977 + w88 * w982 - w24 * w976 - w604 * rod_small_end_rotation_1_4
-    w986 = w90 * w154 - w39 * w972 - w30 * w971 - w573 * rod_small_end_rotation_1_4
-    w987 = w87 * w154 - w35 * w972 - w14 * w971 + w561 * rod_small_end_rotation_1_4
-    w988 = w88 * w154 - w37 * w972 - w24 * w971 - w566 * rod_small_end_rotation_1_4
-    w989 = w399 * w980 + w394 * w981 + (w405 * w983 - w408 * w984 - w410 * w985) + (w430 * w986 - w416 * w987 - w432 * w988)
-    w990 = 2 * w273
-    w991 = 2 * w281
-    w992 = rod_q1_dot * rod_phi_phi_4_0_1_1 + rod_q3_dot * rod_phi_phi_4_2_1_1 + rod_q5_dot * rod_phi_phi_4_4_1_1
-    w993 = rod_q1_dot * c39 + rod_q3_dot * c44 + rod_q5_dot * c50
-    w994 = w170 * w253 + w177 * w990 - w182 * w242 - (w220 * c83 - w221 * w242 + w222 * w991) - w224 * c38 + (w200 * (w992 + w993) - w204 * (rod_q6_dot * rod_phi_phi_4_5_1_0))
-    w995 = rod_q2_ddot * rod_phi_phi_4_1_1_2 + rod_q4_ddot * rod_phi_phi_4_3_1_2 - (rod_q2_ddot * c112 + rod_q4_ddot * c122)
-    w996 = w182 * c38 + w650 * c12
-    w997 = w222 * c287
-    w998 = w989 + (w994 + w995 - w649 * c12 + w225 * c12 - (w0 * w996 + w22 * w997))
-    w999 = w395 * w531 - w401 * w532
-    w1000 = w980 * rod_first_moment_x - w394 * w999 + (w436 * w984 - w437 * w985 - w408 * w983) + (w441 * w987 - w439 * w988 - w442 * w986)
-    w1001 = 2 * w305
-    w1002 = rod_q1_dot * rod_phi_phi_4_0_0_0 + rod_q3_dot * rod_phi_phi_4_2_0_0 + rod_q5_dot * rod_phi_phi_4_4_0_0
-    w1003 = w204 * (w993 + w1002) - w203 * (rod_q2_dot * c112 + rod_q4_dot * c122) - w200 * (rod_q6_dot * rod_phi_phi_4_5_0_1)
-    w1004 = w206 * c38 + (w215 * w242 - w208 * c83 + w217 * w991 - (w170 * w1001 + w177 * w253 - w182 * c83) + w659 * c12)
-    w1005 = w217 * c287
-    w1006 = w1000 + (w1003 + w1004 - (w996 * rod_small_end_x - w22 * w1005))
-    w1007 = w981 * rod_first_moment_x + w399 * w999 + (w444 * w985 - w410 * w983 - w437 * w984) + (w446 * w988 - w445 * w986 - w447 * w987)
-    w1008 = w203 * (w992 + w1002) - w204 * (rod_q2_dot * rod_phi_phi_4_1_1_2 + rod_q4_dot * rod_phi_phi_4_3_1_2)
-    w1009 = w220 * w1001 - w221 * w253 + w222 * c83 - (w215 * w990 - w208 * w253 + w217 * w242) + w1008 + rod_q6_ddot * c335
-    w1010 = w1007 + (w1009 - w666 * c12 - (w997 * rod_small_end_x + w0 * w1005))
-    w1011 = w999 * rod_mass + (w399 * w985 - w394 * w984) + (w428 * w987 - w423 * w988) + (w334 * w532 - w332 * w531 - w1005)
-    w1012 = w981 * rod_mass + (w985 * rod_first_moment_x + w394 * w983) + (w415 * w988 - w428 * w986) - (w997 + (w336 * w532 + w332 * w530))
-    w1013 = w423 * w986 - w415 * w987 - (w980 * rod_mass + (w399 * w983 + w984 * rod_first_moment_x)) + (w996 + (w334 * w530 + w336 * w531))
-    w1014 = w62 * w979 - (w393 * w998 + w400 * w1006 + w397 * w1010 + (w449 * w1011 + w451 * w1012 + w453 * w1013))
-    w1015 = w154 * w466 + w686 * rod_small_end_rotation_1_4 + w687 * c12
-    w1016 = w689 * rod_small_end_rotation_1_4 + w690 * c12
-    w1017 = w474 * w983 + w984 * c280 + w323 * w985 + w980 * c279 + (w477 * w986 + w479 * w987 + w481 * w988)
-    w1018 = w697 * rod_small_end_rotation_1_4 - w594 * c12
-    w1019 = w470 * w998 - w471 * w1006 - w473 * w1010 + w1017 + w1018 * rod_small_end_rotation_1_0 - (w221 * rod_phi_phi_4_0_1_1 + (w208 * rod_phi_phi_4_0_0_0 + w182 * c309) + w996 * c10)
-    w1020 = w489 * w983 + w314 * w984 + w985 * c282 - w981 * c281 + (w495 * w986 + w497 * w987 - w491 * w988)
-    w1021 = w702 * c12 - w705 * rod_small_end_rotation_1_4
-    w1022 = w485 * w1006 - w487 * w998 - w488 * w1010 + w1020 + w1021 * rod_small_end_rotation_2_1 + (w177 * rod_phi_phi_4_1_1_2 + w222 * c310)
-    w1023 = w504 * w983 + w984 * c284 + w324 * w985 + w980 * c283 + (w507 * w986 + w509 * w987 + w511 * w988)
-    w1024 = w501 * w998 - w502 * w1006 - w503 * w1010 + w1023 + w1018 * rod_small_end_rotation_1_2 - (w221 * rod_phi_phi_4_2_1_1 + (w208 * rod_phi_phi_4_2_0_0 + w182 * c311) + w996 * c11)
-    w1025 = w518 * w983 + w315 * w984 + w985 * c286 - w981 * c285 + (w524 * w986 + w526 * w987 - w520 * w988)
-    w1026 = w515 * w1006 - w516 * w998 - w517 * w1010 + w1025 + w1021 * rod_small_end_rotation_2_3 + (w177 * rod_phi_phi_4_3_1_2 + w222 * c312)
-    w1027 = w533 * w983 + w984 * c288 + w325 * w985 + w980 * c287 + (w536 * w986 + w538 * w987 + w540 * w988)
-    w1028 = w530 * w998 - w531 * w1006 - w532 * w1010 + w1027 + w1018 * rod_small_end_rotation_1_4 - (w221 * rod_phi_phi_4_4_1_1 + (w208 * rod_phi_phi_4_4_0_0 + w182 * c313) + w996 * c12)
-    w1029 = w544 * w1010 - (w545 * w998 + w546 * w1006) + (w983 * c137 + w317 * w984 + w327 * w985 + (w551 * w987 - w548 * w986 + w555 * w988))
-    w1030 = w1029 + (w717 * rod_small_end_rotation_1_4 + w720 * c12) * rod_small_end_rotation_0_5 + (w215 * rod_phi_phi_4_5_1_0 + w220 * rod_phi_phi_4_5_0_1)
-    w1031 = w729 - w728
-    w1032 = w1031 + (w73 * w468 - w731)
-    w1033 = w570 - w569
-    w1034 = w1033 + (w572 + w73 * w486)
-    w1035 = w0 * w1032 - w22 * w1034 - (w575 + w734)
-    w1036 = w558 + (w559 + w725)
-    w1037 = w1032 * rod_small_end_x - w22 * w1036 + (w567 + w83 * w486)
-    w1038 = w0 * w1036 - w1034 * rod_small_end_x + (w83 * w468 - w722)
-    w1039 = (w97 * w157 - w96 * w543 + (w32 * w1035 + w20 * w1037 + w27 * w1038) * rod_small_end_rotation_0_5) / w51
-    w1040 = (w99 * w157 + (w39 * w1035 + w35 * w1037 + w37 * w1038) * rod_small_end_rotation_0_5) / w55
-    w1041 = w1039 + w52 * w1040
-    w1042 = w93 * w157 - w86 * w543 + (w49 * w1035 + w45 * w1037 + w47 * w1038) * rod_small_end_rotation_0_5 + w34 * w1041
-    w1043 = w1042 + w61 * w1040
-    w1044 = w591 + w701
-    w1045 = w719 - w718
-    w1046 = w157 * w350 - w342 * w543 + (w45 * w848 - w49 * w1044 + w47 * w1045) * rod_small_end_rotation_0_5
-    w1047 = w757 + w200 * w1033 - (w755 + (w598 * w1031 - w756)) + (w170 / w9 + w177 * w468 + w182 * w486)
-    w1048 = w612 - (w613 + w598 * w1033) - (w611 + w200 * w1031) + (w220 / w9 - w221 * w468 - w222 * w486)
-    w1049 = 2 * -w1034
-    w1050 = 2 * -w1032
-    w1051 = w0 * w1047 - w22 * w1048 + (w77 * w1049 - w81 * w1050) - (w617 + w761)
-    w1052 = w204 * w1031 - w203 * w1033 - w605 + (w215 * w468 - w208 / w9 - w217 * w486)
-    w1053 = 2 * w1036
-    w1054 = w1047 * rod_small_end_x + w22 * w1052 + (w83 * w1050 - w77 * w1053) + (w609 + w362 * w486)
-    w1055 = w81 * w1053 - w83 * w1049 - (w0 * w1052 + w1048 * rod_small_end_x) + (w362 * w468 - w753)
-    w1056 = w157 * w376 - w365 * w543 + (w49 * w1051 + w45 * w1054 + w47 * w1055) * rod_small_end_rotation_0_5
-    w1057 = w157 * w383 - w379 * w543 + (w32 * w1051 + w20 * w1054 + w27 * w1055) * rod_small_end_rotation_0_5
-    w1058 = w157 * w387 + (w39 * w1051 + w35 * w1054 + w37 * w1055) * rod_small_end_rotation_0_5 + w388 * w1040
-    w1059 = w1058 / w55
-    w1060 = (w1057 + (w384 * w1040 - w385 * w1041)) / w51 + w52 * w1059
-    w1061 = w1043 * guide_damping - (w1046 - (w1056 + (w377 * w1040 - w378 * w1041) + w34 * w1060 + w61 * w1059) * slider_mass)
-    w1062 = 2 * w1040
-    w1063 = w157 * w373 - w39 * w1060 + w90 * w1062 - w30 * w1059 - w1052 * rod_small_end_rotation_0_5
-    w1064 = w157 * w367 - w35 * w1060 + w87 * w1062 - w14 * w1059 - w1048 * rod_small_end_rotation_0_5
-    w1065 = w157 * w368 - w37 * w1060 + w88 * w1062 - w24 * w1059 - w1047 * rod_small_end_rotation_0_5
-    w1066 = w401 * w545 - w396 * w546
-    w1067 = w395 * w545 + w396 * w544
-    w1068 = w90 * w157 - w39 * w1041 - w30 * w1040 + w1036 * rod_small_end_rotation_0_5
-    w1069 = w87 * w157 - w35 * w1041 - w14 * w1040 - w1034 * rod_small_end_rotation_0_5
-    w1070 = w88 * w157 - w37 * w1041 - w24 * w1040 - w1032 * rod_small_end_rotation_0_5
-    w1071 = w405 * w1063 - w408 * w1064 - w410 * w1065 - (w399 * w1066 + w394 * w1067) + (w430 * w1068 - w416 * w1069 - w432 * w1070)
-    w1072 = 2 * w275
-    w1073 = 2 * w283
-    w1074 = rod_q6_dot * rod_phi_phi_5_5_1_1
-    w1075 = rod_q6_dot * rod_phi_phi_5_5_2_2
-    w1076 = rod_q1_dot * rod_phi_phi_5_0_1_0 + rod_q3_dot * rod_phi_phi_5_2_1_0 + rod_q5_dot * rod_phi_phi_5_4_1_0
-    w1077 = w200 * (w1074 + w1075) - w204 * w1076 - w203 * (rod_q2_dot * rod_phi_phi_5_1_2_0 + rod_q4_dot * rod_phi_phi_5_3_2_0)
-    w1078 = w1071 + (w170 * w257 + w177 * w1072 - w182 * c129 - (w220 * w267 - w221 * c129 + w222 * w1073) + w1077)
-    w1079 = w401 * w544 + w395 * w546
-    w1080 = w436 * w1064 - w437 * w1065 - w408 * w1063 - (w394 * w1079 + w1066 * rod_first_moment_x) + (w441 * w1069 - w439 * w1070 - w442 * w1068)
-    w1081 = 2 * w306
-    w1082 = rod_q6_dot * rod_phi_phi_5_5_0_0
-    w1083 = rod_q1_dot * rod_phi_phi_5_0_0_1 + rod_q3_dot * rod_phi_phi_5_2_0_1 + rod_q5_dot * rod_phi_phi_5_4_0_1
-    w1084 = w215 * c129 - w208 * w267 + w217 * w1073 - (w170 * w1081 + w177 * w257 - w182 * w267) + (w204 * (w1075 + w1082) - w200 * w1083)
-    w1085 = rod_q2_ddot * rod_phi_phi_5_1_2_0 + rod_q4_ddot * rod_phi_phi_5_3_2_0 - (rod_q2_ddot * rod_phi_phi_5_1_0_2 + rod_q4_ddot * rod_phi_phi_5_3_0_2)
-    w1086 = w1080 + (w1084 + w1085)
-    w1087 = w399 * w1079 - w1067 * rod_first_moment_x + (w444 * w1065 - w410 * w1063 - w437 * w1064) + (w446 * w1070 - w445 * w1068 - w447 * w1069)
-    w1088 = w203 * (w1074 + w1082) - w200 * (rod_q2_dot * rod_phi_phi_5_1_0_2 + rod_q4_dot * rod_phi_phi_5_3_0_2)
-    w1089 = rod_q1_ddot * rod_phi_phi_5_0_0_1 + rod_q3_ddot * rod_phi_phi_5_2_0_1 + rod_q5_ddot * rod_phi_phi_5_4_0_1
-    w1090 = rod_q1_ddot * rod_phi_phi_5_0_1_0 + rod_q3_ddot * rod_phi_phi_5_2_1_0 + rod_q5_ddot * rod_phi_phi_5_4_1_0
-    w1091 = w220 * w1081 - w221 * w257 + w222 * w267 - (w215 * w1072 - w208 * w257 + w217 * c129) + w1088 + (w1089 - w1090)
-    w1092 = w1087 + w1091
-    w1093 = w1079 * rod_mass + (w399 * w1065 - w394 * w1064) + (w428 * w1069 - w423 * w1070) - (w332 * w546 + w334 * w544)
-    w1094 = w1065 * rod_first_moment_x + w394 * w1063 - w1067 * rod_mass + (w415 * w1070 - w428 * w1068) + (w336 * w544 + w332 * w545)
-    w1095 = w1066 * rod_mass - (w399 * w1063 + w1064 * rod_first_moment_x) + (w423 * w1068 - w415 * w1069) + (w336 * w546 - w334 * w545)
-    w1096 = w62 * w1061 - (w393 * w1078 + w400 * w1086 + w397 * w1092 + (w449 * w1093 + w451 * w1094 + w453 * w1095))
-    w1097 = w679 - w486 * rod_small_end_x
-    w1098 = w819 + w468 * rod_small_end_x
-    w1099 = w333 * w1097 + w335 * w1098 - (w682 + w822)
-    w1100 = w674 + w816
-    w1101 = w672 + w460 * w486 + (w333 * w1100 - w337 * w1098)
-    w1102 = w460 * w468 - w814 - (w335 * w1100 + w337 * w1097)
-    w1103 = (w39 * w1099 + w35 * w1101 + w37 * w1102 + (w465 * w1045 - (w463 * w1044 + w464 * w848))) * rod_small_end_rotation_0_5
-    w1104 = w157 * w466 + w1103
-    w1105 = (w458 * w848 - w461 * w1044 - w459 * w1045 - (w30 * w1099 + w14 * w1101 + w24 * w1102)) * rod_small_end_rotation_0_5
-    w1106 = w474 * w1063 + w1064 * c280 + w323 * w1065 - w1066 * c279 + (w477 * w1068 + w479 * w1069 + w481 * w1070)
-    w1107 = (w715 - w74 * w696) * rod_small_end_rotation_0_5
-    w1108 = w470 * w1078 - w471 * w1086 - w473 * w1092 + w1106 - w1107 * rod_small_end_rotation_1_0 + (w215 * rod_phi_phi_5_0_1_0 + w220 * rod_phi_phi_5_0_0_1)
-    w1109 = w489 * w1063 + w314 * w1064 + w1065 * c282 + w1067 * c281 + (w495 * w1068 + w497 * w1069 - w491 * w1070)
-    w1110 = (w846 + w74 * w704) * rod_small_end_rotation_0_5
-    w1111 = w485 * w1086 - w487 * w1078 - w488 * w1092 + w1109 + w1110 * rod_small_end_rotation_2_1 + (w217 * rod_phi_phi_5_1_2_0 + w170 * rod_phi_phi_5_1_0_2)
-    w1112 = w504 * w1063 + w1064 * c284 + w324 * w1065 - w1066 * c283 + (w507 * w1068 + w509 * w1069 + w511 * w1070)
-    w1113 = w501 * w1078 - w502 * w1086 - w503 * w1092 + w1112 - w1107 * rod_small_end_rotation_1_2 + (w215 * rod_phi_phi_5_2_1_0 + w220 * rod_phi_phi_5_2_0_1)
-    w1114 = w518 * w1063 + w315 * w1064 + w1065 * c286 + w1067 * c285 + (w524 * w1068 + w526 * w1069 - w520 * w1070)
-    w1115 = w515 * w1086 - w516 * w1078 - w517 * w1092 + w1114 + w1110 * rod_small_end_rotation_2_3 + (w217 * rod_phi_phi_5_3_2_0 + w170 * rod_phi_phi_5_3_0_2)
-    w1116 = w533 * w1063 + w1064 * c288 + w325 * w1065 - w1066 * c287 + (w536 * w1068 + w538 * w1069 + w540 * w1070)
-    w1117 = w530 * w1078 - w531 * w1086 - w532 * w1092 + w1116 - w1107 * rod_small_end_rotation_1_4 + (w215 * rod_phi_phi_5_4_1_0 + w220 * rod_phi_phi_5_4_0_1)
-    w1118 = w544 * w1092 - (w545 * w1078 + w546 * w1086) + (w1063 * c137 + w317 * w1064 + w327 * w1065 + (w551 * w1069 - w548 * w1068 + w555 * w1070))
-    w1119 = w1118 + w74 * w716 * c272 - (w208 * rod_phi_phi_5_5_0_0 + w221 * rod_phi_phi_5_5_1_1 + w182 * rod_phi_phi_5_5_2_2)
-    w1120 = 2 * -(w20 * w95 + w35 * w98)
-    w1121 = 2 * -(w27 * w95 + w37 * w98)
-    w1122 = 2 * -w431
-    w1123 = 2 * -w417
-    w1124 = 2 * -w433
-    w1125 = w394 * w1120 - w399 * w1121 + (w405 * w1122 - w408 * w1123 - w410 * w1124) + (w393 * w430 - w400 * w416 - w397 * w432)
-    w1126 = 2 * -(w32 * w95 + w39 * w98)
-    w1127 = w436 * w1123 - w437 * w1124 - w408 * w1122 - (w394 * w1126 + w1121 * rod_first_moment_x) + (w400 * w441 - w397 * w439 - w393 * w442)
-    w1128 = w1120 * rod_first_moment_x + w399 * w1126 + (w444 * w1124 - w410 * w1122 - w437 * w1123) + (w397 * w446 - w393 * w445 - w400 * w447)
-    w1129 = w451 * (w1120 * rod_mass + (w1124 * rod_first_moment_x + w394 * w1122) + (w397 * w415 - w393 * w428))
-    w1130 = w453 * (w1121 * rod_mass - (w399 * w1122 + w1123 * rod_first_moment_x) + (w393 * w423 - w400 * w415))
-    w1131 = w62 * guide_damping + 2 * -w102 * slider_mass
-    w1132 = w474 * w1122 + w1123 * c280 + w323 * w1124 - w1121 * c279 + (w393 * w477 + w400 * w479 + w397 * w481)
-    w1133 = w489 * w1122 + w314 * w1123 + w1124 * c282 - w1120 * c281 + (w393 * w495 + w400 * w497 - w397 * w491)
-    w1134 = w504 * w1122 + w1123 * c284 + w324 * w1124 - w1121 * c283 + (w393 * w507 + w400 * w509 + w397 * w511)
-    w1135 = w518 * w1122 + w315 * w1123 + w1124 * c286 - w1120 * c285 + (w393 * w524 + w400 * w526 - w397 * w520)
-    w1136 = w533 * w1122 + w1123 * c288 + w325 * w1124 - w1121 * c287 + (w393 * w536 + w400 * w538 + w397 * w540)
-    w1137 = w544 * w1128 - (w545 * w1125 + w546 * w1127) + (w1122 * c137 + w317 * w1123 + w327 * w1124 + (w400 * w551 - w393 * w548 + w397 * w555))
-    w1138 = w483 * guide_damping - 2 * -w587 * slider_mass
-    w1139 = 2 * w639
-    w1140 = 2 * w640
-    w1141 = 2 * w641
-    w1142 = w73 * c314
-    w1143 = w405 * w1139 - w408 * w1140 - w410 * w1141 + (w430 * w470 + w416 * w471 + w432 * w473) + (w476 - w204 * w246 - w203 * rod_rho_phi_0_2_0 + w420 * c10 + w22 * w1142)
-    w1144 = 2 * -w76
-    w1145 = w183 * w1144
-    w1146 = w1144 * rod_mass
-    w1147 = w1146 * c10 - w204 * c34
-    w1148 = w436 * w1140 - w437 * w1141 - w408 * w1139 + (w439 * w473 - w441 * w471 - w442 * w470) + (w478 - w203 * w229 - w200 * w245 - w1145 * c10 - w22 * w1147)
-    w1149 = w200 * c54 + w178 * w1144
-    w1150 = w444 * w1141 - w410 * w1139 - w437 * w1140 + (w447 * w471 - (w446 * w473 + w445 * w470)) + (w480 - w200 * c71 - w204 * w228 + w1149 * c10 + (w1142 * rod_small_end_x + w0 * w1147))
-    w1151 = w449 * (w1147 + (w399 * w1141 - w394 * w1140 + (w423 * w473 - w428 * w471))) + w451 * (w1142 + (w1141 * rod_first_moment_x + w394 * w1139 - (w415 * w473 + w428 * w470)))
-    w1152 = w393 * w1143 + w400 * w1148 + w397 * w1150 + (w1151 + w453 * (w423 * w470 + w415 * w471 - (w399 * w1139 + w1140 * rod_first_moment_x)))
-    w1153 = w200 * c19
-    w1154 = w200 * c21
-    w1155 = w499 * guide_damping - 2 * -w744 * slider_mass
-    w1156 = 2 * w781
-    w1157 = 2 * w782
-    w1158 = 2 * w783
-    w1159 = 2 * -w73
-    w1160 = w178 * w1159
-    w1161 = w1159 * rod_mass
-    w1162 = w1161 * c2 - w1153
-    w1163 = w405 * w1156 - w408 * w1157 - w410 * w1158 + (w432 * w488 - (w430 * w487 + w416 * w485)) + (w493 - w204 * rod_rho_phi_1_1_0 - w203 * w260 - w1160 * c2 - w0 * w1162)
-    w1164 = w183 * w203 + w1159 * c54
-    w1165 = w80 * c318
-    w1166 = w436 * w1157 - w437 * w1158 - w408 * w1156 + (w441 * w485 + w439 * w488 + w442 * w487) + (w496 - w203 * w232 - w200 * c55 - w1164 * c2 - (w22 * w1165 + w1162 * rod_small_end_x))
-    w1167 = w444 * w1158 - w410 * w1156 - w437 * w1157 + (w445 * w487 - w446 * w488 - w447 * w485) + (w490 - w200 * w259 - w204 * w231 + w412 * c2 + w0 * w1165)
-    w1168 = w449 * (w1165 + (w399 * w1158 - w394 * w1157 + (w428 * w485 + w423 * w488))) + w451 * (w1158 * rod_first_moment_x + w394 * w1156 + (w428 * w487 - w415 * w488))
-    w1169 = w1168 + w453 * (w1162 - (w399 * w1156 + w1157 * rod_first_moment_x + (w423 * w487 + w415 * w485)))
-    w1170 = w1159 * c34
-    w1171 = w1159 * c36
-    w1172 = w1159 * c38
-    w1173 = w513 * guide_damping - 2 * -w852 * slider_mass
-    w1174 = 2 * w865
-    w1175 = 2 * w866
-    w1176 = 2 * w867
-    w1177 = w73 * c323
-    w1178 = w405 * w1174 - w408 * w1175 - w410 * w1176 + (w430 * w501 + w416 * w502 + w432 * w503) + (w506 - w204 * w249 - w203 * rod_rho_phi_2_2_0 + w420 * c11 + w22 * w1177)
-    w1179 = w1146 * c11 - w204 * c36
-    w1180 = w436 * w1175 - w437 * w1176 - w408 * w1174 + (w439 * w503 - w441 * w502 - w442 * w501) + (w508 - w203 * w235 - w200 * w248 - w1145 * c11 - w22 * w1179)
-    w1181 = w444 * w1176 - w410 * w1174 - w437 * w1175 + (w447 * w502 - (w446 * w503 + w445 * w501)) + (w510 - w200 * c76 - w204 * w234 + w1149 * c11 + (w1177 * rod_small_end_x + w0 * w1179))
-    w1182 = w449 * (w1179 + (w399 * w1176 - w394 * w1175 + (w423 * w503 - w428 * w502))) + w451 * (w1177 + (w1176 * rod_first_moment_x + w394 * w1174 - (w415 * w503 + w428 * w501)))
-    w1183 = w393 * w1178 + w400 * w1180 + w397 * w1181 + (w1182 + w453 * (w423 * w501 + w415 * w502 - (w399 * w1174 + w1175 * rod_first_moment_x)))
-    w1184 = w528 * guide_damping - 2 * -w912 * slider_mass
-    w1185 = 2 * w925
-    w1186 = 2 * w926
-    w1187 = 2 * w927
-    w1188 = w1161 * c3 - w1154
-    w1189 = w405 * w1185 - w408 * w1186 - w410 * w1187 + (w432 * w517 - (w430 * w516 + w416 * w515)) + (w522 - w204 * rod_rho_phi_3_1_0 - w203 * w263 - w1160 * c3 - w0 * w1188)
-    w1190 = w80 * c327
-    w1191 = w436 * w1186 - w437 * w1187 - w408 * w1185 + (w441 * w515 + w439 * w517 + w442 * w516) + (w525 - w203 * w238 - w200 * c60 - w1164 * c3 - (w22 * w1190 + w1188 * rod_small_end_x))
-    w1192 = w444 * w1187 - w410 * w1185 - w437 * w1186 + (w445 * w516 - w446 * w517 - w447 * w515) + (w519 - w200 * w262 - w204 * w237 + w412 * c3 + w0 * w1190)
-    w1193 = w449 * (w1190 + (w399 * w1187 - w394 * w1186 + (w428 * w515 + w423 * w517))) + w451 * (w1187 * rod_first_moment_x + w394 * w1185 + (w428 * w516 - w415 * w517))
-    w1194 = w1193 + w453 * (w1188 - (w399 * w1185 + w1186 * rod_first_moment_x + (w423 * w516 + w415 * w515)))
-    w1195 = w542 * guide_damping - 2 * -w973 * slider_mass
-    w1196 = 2 * w986
-    w1197 = 2 * w987
-    w1198 = 2 * w988
-    w1199 = w73 * c332
-    w1200 = w405 * w1196 - w408 * w1197 - w410 * w1198 + (w430 * w530 + w416 * w531 + w432 * w532) + (w535 - w204 * w252 - w203 * rod_rho_phi_4_2_0 + w420 * c12 + w22 * w1199)
-    w1201 = w1146 * c12 - w204 * c38
-    w1202 = w436 * w1197 - w437 * w1198 - w408 * w1196 + (w439 * w532 - w441 * w531 - w442 * w530) + (w537 - w203 * w241 - w200 * w251 - w1145 * c12 - w22 * w1201)
-    w1203 = w444 * w1198 - w410 * w1196 - w437 * w1197 + (w447 * w531 - (w446 * w532 + w445 * w530)) + (w539 - w200 * c81 - w204 * w240 + w1149 * c12 + (w1199 * rod_small_end_x + w0 * w1201))
-    w1204 = w449 * (w1201 + (w399 * w1198 - w394 * w1197 + (w423 * w532 - w428 * w531))) + w451 * (w1199 + (w1198 * rod_first_moment_x + w394 * w1196 - (w415 * w532 + w428 * w530)))
-    w1205 = w393 * w1200 + w400 * w1202 + w397 * w1203 + (w1204 + w453 * (w423 * w530 + w415 * w531 - (w399 * w1196 + w1197 * rod_first_moment_x)))
-    w1206 = w556 * guide_damping - 2 * -w1043 * slider_mass
-    w1207 = 2 * w1068
-    w1208 = 2 * w1069
-    w1209 = 2 * w1070
-    w1210 = w405 * w1207 - w408 * w1208 - w410 * w1209 + (w416 * w546 - w430 * w545 - w432 * w544) + (w547 - w204 * w256 - w203 * w266)
-    w1211 = w436 * w1208 - w437 * w1209 - w408 * w1207 + (w442 * w545 - (w441 * w546 + w439 * w544)) + (w550 - w203 * rod_rho_phi_5_2_1 - w200 * w255)
-    w1212 = w444 * w1209 - w410 * w1207 - w437 * w1208 + (w446 * w544 + w445 * w545 + w447 * w546) + (w554 - w200 * w265 - w204 * rod_rho_phi_5_1_2)
-    w1213 = w449 * (w399 * w1209 - w394 * w1208 - (w428 * w546 + w423 * w544)) + w451 * (w1209 * rod_first_moment_x + w394 * w1207 + (w415 * w544 + w428 * w545))
-    w1214 = w393 * w1210 + w400 * w1211 + w397 * w1212 + (w1213 + w453 * (w415 * w546 - w423 * w545 - (w399 * w1207 + w1208 * rod_first_moment_x)))
-    w1215 = w434 * w545 + w443 * w546 - w448 * w544 - (w407 * c137 + w317 * w409 + w327 * w411 + (w431 * w548 - w417 * w551 - w433 * w555))
-    w1216 = (w1126 * c338 - (w399 * w1124 - w394 * w1123) - (w400 * w428 - w397 * w423)) * w449 - w1129 - w1130
-    w1217 = w473 * w1150 - (w470 * w1143 - w471 * w1148) - (w474 * w1139 + w1140 * c280 + w323 * w1141 + (w470 * w477 - w471 * w479 - w473 * w481))
-    w1218 = w488 * w1150 - (w485 * w1148 - w487 * w1143) - (w489 * w1139 + w314 * w1140 + w1141 * c282 + (w470 * w495 - w471 * w497 + w473 * w491))
-    w1219 = w503 * w1150 - (w501 * w1143 - w502 * w1148) - (w504 * w1139 + w1140 * c284 + w324 * w1141 + (w470 * w507 - w471 * w509 - w473 * w511))
-    w1220 = w517 * w1150 - (w515 * w1148 - w516 * w1143) - (w518 * w1139 + w315 * w1140 + w1141 * c286 + (w470 * w524 - w471 * w526 + w473 * w520))
-    w1221 = w532 * w1150 - (w530 * w1143 - w531 * w1148) - (w533 * w1139 + w1140 * c288 + w325 * w1141 + (w470 * w536 - w471 * w538 - w473 * w540))
-    w1222 = w545 * w1143 + w546 * w1148 - w544 * w1150 - (w1139 * c137 + w317 * w1140 + w327 * w1141 - (w470 * w548 + w471 * w551 + w473 * w555))
-    w1223 = w473 * w1167 - (w470 * w1163 - w471 * w1166) - (w474 * w1156 + w1157 * c280 + w323 * w1158 + (w479 * w485 - w477 * w487 - w481 * w488))
-    w1224 = w488 * w1167 - (w485 * w1166 - w487 * w1163) - (w489 * w1156 + w314 * w1157 + w1158 * c282 + (w485 * w497 - w487 * w495 + w488 * w491))
-    w1225 = w503 * w1167 - (w501 * w1163 - w502 * w1166) - (w504 * w1156 + w1157 * c284 + w324 * w1158 + (w485 * w509 - w487 * w507 - w488 * w511))
-    w1226 = w517 * w1167 - (w515 * w1166 - w516 * w1163) - (w518 * w1156 + w315 * w1157 + w1158 * c286 + (w485 * w526 - w487 * w524 + w488 * w520))
-    w1227 = w532 * w1167 - (w530 * w1163 - w531 * w1166) - (w533 * w1156 + w1157 * c288 + w325 * w1158 + (w485 * w538 - w487 * w536 - w488 * w540))
-    w1228 = w545 * w1163 + w546 * w1166 - w544 * w1167 - (w1156 * c137 + w317 * w1157 + w327 * w1158 + (w487 * w548 + w485 * w551 - w488 * w555))
-    w1229 = w473 * w1181 - (w470 * w1178 - w471 * w1180) - (w474 * w1174 + w1175 * c280 + w323 * w1176 + (w477 * w501 - w479 * w502 - w481 * w503))
-    w1230 = w488 * w1181 - (w485 * w1180 - w487 * w1178) - (w489 * w1174 + w314 * w1175 + w1176 * c282 + (w495 * w501 - w497 * w502 + w491 * w503))
-    w1231 = w503 * w1181 - (w501 * w1178 - w502 * w1180) - (w504 * w1174 + w1175 * c284 + w324 * w1176 + (w501 * w507 - w502 * w509 - w503 * w511))
-    w1232 = w517 * w1181 - (w515 * w1180 - w516 * w1178) - (w518 * w1174 + w315 * w1175 + w1176 * c286 + (w501 * w524 - w502 * w526 + w503 * w520))
-    w1233 = w532 * w1181 - (w530 * w1178 - w531 * w1180) - (w533 * w1174 + w1175 * c288 + w325 * w1176 + (w501 * w536 - w502 * w538 - w503 * w540))
-    w1234 = w545 * w1178 + w546 * w1180 - w544 * w1181 - (w1174 * c137 + w317 * w1175 + w327 * w1176 - (w501 * w548 + w502 * w551 + w503 * w555))
-    w1235 = w473 * w1192 - (w470 * w1189 - w471 * w1191) - (w474 * w1185 + w1186 * c280 + w323 * w1187 + (w479 * w515 - w477 * w516 - w481 * w517))
-    w1236 = w488 * w1192 - (w485 * w1191 - w487 * w1189) - (w489 * w1185 + w314 * w1186 + w1187 * c282 + (w497 * w515 - w495 * w516 + w491 * w517))
-    w1237 = w503 * w1192 - (w501 * w1189 - w502 * w1191) - (w504 * w1185 + w1186 * c284 + w324 * w1187 + (w509 * w515 - w507 * w516 - w511 * w517))
-    w1238 = w517 * w1192 - (w515 * w1191 - w516 * w1189) - (w518 * w1185 + w315 * w1186 + w1187 * c286 + (w515 * w526 - w516 * w524 + w517 * w520))
-    w1239 = w532 * w1192 - (w530 * w1189 - w531 * w1191) - (w533 * w1185 + w1186 * c288 + w325 * w1187 + (w515 * w538 - w516 * w536 - w517 * w540))
-    w1240 = w545 * w1189 + w546 * w1191 - w544 * w1192 - (w1185 * c137 + w317 * w1186 + w327 * w1187 + (w516 * w548 + w515 * w551 - w517 * w555))
-    w1241 = w473 * w1203 - (w470 * w1200 - w471 * w1202) - (w474 * w1196 + w1197 * c280 + w323 * w1198 + (w477 * w530 - w479 * w531 - w481 * w532))
-    w1242 = w488 * w1203 - (w485 * w1202 - w487 * w1200) - (w489 * w1196 + w314 * w1197 + w1198 * c282 + (w495 * w530 - w497 * w531 + w491 * w532))
-    w1243 = w503 * w1203 - (w501 * w1200 - w502 * w1202) - (w504 * w1196 + w1197 * c284 + w324 * w1198 + (w507 * w530 - w509 * w531 - w511 * w532))
-    w1244 = w517 * w1203 - (w515 * w1202 - w516 * w1200) - (w518 * w1196 + w315 * w1197 + w1198 * c286 + (w524 * w530 - w526 * w531 + w520 * w532))
-    w1245 = w532 * w1203 - (w530 * w1200 - w531 * w1202) - (w533 * w1196 + w1197 * c288 + w325 * w1198 + (w530 * w536 - w531 * w538 - w532 * w540))
-    w1246 = w545 * w1200 + w546 * w1202 - w544 * w1203 - (w1196 * c137 + w317 * w1197 + w327 * w1198 - (w530 * w548 + w531 * w551 + w532 * w555))
-    w1247 = w473 * w1212 - (w470 * w1210 - w471 * w1211) - (w474 * w1207 + w1208 * c280 + w323 * w1209 + (w481 * w544 - (w477 * w545 + w479 * w546)))
-    w1248 = w488 * w1212 - (w485 * w1211 - w487 * w1210) - (w489 * w1207 + w314 * w1208 + w1209 * c282 - (w495 * w545 + w497 * w546 + w491 * w544))
-    w1249 = w503 * w1212 - (w501 * w1210 - w502 * w1211) - (w504 * w1207 + w1208 * c284 + w324 * w1209 + (w511 * w544 - (w507 * w545 + w509 * w546)))
-    w1250 = w517 * w1212 - (w515 * w1211 - w516 * w1210) - (w518 * w1207 + w315 * w1208 + w1209 * c286 - (w524 * w545 + w526 * w546 + w520 * w544))
-    w1251 = w532 * w1212 - (w530 * w1210 - w531 * w1211) - (w533 * w1207 + w1208 * c288 + w325 * w1209 + (w540 * w544 - (w536 * w545 + w538 * w546)))
-    w1252 = w545 * w1210 + w546 * w1211 - w544 * w1212 - (w1207 * c137 + w317 * w1208 + w327 * w1209 + (w545 * w548 - w546 * w551 + w544 * w555))
+    w253 = (w251 + w252) * 0.5
+    w254 = rod_q1 * rod_phi_phi_0_5_0_1 + rod_q3 * rod_phi_phi_2_5_0_1 + rod_q5 * rod_phi_phi_4_5_0_1
+    w255 = rod_q1 * rod_phi_phi_0_5_1_0 + rod_q3 * rod_phi_phi_2_5_1_0 + rod_q5 * rod_phi_phi_4_5_1_0
+    w256 = (w254 + w255) * 0.5
+    w257 = rod_q1 * w247 + rod_q2 * c57 + rod_q3 * w250 + rod_q4 * c62 + rod_q5 * w253 + rod_q6 * w256
+    w258 = rod_q6 * rod_phi_phi_5_1_0_2
+    w259 = rod_q6 * rod_phi_phi_5_1_2_0
+    w260 = (w258 + w259) * 0.5
+    w261 = rod_q6 * rod_phi_phi_5_3_0_2
+    w262 = rod_q6 * rod_phi_phi_5_3_2_0
+    w263 = (w261 + w262) * 0.5
+    w264 = rod_q2 * rod_phi_phi_1_5_0_2 + rod_q4 * rod_phi_phi_3_5_0_2
+    w265 = rod_q2 * rod_phi_phi_1_5_2_0 + rod_q4 * rod_phi_phi_3_5_2_0
+    w266 = (w264 + w265) * 0.5
+    w267 = rod_q1 * c73 + rod_q2 * w260 + rod_q3 * c78 + rod_q4 * w263 + rod_q5 * c83 + rod_q6 * w266
+    w268 = rod_q1 * rod_phi_phi_0_0_1_1
+    w269 = w268 + rod_q3 * rod_phi_phi_2_0_1_1 + rod_q5 * rod_phi_phi_4_0_1_1
+    w270 = rod_q2 * c20
+    w271 = w270 + rod_q4 * c22
+    w272 = rod_q3 * rod_phi_phi_2_2_1_1
+    w273 = rod_q1 * rod_phi_phi_0_2_1_1 + w272 + rod_q5 * rod_phi_phi_4_2_1_1
+    w274 = rod_q4 * c28
+    w275 = rod_q2 * c27 + w274
+    w276 = rod_q5 * rod_phi_phi_4_4_1_1
+    w277 = rod_q1 * rod_phi_phi_0_4_1_1 + rod_q3 * rod_phi_phi_2_4_1_1 + w276
+    w278 = rod_inertia_moments_1_1 + rod_q1 * w269 + rod_q2 * w271 + rod_q3 * w273 + rod_q4 * w275 + rod_q5 * w277
+    w279 = rod_q6 * rod_phi_phi_5_5_1_1
+    w280 = w278 + rod_q6 * w279
+    w281 = rod_q1 * c35
+    w282 = w281 + rod_q3 * c37 + rod_q5 * c39
+    w283 = rod_q2 * rod_phi_phi_1_1_2_2
+    w284 = rod_q3 * c43
+    w285 = rod_q1 * c42 + w284 + rod_q5 * c44
+    w286 = rod_q4 * rod_phi_phi_3_3_2_2
+    w287 = rod_q5 * c50
+    w288 = rod_q1 * c47 + rod_q3 * c49 + w287
+    w289 = rod_inertia_moments_2_2 + rod_q1 * w282 + rod_q2 * w283 + rod_q3 * w285 + rod_q4 * w286 + rod_q5 * w288
+    w290 = rod_q6 * rod_phi_phi_5_5_2_2
+    w291 = w289 + rod_q6 * w290
+    w292 = w178 * w199 - w183 * w224 + (w243 * w244 + (w170 * w257 - w220 * w267) + (w177 * w280 - w222 * w291))
+    w293 = rod_q1_dot * w269 + rod_q2_dot * w271 + rod_q3_dot * w273 + rod_q4_dot * w275 + rod_q5_dot * w277
+    w294 = w293 + rod_q6_dot * w279
+    w295 = rod_q1_dot * w282 + rod_q2_dot * w283 + rod_q3_dot * w285 + rod_q4_dot * w286 + rod_q5_dot * w288
+    w296 = w295 + rod_q6_dot * w290
+    w297 = rod_q1_dot * w246 + rod_q2_dot * rod_rho_phi_1_1_0 + rod_q3_dot * w249 + rod_q4_dot * rod_rho_phi_3_1_0
+    w298 = w297 + rod_q5_dot * w252 + rod_q6_dot * w255
+    w299 = rod_q1_dot * rod_rho_phi_0_2_0 + rod_q2_dot * w259 + rod_q3_dot * rod_rho_phi_2_2_0 + rod_q4_dot * w262
+    w300 = w299 + rod_q5_dot * rod_rho_phi_4_2_0 + rod_q6_dot * w265
+    w301 = w228 - w229
+    w302 = w231 - w232
+    w303 = w234 - w235
+    w304 = w237 - w238
+    w305 = w240 - w241
+    w306 = rod_q1_ddot * w301 + rod_q2_ddot * w302 + rod_q3_ddot * w303 + rod_q4_ddot * w304 + rod_q5_ddot * w305
+    w307 = w292 + (w200 * (w294 + w296) - w204 * w298 - w203 * w300) + (w306 + rod_q6_ddot * c137)
+    w308 = w180 - w207
+    w309 = rod_q1 * rod_phi_phi_0_0_0_0
+    w310 = w309 + rod_q3 * rod_phi_phi_2_0_0_0 + rod_q5 * rod_phi_phi_4_0_0_0
+    w311 = rod_q2 * rod_phi_phi_1_1_0_0
+    w312 = w311 + rod_q4 * rod_phi_phi_3_1_0_0
+    w313 = rod_q3 * rod_phi_phi_2_2_0_0
+    w314 = rod_q1 * rod_phi_phi_0_2_0_0 + w313 + rod_q5 * rod_phi_phi_4_2_0_0
+    w315 = rod_q4 * rod_phi_phi_3_3_0_0
+    w316 = rod_q2 * rod_phi_phi_1_3_0_0 + w315
+    w317 = rod_q5 * rod_phi_phi_4_4_0_0
+    w318 = rod_q1 * rod_phi_phi_0_4_0_0 + rod_q3 * rod_phi_phi_2_4_0_0 + w317
+    w319 = rod_q6 * rod_phi_phi_5_5_0_0
+    w320 = c88 + rod_q1 * w310 + rod_q2 * w312 + rod_q3 * w314 + rod_q4 * w316 + rod_q5 * w318 + rod_q6 * w319
+    w321 = w267 * w308 + (w215 * w243 - w177 * w257) + (w217 * w291 - w170 * w320) + (w183 * w206 + w199 * c54)
+    w322 = rod_q1_dot * w310 + rod_q2_dot * w312 + rod_q3_dot * w314 + rod_q4_dot * w316 + rod_q5_dot * w318
+    w323 = w322 + rod_q6_dot * w319
+    w324 = rod_q1_dot * w229 + rod_q2_dot * w232 + rod_q3_dot * w235 + rod_q4_dot * w238 + rod_q5_dot * w241
+    w325 = w324 + rod_q6_dot * rod_rho_phi_5_2_1
+    w326 = rod_q1_dot * w245 + rod_q2_dot * c55 + rod_q3_dot * w248 + rod_q4_dot * c60 + rod_q5_dot * w251 + rod_q6_dot * w254
+    w327 = w259 - w258
+    w328 = w262 - w261
+    w329 = rod_q1_ddot * c132 + rod_q2_ddot * w327 + rod_q3_ddot * c134 + rod_q4_ddot * w328 + rod_q5_ddot * c136
+    w330 = w265 - w264
+    w331 = w321 + (w204 * (w296 + w323) - w203 * w325 - w200 * w326) + (w329 + rod_q6_ddot * w330)
+    w332 = w181 - w180
+    w333 = w257 * w332 + (w222 * w267 - w217 * w243) + (w220 * w320 - w215 * w280) - (w224 * c54 + w178 * w206)
+    w334 = rod_q1_dot * c71 + rod_q2_dot * w258 + rod_q3_dot * c76 + rod_q4_dot * w261 + rod_q5_dot * c81 + rod_q6_dot * w264
+    w335 = rod_q1_dot * w228 + rod_q2_dot * w231 + rod_q3_dot * w234 + rod_q4_dot * w237 + rod_q5_dot * w240
+    w336 = w335 + rod_q6_dot * rod_rho_phi_5_1_2
+    w337 = w245 - w246
+    w338 = w248 - w249
+    w339 = w251 - w252
+    w340 = rod_q1_ddot * w337 + rod_q2_ddot * c133 + rod_q3_ddot * w338 + rod_q4_ddot * c135 + rod_q5_ddot * w339
+    w341 = w254 - w255
+    w342 = w333 + (w203 * (w294 + w323) - w200 * w334 - w204 * w336) + (w340 + rod_q6_ddot * w341)
+    w343 = w11 * (w31 * w307 + w17 * w331 + w26 * w342) + w18 * (w29 * w307 + w10 * w331 + w23 * w342) + w34 * w227
+    w344 = w343 / w51
+    w345 = (w30 * w307 + w14 * w331 + w24 * w342 + w61 * w227 + w42 * w344) / w55
+    w346 = w47 * w227 + w27 * w344 + w37 * w345
+    w347 = w202 - w346
+    w348 = w45 * w227 + w20 * w344 + w35 * w345
+    w349 = w225 - w348
+    w350 = w49 * w227 + w32 * w344 + w39 * w345
+    w351 = w219 - w350
+    w352 = w37 * w351
+    w353 = w39 * w347
+    w354 = w39 * w349
+    w355 = w35 * w351
+    w356 = w49 * (w35 * w347 - w37 * w349) + w45 * (w352 - w353) + w47 * (w354 - w355)
+    w357 = w24 * w349 - w14 * w347
+    w358 = w30 * w347
+    w359 = w24 * w351
+    w360 = w358 - w359
+    w361 = w14 * w351
+    w362 = w30 * w349
+    w363 = w361 - w362
+    w364 = w49 * w357 + w45 * w360 + w47 * w363
+    w365 = w0 * w177 - w170 * rod_small_end_x - w22 * w182
+    w366 = w78 * w200
+    w367 = rod_q1_ddot * c10 + rod_q3_ddot * c11 + rod_q5_ddot * c12
+    w368 = w365 + w366 + w367
+    w369 = w22 * w222 - (w220 * rod_small_end_x + w0 * w221)
+    w370 = w63 * w200
+    w371 = rod_q2_ddot * c2 + rod_q4_ddot * c3
+    w372 = w369 - w370 + w371
+    w373 = w35 * w368 - w37 * w372
+    w374 = w208 * rod_small_end_x + w0 * w215 + w22 * w217
+    w375 = w63 * w204 - w78 * w203
+    w376 = w374 + w375
+    w377 = w37 * w376 - w39 * w368
+    w378 = w39 * w372 - w35 * w376
+    w379 = w49 * w373 + w45 * w377 + w47 * w378
+    w380 = fork_angle1_dot**2
+    w381 = w14 * w380 - w17 * w162 + w10 * w160
+    w382 = w24 * w380 - w26 * w162 + w23 * w160
+    w383 = 2 * w87
+    w384 = 2 * w88
+    w385 = w22 * w381 - w0 * w382 + (w77 * w383 - w81 * w384) + (w24 * w372 - w14 * w368)
+    w386 = 2 * w90
+    w387 = w30 * w380 - w31 * w162 + w29 * w160
+    w388 = w83 * w384 - w77 * w386 - (w382 * rod_small_end_x + w22 * w387) + (w30 * w368 - w24 * w376)
+    w389 = w0 * w387 + w381 * rod_small_end_x + (w81 * w386 - w83 * w383) + (w14 * w376 - w30 * w372)
+    w390 = w49 * w385 + w45 * w388 + w47 * w389
+    w391 = 2 * w93
+    w392 = 2 * w86
+    w393 = w32 * w373 + w20 * w377 + w27 * w378
+    w394 = axle_angle_dot**2 * crank_pin_y
+    w395 = axle_angle_ddot * crank_pin_y
+    w396 = w57 * w394 - w53 * w395
+    w397 = w32 * w385 + w20 * w388 + w27 * w389
+    w398 = 2 * w97
+    w399 = 2 * w96
+    w400 = w57 * w395 + w53 * w394
+    w401 = w39 * w385 + w35 * w388 + w37 * w389
+    w402 = 2 * w99
+    w403 = (w400 - w56 * w401 + w100 * w402) / w55
+    w404 = (w60 * w393 - w396 - w56 * w397 + (w100 * w398 - w101 * w399)) / w51 + w52 * w403
+    w405 = w60 * w356 - w56 * w364 - (w60 * w379 - w56 * w390 + (w100 * w391 - w101 * w392) + w34 * w404 + w61 * w403) * slider_mass
+    w406 = w102 * guide_damping - w405
+    w407 = w39 * w60 + w30 * w56
+    w408 = w183 + w22 * rod_mass
+    w409 = w365 - w199 + (w366 + w367)
+    w410 = w375 + (w374 - w206)
+    w411 = w37 * w60 + w24 * w56
+    w412 = w20 * w396 - w35 * w400 + (w407 * w409 - w410 * w411)
+    w413 = w178 + w0 * rod_mass
+    w414 = w35 * w60 + w14 * w56
+    w415 = w369 - w224 + (w371 - w370)
+    w416 = w27 * w396 - w37 * w400 + (w410 * w414 - w407 * w415)
+    w417 = w280 + (w0 * w178 + w0 * w413)
+    w418 = w291 + (w22 * w183 + w22 * w408)
+    w419 = w417 + w418
+    w420 = 2 * w100
+    w421 = w90 * w420 - (w39 * w404 + w56 * w387) - w30 * w403
+    w422 = w257 - (w178 * rod_small_end_x + w0 * rod_first_moment_x)
+    w423 = w87 * w420 - (w35 * w404 + w56 * w381) - w14 * w403
+    w424 = w267 - (w183 * rod_small_end_x + w22 * rod_first_moment_x)
+    w425 = w88 * w420 - (w37 * w404 + w56 * w382) - w24 * w403
+    w426 = w178 * w203
+    w427 = w426 - w183 * w204
+    w428 = 2 * -w83
+    w429 = w427 + w428 * rod_mass
+    w430 = w204 * w243 - w203 * w280 + 2 * w298 - (w0 * w429 + w178 * w428)
+    w431 = w35 * w101 + w56 * w87 + w14 * w100
+    w432 = w203 * w257
+    w433 = w200 * w243
+    w434 = w183 * w200
+    w435 = w203 * c54 + w434 + 2 * -w201
+    w436 = 2 * -w81
+    w437 = w435 + w436 * rod_mass
+    w438 = w432 - w433 + 2 * w294 - (w0 * w437 + w178 * w436)
+    w439 = w204 * w267
+    w440 = 2 * -w205 - (w178 * w200 + w204 * c54)
+    w441 = 2 * -w77
+    w442 = w440 + w441 * rod_mass
+    w443 = w433 - w439 + 2 * w296 - (w22 * w442 + w183 * w441)
+    w444 = w438 + w443
+    w445 = w39 * w101 + w56 * w90 + w30 * w100
+    w446 = w204 * w291 - w203 * w243 + 2 * w300 - (w22 * w429 + w183 * w428)
+    w447 = w37 * w101 + w56 * w88 + w24 * w100
+    w448 = w408 * w412 - w413 * w416 + (w419 * w421 - w422 * w423 - w424 * w425) + (w430 * w431 - w444 * w445 + w446 * w447)
+    w449 = c278 + w320
+    w450 = w418 + w449
+    w451 = w243 + (w0 * w183 + w22 * w413)
+    w452 = w32 * w396 - w39 * w400 + (w411 * w415 - w409 * w414)
+    w453 = w203 * w267 - w200 * w291 + 2 * w325 - (w22 * w437 + w183 * w436)
+    w454 = w439 - w432 + 2 * w323 + (w429 * rod_small_end_x + w428 * c54)
+    w455 = w443 + w454
+    w456 = w203 * w320 - w200 * w267 + 2 * w326 + (w437 * rod_small_end_x + w436 * c54)
+    w457 = w423 * w450 - w425 * w451 - w421 * w422 - (w408 * w452 + w416 * rod_first_moment_x) + (w447 * w453 - w431 * w455 + w445 * w456)
+    w458 = w417 + w449
+    w459 = w200 * w257 - w204 * w320 + 2 * w334 + (w442 * rod_small_end_x + w441 * c54)
+    w460 = w438 + w454
+    w461 = w200 * w280 - w204 * w257 + 2 * w336 - (w0 * w442 + w178 * w441)
+    w462 = w412 * rod_first_moment_x + w413 * w452 + (w425 * w458 - w421 * w424 - w423 * w451) + (w445 * w459 - w447 * w460 + w431 * w461)
+    w463 = w39 * w54 - w32 * w58
+    w464 = w452 * rod_mass + (w413 * w425 - w408 * w423) + (w437 * w447 - w431 * w442) + (w346 * w414 - w348 * w411)
+    w465 = w35 * w54 - w20 * w58
+    w466 = w412 * rod_mass + (w425 * rod_first_moment_x + w408 * w421) + (w442 * w445 - w429 * w447) + (w350 * w411 - w346 * w407)
+    w467 = w37 * w54 - w27 * w58
+    w468 = w416 * rod_mass - (w413 * w421 + w423 * rod_first_moment_x) + (w429 * w431 - w437 * w445) + (w348 * w407 - w350 * w414)
+    w469 = w57 * c145 - (w53 * w344 + w57 * w345) * crank_pin_y + (w407 * w448 + w414 * w457 + w411 * w462 + (w463 * w464 + w465 * w466 + w467 * w468))
+    w470 = w331 - (w22 * w219 + w202 * rod_small_end_x)
+    w471 = w342 + (w225 * rod_small_end_x + w0 * w219)
+    w472 = w24 * rod_small_end_x + w22 * w30
+    w473 = w0 * w30 + w14 * rod_small_end_x
+    w474 = w307 - (w0 * w202 - w22 * w225)
+    w475 = w0 * w24 - w14 * w22
+    w476 = w39 * (w24 * w470 - w14 * w471 + (w347 * w472 + w349 * w473)) + w35 * (w30 * w471 - w24 * w474 - (w351 * w473 + w347 * w475))
+    w477 = w22 * w35 - w0 * w37
+    w478 = w37 * rod_small_end_x + w22 * w39
+    w479 = w0 * w39 + w35 * rod_small_end_x
+    w480 = w476 + w37 * (w14 * w474 - w30 * w470 + (w349 * w475 - w351 * w472)) + (w357 * w477 - w360 * w478 + w363 * w479)
+    w481 = w56 * w480
+    w482 = w1 * 0.5 / w9
+    w483 = w130 + w52 * w148
+    w484 = w482 * rod_small_end_rotation_1_0 - (w39 * w483 + w30 * w148)
+    w485 = w164 + (w35 * w483 + w14 * w148)
+    w486 = w4 * 0.5 / w9
+    w487 = w37 * w483 + w24 * w148 + w486 * rod_small_end_rotation_1_0
+    w488 = w301 + w178 * c10 + w0 * c279
+    w489 = rod_q2_dot * c103 + rod_q4_dot * c104 - (rod_q2_dot * rod_phi_phi_1_0_2_1 + rod_q4_dot * rod_phi_phi_3_0_2_1)
+    w490 = w200 * (w269 + w282)
+    w491 = 2 * w489 - (w490 - w204 * w245 - w203 * c71) - w435 * c10 - w436 * c279
+    w492 = w204 * (w282 + w310)
+    w493 = w427 * c10 - (w492 - w203 * w228 - w200 * w246) + w428 * c279
+    w494 = w203 * (w269 + w310)
+    w495 = rod_q6_dot * c273 - (w494 - w200 * rod_rho_phi_0_2_0 - w204 * w229)
+    w496 = w421 * w488 + w423 * c280 + w337 * w425 - w416 * c279 - (w445 * w491 + w431 * w493 + w447 * w495)
+    w497 = w185 + w34 * w483 + w61 * w148
+    w498 = w134 + w52 * w151
+    w499 = w486 * rod_small_end_rotation_2_1 - (w35 * w498 + w14 * w151)
+    w500 = w2 * 0.5 / w9
+    w501 = w39 * w498 + w30 * w151 + w500 * rod_small_end_rotation_2_1
+    w502 = w210 + (w37 * w498 + w24 * w151)
+    w503 = w302 - w183 * c2 - w22 * c281
+    w504 = w203 * (w271 + w312)
+    w505 = w504 - w200 * w259 - w204 * w232 + w427 * c2 + w428 * c281
+    w506 = rod_q1_dot * rod_phi_phi_0_1_1_2 + rod_q3_dot * rod_phi_phi_2_1_1_2 + rod_q5_dot * rod_phi_phi_4_1_1_2
+    w507 = w200 * (w271 + w283)
+    w508 = 2 * (w506 - (rod_q1_dot * c110 + rod_q3_dot * c111 + rod_q5_dot * c112)) - (w507 - w204 * c55 - w203 * w258)
+    w509 = w508 + w440 * c2 + w441 * c281
+    w510 = w204 * (w283 + w312)
+    w511 = rod_q6_dot * c274 - (w510 - w203 * w231 - w200 * rod_rho_phi_1_1_0)
+    w512 = w421 * w503 + w327 * w423 + w425 * c282 - w412 * c281 + (w447 * w505 - (w445 * w509 + w431 * w511))
+    w513 = w188 + w34 * w498 + w61 * w151
+    w514 = w135 + w52 * w152
+    w515 = w482 * rod_small_end_rotation_1_2 - (w39 * w514 + w30 * w152)
+    w516 = w165 + (w35 * w514 + w14 * w152)
+    w517 = w37 * w514 + w24 * w152 + w486 * rod_small_end_rotation_1_2
+    w518 = w303 + w178 * c11 + w0 * c283
+    w519 = rod_q2_dot * c113 + rod_q4_dot * c114 - (rod_q2_dot * rod_phi_phi_1_2_2_1 + rod_q4_dot * rod_phi_phi_3_2_2_1)
+    w520 = w200 * (w273 + w285)
+    w521 = 2 * w519 - (w520 - w204 * w248 - w203 * c76) - w435 * c11 - w436 * c283
+    w522 = w204 * (w285 + w314)
+    w523 = w427 * c11 - (w522 - w203 * w234 - w200 * w249) + w428 * c283
+    w524 = w203 * (w273 + w314)
+    w525 = rod_q6_dot * c275 - (w524 - w200 * rod_rho_phi_2_2_0 - w204 * w235)
+    w526 = w421 * w518 + w423 * c284 + w338 * w425 - w416 * c283 - (w445 * w521 + w431 * w523 + w447 * w525)
+    w527 = w189 + w34 * w514 + w61 * w152
+    w528 = w136 + w52 * w153
+    w529 = w486 * rod_small_end_rotation_2_3 - (w35 * w528 + w14 * w153)
+    w530 = w39 * w528 + w30 * w153 + w500 * rod_small_end_rotation_2_3
+    w531 = w212 + (w37 * w528 + w24 * w153)
+    w532 = w304 - w183 * c3 - w22 * c285
+    w533 = w203 * (w275 + w316)
+    w534 = w533 - w200 * w262 - w204 * w238 + w427 * c3 + w428 * c285
+    w535 = rod_q1_dot * rod_phi_phi_0_3_1_2 + rod_q3_dot * rod_phi_phi_2_3_1_2 + rod_q5_dot * rod_phi_phi_4_3_1_2
+    w536 = w200 * (w275 + w286)
+    w537 = 2 * (w535 - (rod_q1_dot * c120 + rod_q3_dot * c121 + rod_q5_dot * c122)) - (w536 - w204 * c60 - w203 * w261)
+    w538 = w537 + w440 * c3 + w441 * c285
+    w539 = w204 * (w286 + w316)
+    w540 = rod_q6_dot * c276 - (w539 - w203 * w237 - w200 * rod_rho_phi_3_1_0)
+    w541 = w421 * w532 + w328 * w423 + w425 * c286 - w412 * c285 + (w447 * w534 - (w445 * w538 + w431 * w540))
+    w542 = w190 + w34 * w528 + w61 * w153
+    w543 = w137 + w52 * w154
+    w544 = w482 * rod_small_end_rotation_1_4 - (w39 * w543 + w30 * w154)
+    w545 = w167 + (w35 * w543 + w14 * w154)
+    w546 = w37 * w543 + w24 * w154 + w486 * rod_small_end_rotation_1_4
+    w547 = w305 + w178 * c12 + w0 * c287
+    w548 = rod_q2_dot * c123 + rod_q4_dot * c124 - (rod_q2_dot * rod_phi_phi_1_4_2_1 + rod_q4_dot * rod_phi_phi_3_4_2_1)
+    w549 = w200 * (w277 + w288)
+    w550 = 2 * w548 - (w549 - w204 * w251 - w203 * c81) - w435 * c12 - w436 * c287
+    w551 = w204 * (w288 + w318)
+    w552 = w427 * c12 - (w551 - w203 * w240 - w200 * w252) + w428 * c287
+    w553 = w203 * (w277 + w318)
+    w554 = rod_q6_dot * c277 - (w553 - w200 * rod_rho_phi_4_2_0 - w204 * w241)
+    w555 = w421 * w547 + w423 * c288 + w339 * w425 - w416 * c287 - (w445 * w550 + w431 * w552 + w447 * w554)
+    w556 = w191 + w34 * w543 + w61 * w154
+    w557 = w141 + w52 * w157
+    w558 = w500 * rod_small_end_rotation_0_5 - (w37 * w557 + w24 * w157)
+    w559 = w174 + (w39 * w557 + w30 * w157)
+    w560 = w35 * w557 + w14 * w157 + w482 * rod_small_end_rotation_0_5
+    w561 = w200 * (w279 + w290)
+    w562 = w561 - w204 * w254 - w203 * w264
+    w563 = rod_q2_dot * rod_phi_phi_1_5_2_0 + rod_q4_dot * rod_phi_phi_3_5_2_0 - (rod_q2_dot * rod_phi_phi_1_5_0_2 + rod_q4_dot * rod_phi_phi_3_5_0_2)
+    w564 = w204 * (w290 + w319)
+    w565 = 2 * w563 - (w564 - w203 * rod_rho_phi_5_1_2 - w200 * w255)
+    w566 = rod_q1_dot * rod_phi_phi_0_5_0_1 + rod_q3_dot * rod_phi_phi_2_5_0_1 + rod_q5_dot * rod_phi_phi_4_5_0_1
+    w567 = rod_q1_dot * rod_phi_phi_0_5_1_0 + rod_q3_dot * rod_phi_phi_2_5_1_0 + rod_q5_dot * rod_phi_phi_4_5_1_0
+    w568 = w203 * (w279 + w319)
+    w569 = 2 * (w566 - w567) - (w568 - w200 * w265 - w204 * rod_rho_phi_5_2_1)
+    w570 = w192 + w34 * w557 + w61 * w157
+    w571 = w68 * w110
+    w572 = w571 / w9
+    w573 = w80 * w482
+    w574 = w73 * w486
+    w575 = w572 + (w573 + w574)
+    w576 = w66 * w68
+    w577 = w486 * w571
+    w578 = w576 - w577
+    w579 = w73 / w9
+    w580 = w578 + (w579 + w76 * w482)
+    w581 = w77 / w9
+    w582 = w22 * w575 + w0 * w580 + (w81 * w486 - w581)
+    w583 = w482 * w571
+    w584 = w68 * w70
+    w585 = w583 - w584
+    w586 = w80 / w9
+    w587 = w585 + (w76 * w486 - w586)
+    w588 = w83 * w486
+    w589 = w77 * w482
+    w590 = w580 * rod_small_end_x + w22 * w587 - (w588 + w589)
+    w591 = w83 / w9
+    w592 = w575 * rod_small_end_x - w0 * w587 + (w81 * w482 + w591)
+    w593 = w49 * w582 + w45 * w590 + w47 * w592
+    w594 = w49 * w76 - w45 * w73
+    w595 = w32 * w582 + w20 * w590 + w27 * w592
+    w596 = w32 * w76 - w20 * w73
+    w597 = w39 * w582 + w35 * w590 + w37 * w592
+    w598 = w39 * w76 - w35 * w73
+    w599 = (w99 * w148 + (w597 * rod_small_end_rotation_1_0 + w598 * c10)) / w55
+    w600 = (w97 * w148 - w96 * w483 + (w595 * rod_small_end_rotation_1_0 + w596 * c10)) / w51 + w52 * w599
+    w601 = w93 * w148 - w86 * w483 + (w593 * rod_small_end_rotation_1_0 + w594 * c10) + w34 * w600 + w61 * w599
+    w602 = w347 / w9
+    w603 = w349 * w486 - w602
+    w604 = w351 * w486
+    w605 = w347 * w482
+    w606 = w604 + w605
+    w607 = w351 / w9
+    w608 = w349 * w482 + w607
+    w609 = w49 * w603 - w45 * w606 + w47 * w608
+    w610 = rod_q6_ddot * rod_small_end_rotation_0_5
+    w611 = w68 * w610
+    w612 = 2 * w571
+    w613 = rod_q1_ddot * rod_small_end_rotation_1_0 + rod_q3_ddot * rod_small_end_rotation_1_2 + rod_q5_ddot * rod_small_end_rotation_1_4
+    w614 = rod_q2_ddot * rod_small_end_rotation_2_1 + rod_q4_ddot * rod_small_end_rotation_2_3
+    w615 = w68 * (w66**2 + w67**2 + w70**2 + (w4 * w610 + w2 * w613 + w1 * w614))
+    w616 = w486 * w615
+    w617 = w200 * w572
+    w618 = w611 - (w578 * w612 + w616) - (w617 + w204 * w585) + (w177 / w9 - w170 * w482 - w182 * w486)
+    w619 = w615 / w9 - w572 * w612
+    w620 = w203 * w585 - w200 * w578 - w619 + (w222 * w486 - (w220 * w482 + w221 / w9))
+    w621 = 2 * w575
+    w622 = 2 * -w580
+    w623 = w368 / w9
+    w624 = w0 * w618 - w22 * w620 + (w77 * w621 - w81 * w622) + (w372 * w486 - w623)
+    w625 = w203 * w572
+    w626 = w68 * w614
+    w627 = w482 * w615
+    w628 = w204 * w578 + w625 - (w626 + (w585 * w612 - w627)) + (w208 * w482 + w215 / w9 + w217 * w486)
+    w629 = 2 * -w587
+    w630 = w376 * w486
+    w631 = w368 * w482
+    w632 = w618 * rod_small_end_x + w22 * w628 + (w83 * w622 - w77 * w629) - (w630 + w631)
+    w633 = w376 / w9
+    w634 = w81 * w629 - w83 * w621 - (w0 * w628 + w620 * rod_small_end_x) + (w372 * w482 + w633)
+    w635 = w49 * w624 + w45 * w632 + w47 * w634
+    w636 = w49 * w217 + w45 * w222 - w47 * w182
+    w637 = w148 * w390 - w379 * w483 + (w635 * rod_small_end_rotation_1_0 + w636 * c10) + (w391 * w599 - w392 * w600)
+    w638 = w32 * w624 + w20 * w632 + w27 * w634
+    w639 = w32 * w217 + w20 * w222 - w27 * w182
+    w640 = w148 * w397 - w393 * w483 + (w638 * rod_small_end_rotation_1_0 + w639 * c10) + (w398 * w599 - w399 * w600)
+    w641 = w39 * w624 + w35 * w632 + w37 * w634
+    w642 = w39 * w217 + w35 * w222 - w37 * w182
+    w643 = (w148 * w401 + (w641 * rod_small_end_rotation_1_0 + w642 * c10) + w402 * w599) / w55
+    w644 = w640 / w51 + w52 * w643
+    w645 = w148 * w364 - w356 * w483 + w609 * rod_small_end_rotation_1_0 - (w637 + w34 * w644 + w61 * w643) * slider_mass
+    w646 = w601 * guide_damping - w645
+    w647 = w410 * w485 + w415 * w484
+    w648 = w409 * w484 + w410 * w487
+    w649 = 2 * w599
+    w650 = w148 * w387 - w39 * w644 + w90 * w649 - w30 * w643 - w628 * rod_small_end_rotation_1_0
+    w651 = w148 * w381 - w35 * w644 + w87 * w649 - w14 * w643 - w620 * rod_small_end_rotation_1_0
+    w652 = w148 * w382 - w37 * w644 + w88 * w649 - w24 * w643 - w618 * rod_small_end_rotation_1_0
+    w653 = w90 * w148 - w39 * w600 - w30 * w599 - w587 * rod_small_end_rotation_1_0
+    w654 = w87 * w148 - w35 * w600 - w14 * w599 + w575 * rod_small_end_rotation_1_0
+    w655 = w88 * w148 - w37 * w600 - w24 * w599 - w580 * rod_small_end_rotation_1_0
+    w656 = w413 * w647 + w408 * w648 + (w419 * w650 - w422 * w651 - w424 * w652) + (w444 * w653 - w430 * w654 - w446 * w655)
+    w657 = w230 + rod_q2 * c290 + rod_q4 * c292
+    w658 = w247 + rod_q6 * c294
+    w659 = w268 + w269 + rod_q3 * rod_phi_phi_0_2_1_1 + rod_q5 * rod_phi_phi_0_4_1_1
+    w660 = w281 + w282 + rod_q3 * c42 + rod_q5 * c47
+    w661 = rod_q1_dot * rod_phi_phi_0_0_1_1 + rod_q3_dot * rod_phi_phi_0_2_1_1 + rod_q5_dot * rod_phi_phi_0_4_1_1
+    w662 = rod_q1_dot * c35 + rod_q3_dot * c42 + rod_q5_dot * c47
+    w663 = w244 * w657 + (w170 * w658 - w220 * c73) + (w177 * w659 - w222 * w660) - w224 * c34 + (w200 * (w661 + w662) - w204 * (rod_q6_dot * rod_phi_phi_0_5_1_0))
+    w664 = w223 + w178 * w182
+    w665 = w182 * rod_mass
+    w666 = w182 * c279
+    w667 = w222 * c279
+    w668 = w663 + (rod_q2_ddot * c296 + rod_q4_ddot * c299) - w664 * c10 + w225 * c10 - (w0 * w666 + w22 * w667)
+    w669 = w656 + w668
+    w670 = w409 * w485 - w415 * w487
+    w671 = w647 * rod_first_moment_x - w408 * w670 + (w450 * w651 - w451 * w652 - w422 * w650) + (w455 * w654 - w453 * w655 - w456 * w653)
+    w672 = w309 + w310 + rod_q3 * rod_phi_phi_0_2_0_0 + rod_q5 * rod_phi_phi_0_4_0_0
+    w673 = rod_q1_dot * rod_phi_phi_0_0_0_0 + rod_q3_dot * rod_phi_phi_0_2_0_0 + rod_q5_dot * rod_phi_phi_0_4_0_0
+    w674 = w204 * (w662 + w673) - w203 * (rod_q2_dot * c110 + rod_q4_dot * c120) - w200 * (rod_q6_dot * rod_phi_phi_0_5_0_1)
+    w675 = w218 - w182 * c54 - w219
+    w676 = w206 * c34 + (w217 * w660 - w170 * w672 + (w215 * w657 - w177 * w658 + (w308 * c73 + w675 * c10)))
+    w677 = w217 * c279
+    w678 = w671 + (w674 + w676 - (w666 * rod_small_end_x - w22 * w677))
+    w679 = w648 * rod_first_moment_x + w413 * w670 + (w458 * w652 - w424 * w650 - w451 * w651) + (w460 * w655 - w459 * w653 - w461 * w654)
+    w680 = w203 * (w661 + w673) - w204 * (rod_q2_dot * rod_phi_phi_0_1_1_2 + rod_q4_dot * rod_phi_phi_0_3_1_2)
+    w681 = w332 * w658 + (w222 * c73 - w217 * w657) + (w220 * w672 - w215 * w659) + w680 + rod_q6_ddot * c302
+    w682 = w222 * c54 + w178 * w217
+    w683 = w679 + (w681 - w682 * c10 - (w667 * rod_small_end_x + w0 * w677))
+    w684 = w670 * rod_mass + (w413 * w652 - w408 * w651) + (w442 * w654 - w437 * w655) + (w348 * w487 - w346 * w485 - w677)
+    w685 = w648 * rod_mass + (w652 * rod_first_moment_x + w408 * w650) + (w429 * w655 - w442 * w653) - (w667 + (w350 * w487 + w346 * w484))
+    w686 = w437 * w653 - w429 * w654 - (w647 * rod_mass + (w413 * w650 + w651 * rod_first_moment_x)) + (w666 + (w348 * w484 + w350 * w485))
+    w687 = w62 * w646 - (w407 * w669 + w414 * w678 + w411 * w683 + (w463 * w684 + w465 * w685 + w467 * w686))
+    w688 = w471 / w9
+    w689 = w486 * rod_small_end_x
+    w690 = w22 * w482
+    w691 = w689 - w690
+    w692 = rod_small_end_x / w9
+    w693 = w0 * w482 - w692
+    w694 = w470 * w486 - w688 + (w347 * w691 - w349 * w693)
+    w695 = w22 / w9
+    w696 = w0 * w486 - w695
+    w697 = w474 * w486
+    w698 = w471 * w482
+    w699 = w351 * w693 - w347 * w696 - (w697 + w698)
+    w700 = w474 / w9
+    w701 = w470 * w482 + w700 + (w349 * w696 - w351 * w691)
+    w702 = w39 * w694 + w35 * w699 + w37 * w701 + (w477 * w603 + w478 * w606 + w479 * w608)
+    w703 = w355 - w354
+    w704 = w148 * w480 + w702 * rod_small_end_rotation_1_0 + w703 * c10
+    w705 = w475 * w603 - w472 * w606 - w473 * w608 - (w30 * w694 + w14 * w699 + w24 * w701)
+    w706 = w362 - w361
+    w707 = w705 * rod_small_end_rotation_1_0 + w706 * c10
+    w708 = w488 * w650 + w651 * c280 + w337 * w652 + w647 * c279 + (w491 * w653 + w493 * w654 + w495 * w655)
+    w709 = w470 + (w22 * w351 + w347 * rod_small_end_x)
+    w710 = w471 - (w349 * rod_small_end_x + w0 * w351)
+    w711 = w474 + (w0 * w347 - w22 * w349)
+    w712 = (w709 + (w4 * w710 - w1 * w711) * 0.5) / w9
+    w713 = w71 * w712
+    w714 = w713 * rod_small_end_rotation_1_0 - w608 * c10
+    w715 = w484 * w669 - w485 * w678 - w487 * w683 + w708 + w714 * rod_small_end_rotation_1_0 - (w208 * rod_phi_phi_0_0_0_0 + (w221 * rod_phi_phi_0_0_1_1 + w182 * c295))
+    w716 = w503 * w650 + w327 * w651 + w652 * c282 - w648 * c281 + (w509 * w653 + w511 * w654 - w505 * w655)
+    w717 = w349 * w500
+    w718 = w604 + w717
+    w719 = w68 * w711
+    w720 = (w710 + (w2 * w711 - w4 * w709) * 0.5) / w9
+    w721 = w719 - w71 * w720
+    w722 = w718 * c10 - w721 * rod_small_end_rotation_1_0
+    w723 = w499 * w678 - w501 * w669 - w502 * w683 + w716 + w722 * rod_small_end_rotation_2_1 + (w171 * c289 + (w176 * c296 + w222 * c297))
+    w724 = w518 * w650 + w651 * c284 + w338 * w652 + w647 * c283 + (w521 * w653 + w523 * w654 + w525 * w655)
+    w725 = w515 * w669 - w516 * w678 - w517 * w683 + w724 + w714 * rod_small_end_rotation_1_2 - (w208 * rod_phi_phi_0_2_0_0 + (w221 * rod_phi_phi_0_2_1_1 + w182 * c298))
+    w726 = w532 * w650 + w328 * w651 + w652 * c286 - w648 * c285 + (w538 * w653 + w540 * w654 - w534 * w655)
+    w727 = w529 * w678 - w530 * w669 - w531 * w683 + w726 + w722 * rod_small_end_rotation_2_3 + (w171 * c291 + (w176 * c299 + w222 * c300))
+    w728 = w547 * w650 + w651 * c288 + w339 * w652 + w647 * c287 + (w550 * w653 + w552 * w654 + w554 * w655)
+    w729 = w544 * w669 - w545 * w678 - w546 * w683 + w728 + w714 * rod_small_end_rotation_1_4 - (w208 * rod_phi_phi_0_4_0_0 + (w221 * rod_phi_phi_0_4_1_1 + w182 * c301))
+    w730 = w558 * w683 - (w559 * w669 + w560 * w678) + (w650 * c137 + w330 * w651 + w341 * w652 + (w565 * w654 - w562 * w653 + w569 * w655))
+    w731 = w68 * w710
+    w732 = (w711 + (w1 * w709 - w2 * w710) * 0.5) / w9
+    w733 = w731 + w71 * w732
+    w734 = w349 / w9
+    w735 = w351 * w482
+    w736 = w734 - w735
+    w737 = w730 + (w733 * rod_small_end_rotation_1_0 + w736 * c10) * rod_small_end_rotation_0_5 + (w214 * c302 + w209 * c293)
+    w738 = w81 / w9
+    w739 = w577 - w576
+    w740 = w739 + (w80 * w500 - w579)
+    w741 = w76 * w500
+    w742 = w572 + (w574 + w741)
+    w743 = w77 * w486 + w738 - (w22 * w740 + w0 * w742)
+    w744 = w67 * w68
+    w745 = w500 * w571
+    w746 = w744 - w745
+    w747 = w76 / w9
+    w748 = w746 + (w747 + w80 * w486)
+    w749 = w22 * w748 - w742 * rod_small_end_x + (w77 * w500 - w591)
+    w750 = w81 * w500
+    w751 = w0 * w748 + w740 * rod_small_end_x + (w588 + w750)
+    w752 = w49 * w743 + w45 * w749 - w47 * w751
+    w753 = w47 * w73 - w49 * w80
+    w754 = w32 * w743 + w20 * w749 - w27 * w751
+    w755 = w27 * w73 - w32 * w80
+    w756 = w39 * w743 + w35 * w749 - w37 * w751
+    w757 = w37 * w73 - w39 * w80
+    w758 = (w99 * w151 + (w756 * rod_small_end_rotation_2_1 + w757 * c2)) / w55
+    w759 = (w97 * w151 - w96 * w498 + (w754 * rod_small_end_rotation_2_1 + w755 * c2)) / w51 + w52 * w758
+    w760 = w93 * w151 - w86 * w498 + (w752 * rod_small_end_rotation_2_1 + w753 * c2) + w34 * w759 + w61 * w758
+    w761 = w734 + w347 * w486
+    w762 = w347 * w500
+    w763 = w762 - w607
+    w764 = w49 * w761 + w45 * w763 - w47 * w718
+    w765 = w200 * w739 - w204 * w746 - w619 + (w170 * w500 - w177 * w486 - w182 / w9)
+    w766 = w617 + w203 * w746 - (w611 + (w612 * w739 - w616)) + (w220 * w500 + w221 * w486 + w222 / w9)
+    w767 = 2 * -w740
+    w768 = 2 * w742
+    w769 = w372 / w9
+    w770 = w0 * w765 - w22 * w766 + (w77 * w767 - w81 * w768) + (w368 * w486 + w769)
+    w771 = w68 * w613
+    w772 = w500 * w615
+    w773 = w204 * w572
+    w774 = w771 - (w612 * w746 + w772) - (w773 + w203 * w739) + (w217 / w9 - (w208 * w500 + w215 * w486))
+    w775 = 2 * -w748
+    w776 = w765 * rod_small_end_x + w22 * w774 + (w83 * w768 - w77 * w775) + (w368 * w500 - w633)
+    w777 = w372 * w500
+    w778 = w81 * w775 - w83 * w767 - (w0 * w774 + w766 * rod_small_end_x) - (w630 + w777)
+    w779 = w49 * w770 + w45 * w776 + w47 * w778
+    w780 = w49 * w215 - w45 * w221 + w47 * w177
+    w781 = w151 * w390 - w379 * w498 + (w779 * rod_small_end_rotation_2_1 + w780 * c2) + (w391 * w758 - w392 * w759)
+    w782 = w32 * w770 + w20 * w776 + w27 * w778
+    w783 = w32 * w215 - w20 * w221 + w27 * w177
+    w784 = w151 * w397 - w393 * w498 + (w782 * rod_small_end_rotation_2_1 + w783 * c2) + (w398 * w758 - w399 * w759)
+    w785 = w39 * w770 + w35 * w776 + w37 * w778
+    w786 = w39 * w215 - w35 * w221 + w37 * w177
+    w787 = (w151 * w401 + (w785 * rod_small_end_rotation_2_1 + w786 * c2) + w402 * w758) / w55
+    w788 = w784 / w51 + w52 * w787
+    w789 = w151 * w364 - w356 * w498 + w764 * rod_small_end_rotation_2_1 - (w781 + w34 * w788 + w61 * w787) * slider_mass
+    w790 = w760 * guide_damping - w789
+    w791 = w410 * w502 - w409 * w501
+    w792 = w410 * w499 + w415 * w501
+    w793 = 2 * w758
+    w794 = w151 * w387 - w39 * w788 + w90 * w793 - w30 * w787 - w774 * rod_small_end_rotation_2_1
+    w795 = w151 * w381 - w35 * w788 + w87 * w793 - w14 * w787 - w766 * rod_small_end_rotation_2_1
+    w796 = w151 * w382 - w37 * w788 + w88 * w793 - w24 * w787 - w765 * rod_small_end_rotation_2_1
+    w797 = w90 * w151 - w39 * w759 - w30 * w758 - w748 * rod_small_end_rotation_2_1
+    w798 = w87 * w151 - w35 * w759 - w14 * w758 - w740 * rod_small_end_rotation_2_1
+    w799 = w88 * w151 - w37 * w759 - w24 * w758 + w742 * rod_small_end_rotation_2_1
+    w800 = w408 * w791 - w413 * w792 + (w419 * w794 - w422 * w795 - w424 * w796) + (w444 * w797 - w430 * w798 - w446 * w799)
+    w801 = w233 + rod_q1 * c304 + rod_q3 * c306 + rod_q5 * c308
+    w802 = w260 + rod_q6 * c310
+    w803 = w270 + w271 + rod_q4 * c27
+    w804 = 2 * w283
+    w805 = rod_q2_dot * c20 + rod_q4_dot * c27
+    w806 = rod_q2_dot * rod_phi_phi_1_1_2_2
+    w807 = w179 + w183 * w221 - w202
+    w808 = w199 * c19 + (w177 * w803 - w222 * w804 + (w170 * c57 - w220 * w802 + (w244 * w801 + w807 * c2)))
+    w809 = rod_q3_ddot * c314 + (rod_q1_ddot * c311 + (w200 * (w805 + w806) - w203 * (rod_q6_dot * rod_phi_phi_1_5_2_0) + w808))
+    w810 = w177 * c281
+    w811 = w221 * c281
+    w812 = w800 + (rod_q5_ddot * c317 + w809 + (w0 * w810 + w22 * w811))
+    w813 = w415 * w502 + w409 * w499
+    w814 = w408 * w813 - w792 * rod_first_moment_x + (w450 * w795 - w451 * w796 - w422 * w794) + (w455 * w798 - w453 * w799 - w456 * w797)
+    w815 = w311 + w312 + rod_q4 * rod_phi_phi_1_3_0_0
+    w816 = rod_q2_dot * rod_phi_phi_1_1_0_0 + rod_q4_dot * rod_phi_phi_1_3_0_0
+    w817 = rod_q1_dot * rod_phi_phi_1_0_2_1 + rod_q3_dot * rod_phi_phi_1_2_2_1 + rod_q5_dot * rod_phi_phi_1_4_2_1
+    w818 = w308 * w802 + (w215 * w801 - w177 * c57) + (w217 * w804 - w170 * w815) + (w204 * (w806 + w816) - w203 * w817)
+    w819 = w183 * w215 + w177 * c54
+    w820 = w215 * c281
+    w821 = w814 + (w818 + rod_q6_ddot * c319 + w819 * c2 + (w22 * w820 + w810 * rod_small_end_x))
+    w822 = w791 * rod_first_moment_x - w413 * w813 + (w458 * w796 - w424 * w794 - w451 * w795) + (w460 * w799 - w459 * w797 - w461 * w798)
+    w823 = w203 * (w805 + w816) - w200 * (rod_q6_dot * rod_phi_phi_1_5_0_2) - w204 * (rod_q1_dot * c103 + rod_q3_dot * c113 + rod_q5_dot * c123)
+    w824 = w219 + (w221 * c54 - w216)
+    w825 = w823 + (w332 * c57 + (w222 * w802 - w217 * w801) + (w220 * w815 - w215 * w803) - w206 * c19 + w824 * c2)
+    w826 = w822 + (w825 - (w0 * w820 - w811 * rod_small_end_x))
+    w827 = w413 * w796 - w408 * w795 - w813 * rod_mass + (w442 * w798 - w437 * w799) - (w820 - (w346 * w499 + w348 * w502))
+    w828 = w791 * rod_mass + (w796 * rod_first_moment_x + w408 * w794) + (w429 * w799 - w442 * w797) + (w811 + (w346 * w501 - w350 * w502))
+    w829 = w792 * rod_mass - (w413 * w794 + w795 * rod_first_moment_x) + (w437 * w797 - w429 * w798) - (w810 + (w348 * w501 + w350 * w499))
+    w830 = w62 * w790 - (w407 * w812 + w414 * w821 + w411 * w826 + (w463 * w827 + w465 * w828 + w467 * w829))
+    w831 = w470 / w9
+    w832 = w692 + w22 * w500
+    w833 = w0 * w500
+    w834 = w689 - w833
+    w835 = w471 * w486 + w831 + (w347 * w832 - w349 * w834)
+    w836 = w0 / w9
+    w837 = w22 * w486 + w836
+    w838 = w471 * w500 - w700 + (w351 * w834 - w347 * w837)
+    w839 = w470 * w500
+    w840 = w349 * w837 - w351 * w832 - (w697 + w839)
+    w841 = w39 * w835 + w35 * w838 + w37 * w840 + (w477 * w761 - w478 * w763 - w479 * w718)
+    w842 = w353 - w352
+    w843 = w151 * w480 + w841 * rod_small_end_rotation_2_1 + w842 * c2
+    w844 = w475 * w761 + w472 * w763 + w473 * w718 - (w30 * w835 + w14 * w838 + w24 * w840)
+    w845 = w359 - w358
+    w846 = w844 * rod_small_end_rotation_2_1 + w845 * c2
+    w847 = w488 * w794 + w795 * c280 + w337 * w796 - w792 * c279 + (w491 * w797 + w493 * w798 + w495 * w799)
+    w848 = w719 + w69 * w712
+    w849 = w848 * rod_small_end_rotation_2_1 + w606 * c2
+    w850 = w484 * w812 - w485 * w821 - w487 * w826 + w847 + w849 * rod_small_end_rotation_1_0 + (w171 * c303 + (w176 * c311 + w177 * c312))
+    w851 = w503 * w794 + w327 * w795 + w796 * c282 - w791 * c281 + (w509 * w797 + w511 * w798 - w505 * w799)
+    w852 = w69 * w720
+    w853 = w607 - w762
+    w854 = w852 * rod_small_end_rotation_2_1 + w853 * c2
+    w855 = w499 * w821 - w501 * w812 - w502 * w826 + w851 + w854 * rod_small_end_rotation_2_1 - (w208 * rod_phi_phi_1_1_0_0 + (w182 * rod_phi_phi_1_1_2_2 + w221 * c313))
+    w856 = w518 * w794 + w795 * c284 + w338 * w796 - w792 * c283 + (w521 * w797 + w523 * w798 + w525 * w799)
+    w857 = w515 * w812 - w516 * w821 - w517 * w826 + w856 + w849 * rod_small_end_rotation_1_2 + (w171 * c305 + (w176 * c314 + w177 * c315))
+    w858 = w532 * w794 + w328 * w795 + w796 * c286 - w791 * c285 + (w538 * w797 + w540 * w798 - w534 * w799)
+    w859 = w529 * w821 - w530 * w812 - w531 * w826 + w858 + w854 * rod_small_end_rotation_2_3 - (w208 * rod_phi_phi_1_3_0_0 + w221 * c316)
+    w860 = w547 * w794 + w795 * c288 + w339 * w796 - w792 * c287 + (w550 * w797 + w552 * w798 + w554 * w799)
+    w861 = w544 * w812 - w545 * w821 - w546 * w826 + w860 + w849 * rod_small_end_rotation_1_4 + (w171 * c307 + (w176 * c317 + w177 * c318))
+    w862 = w558 * w826 - (w559 * w812 + w560 * w821) + (w794 * c137 + w330 * w795 + w341 * w796 + (w565 * w798 - w562 * w797 + w569 * w799))
+    w863 = w68 * w709
+    w864 = w863 - w69 * w732
+    w865 = w602 + w351 * w500
+    w866 = w862 - (w864 * rod_small_end_rotation_2_1 + w865 * c2) * rod_small_end_rotation_0_5 + (w169 * c319 + w103 * c309)
+    w867 = (w99 * w152 + (w597 * rod_small_end_rotation_1_2 + w598 * c11)) / w55
+    w868 = (w97 * w152 - w96 * w514 + (w595 * rod_small_end_rotation_1_2 + w596 * c11)) / w51 + w52 * w867
+    w869 = w93 * w152 - w86 * w514 + (w593 * rod_small_end_rotation_1_2 + w594 * c11) + w34 * w868 + w61 * w867
+    w870 = w152 * w390 - w379 * w514 + (w635 * rod_small_end_rotation_1_2 + w636 * c11) + (w391 * w867 - w392 * w868)
+    w871 = w152 * w397 - w393 * w514 + (w638 * rod_small_end_rotation_1_2 + w639 * c11) + (w398 * w867 - w399 * w868)
+    w872 = (w152 * w401 + (w641 * rod_small_end_rotation_1_2 + w642 * c11) + w402 * w867) / w55
+    w873 = w871 / w51 + w52 * w872
+    w874 = w152 * w364 - w356 * w514 + w609 * rod_small_end_rotation_1_2 - (w870 + w34 * w873 + w61 * w872) * slider_mass
+    w875 = w869 * guide_damping - w874
+    w876 = w410 * w516 + w415 * w515
+    w877 = w409 * w515 + w410 * w517
+    w878 = 2 * w867
+    w879 = w152 * w387 - w39 * w873 + w90 * w878 - w30 * w872 - w628 * rod_small_end_rotation_1_2
+    w880 = w152 * w381 - w35 * w873 + w87 * w878 - w14 * w872 - w620 * rod_small_end_rotation_1_2
+    w881 = w152 * w382 - w37 * w873 + w88 * w878 - w24 * w872 - w618 * rod_small_end_rotation_1_2
+    w882 = w90 * w152 - w39 * w868 - w30 * w867 - w587 * rod_small_end_rotation_1_2
+    w883 = w87 * w152 - w35 * w868 - w14 * w867 + w575 * rod_small_end_rotation_1_2
+    w884 = w88 * w152 - w37 * w868 - w24 * w867 - w580 * rod_small_end_rotation_1_2
+    w885 = w413 * w876 + w408 * w877 + (w419 * w879 - w422 * w880 - w424 * w881) + (w444 * w882 - w430 * w883 - w446 * w884)
+    w886 = w236 + rod_q2 * c321 + rod_q4 * c323
+    w887 = w250 + rod_q6 * c325
+    w888 = rod_q1 * rod_phi_phi_2_0_1_1 + (w272 + w273) + rod_q5 * rod_phi_phi_2_4_1_1
+    w889 = rod_q1 * c37 + (w284 + w285) + rod_q5 * c49
+    w890 = rod_q1_dot * rod_phi_phi_2_0_1_1 + rod_q3_dot * rod_phi_phi_2_2_1_1 + rod_q5_dot * rod_phi_phi_2_4_1_1
+    w891 = rod_q1_dot * c37 + rod_q3_dot * c43 + rod_q5_dot * c49
+    w892 = w244 * w886 + (w170 * w887 - w220 * c78) + (w177 * w888 - w222 * w889) - w224 * c36 + (w200 * (w890 + w891) - w204 * (rod_q6_dot * rod_phi_phi_2_5_1_0))
+    w893 = w182 * c36 + w665 * c11
+    w894 = w222 * c283
+    w895 = w892 + (rod_q2_ddot * c327 + rod_q4_ddot * c330) - w664 * c11 + w225 * c11 - (w0 * w893 + w22 * w894)
+    w896 = w885 + w895
+    w897 = w409 * w516 - w415 * w517
+    w898 = w876 * rod_first_moment_x - w408 * w897 + (w450 * w880 - w451 * w881 - w422 * w879) + (w455 * w883 - w453 * w884 - w456 * w882)
+    w899 = rod_q1 * rod_phi_phi_2_0_0_0 + (w313 + w314) + rod_q5 * rod_phi_phi_2_4_0_0
+    w900 = rod_q1_dot * rod_phi_phi_2_0_0_0 + rod_q3_dot * rod_phi_phi_2_2_0_0 + rod_q5_dot * rod_phi_phi_2_4_0_0
+    w901 = w204 * (w891 + w900) - w203 * (rod_q2_dot * c111 + rod_q4_dot * c121) - w200 * (rod_q6_dot * rod_phi_phi_2_5_0_1)
+    w902 = w206 * c36 + (w217 * w889 - w170 * w899 + (w215 * w886 - w177 * w887 + (w308 * c78 + w675 * c11)))
+    w903 = w217 * c283
+    w904 = w898 + (w901 + w902 - (w893 * rod_small_end_x - w22 * w903))
+    w905 = w877 * rod_first_moment_x + w413 * w897 + (w458 * w881 - w424 * w879 - w451 * w880) + (w460 * w884 - w459 * w882 - w461 * w883)
+    w906 = w203 * (w890 + w900) - w204 * (rod_q2_dot * rod_phi_phi_2_1_1_2 + rod_q4_dot * rod_phi_phi_2_3_1_2)
+    w907 = w332 * w887 + (w222 * c78 - w217 * w886) + (w220 * w899 - w215 * w888) + w906 + rod_q6_ddot * c333
+    w908 = w905 + (w907 - w682 * c11 - (w894 * rod_small_end_x + w0 * w903))
+    w909 = w897 * rod_mass + (w413 * w881 - w408 * w880) + (w442 * w883 - w437 * w884) + (w348 * w517 - w346 * w516 - w903)
+    w910 = w877 * rod_mass + (w881 * rod_first_moment_x + w408 * w879) + (w429 * w884 - w442 * w882) - (w894 + (w350 * w517 + w346 * w515))
+    w911 = w437 * w882 - w429 * w883 - (w876 * rod_mass + (w413 * w879 + w880 * rod_first_moment_x)) + (w893 + (w348 * w515 + w350 * w516))
+    w912 = w62 * w875 - (w407 * w896 + w414 * w904 + w411 * w908 + (w463 * w909 + w465 * w910 + w467 * w911))
+    w913 = w152 * w480 + w702 * rod_small_end_rotation_1_2 + w703 * c11
+    w914 = w705 * rod_small_end_rotation_1_2 + w706 * c11
+    w915 = w488 * w879 + w880 * c280 + w337 * w881 + w876 * c279 + (w491 * w882 + w493 * w883 + w495 * w884)
+    w916 = w713 * rod_small_end_rotation_1_2 - w608 * c11
+    w917 = w484 * w896 - w485 * w904 - w487 * w908 + w915 + w916 * rod_small_end_rotation_1_0 - (w221 * rod_phi_phi_2_0_1_1 + (w208 * rod_phi_phi_2_0_0_0 + w182 * c326) + w893 * c10)
+    w918 = w503 * w879 + w327 * w880 + w881 * c282 - w877 * c281 + (w509 * w882 + w511 * w883 - w505 * w884)
+    w919 = w718 * c11 - w721 * rod_small_end_rotation_1_2
+    w920 = w499 * w904 - w501 * w896 - w502 * w908 + w918 + w919 * rod_small_end_rotation_2_1 + (w171 * c320 + (w176 * c327 + w222 * c328))
+    w921 = w518 * w879 + w880 * c284 + w338 * w881 + w876 * c283 + (w521 * w882 + w523 * w883 + w525 * w884)
+    w922 = w515 * w896 - w516 * w904 - w517 * w908 + w921 + w916 * rod_small_end_rotation_1_2 - (w221 * rod_phi_phi_2_2_1_1 + (w208 * rod_phi_phi_2_2_0_0 + w182 * c329) + w893 * c11)
+    w923 = w532 * w879 + w328 * w880 + w881 * c286 - w877 * c285 + (w538 * w882 + w540 * w883 - w534 * w884)
+    w924 = w529 * w904 - w530 * w896 - w531 * w908 + w923 + w919 * rod_small_end_rotation_2_3 + (w171 * c322 + (w176 * c330 + w222 * c331))
+    w925 = w547 * w879 + w880 * c288 + w339 * w881 + w876 * c287 + (w550 * w882 + w552 * w883 + w554 * w884)
+    w926 = w544 * w896 - w545 * w904 - w546 * w908 + w925 + w916 * rod_small_end_rotation_1_4 - (w221 * rod_phi_phi_2_4_1_1 + (w208 * rod_phi_phi_2_4_0_0 + w182 * c332) + w893 * c12)
+    w927 = w558 * w908 - (w559 * w896 + w560 * w904) + (w879 * c137 + w330 * w880 + w341 * w881 + (w565 * w883 - w562 * w882 + w569 * w884))
+    w928 = w927 + (w733 * rod_small_end_rotation_1_2 + w736 * c11) * rod_small_end_rotation_0_5 + (w214 * c333 + w209 * c324)
+    w929 = (w99 * w153 + (w756 * rod_small_end_rotation_2_3 + w757 * c3)) / w55
+    w930 = (w97 * w153 - w96 * w528 + (w754 * rod_small_end_rotation_2_3 + w755 * c3)) / w51 + w52 * w929
+    w931 = w93 * w153 - w86 * w528 + (w752 * rod_small_end_rotation_2_3 + w753 * c3) + w34 * w930 + w61 * w929
+    w932 = w153 * w390 - w379 * w528 + (w779 * rod_small_end_rotation_2_3 + w780 * c3) + (w391 * w929 - w392 * w930)
+    w933 = w153 * w397 - w393 * w528 + (w782 * rod_small_end_rotation_2_3 + w783 * c3) + (w398 * w929 - w399 * w930)
+    w934 = (w153 * w401 + (w785 * rod_small_end_rotation_2_3 + w786 * c3) + w402 * w929) / w55
+    w935 = w933 / w51 + w52 * w934
+    w936 = w153 * w364 - w356 * w528 + w764 * rod_small_end_rotation_2_3 - (w932 + w34 * w935 + w61 * w934) * slider_mass
+    w937 = w931 * guide_damping - w936
+    w938 = w410 * w531 - w409 * w530
+    w939 = w410 * w529 + w415 * w530
+    w940 = 2 * w929
+    w941 = w153 * w387 - w39 * w935 + w90 * w940 - w30 * w934 - w774 * rod_small_end_rotation_2_3
+    w942 = w153 * w381 - w35 * w935 + w87 * w940 - w14 * w934 - w766 * rod_small_end_rotation_2_3
+    w943 = w153 * w382 - w37 * w935 + w88 * w940 - w24 * w934 - w765 * rod_small_end_rotation_2_3
+    w944 = w90 * w153 - w39 * w930 - w30 * w929 - w748 * rod_small_end_rotation_2_3
+    w945 = w87 * w153 - w35 * w930 - w14 * w929 - w740 * rod_small_end_rotation_2_3
+    w946 = w88 * w153 - w37 * w930 - w24 * w929 + w742 * rod_small_end_rotation_2_3
+    w947 = w408 * w938 - w413 * w939 + (w419 * w941 - w422 * w942 - w424 * w943) + (w444 * w944 - w430 * w945 - w446 * w946)
+    w948 = w239 + (rod_q1 * c335 + rod_q3 * c337) + rod_q5 * c339
+    w949 = w263 + rod_q6 * c341
+    w950 = rod_q2 * c22 + (w274 + w275)
+    w951 = 2 * w286
+    w952 = rod_q2_dot * c22 + rod_q4_dot * c28
+    w953 = rod_q4_dot * rod_phi_phi_3_3_2_2
+    w954 = w199 * c21 + (w177 * w950 - w222 * w951 + (w170 * c62 - w220 * w949 + (w244 * w948 + w807 * c3)))
+    w955 = rod_q3_ddot * c345 + (rod_q1_ddot * c342 + (w200 * (w952 + w953) - w203 * (rod_q6_dot * rod_phi_phi_3_5_2_0) + w954))
+    w956 = w177 * c285
+    w957 = w221 * c21 + w221 * rod_mass * c3
+    w958 = w947 + (rod_q5_ddot * c348 + w955 + (w0 * w956 + w22 * w957))
+    w959 = w415 * w531 + w409 * w529
+    w960 = w408 * w959 - w939 * rod_first_moment_x + (w450 * w942 - w451 * w943 - w422 * w941) + (w455 * w945 - w453 * w946 - w456 * w944)
+    w961 = rod_q2 * rod_phi_phi_3_1_0_0 + (w315 + w316)
+    w962 = rod_q2_dot * rod_phi_phi_3_1_0_0 + rod_q4_dot * rod_phi_phi_3_3_0_0
+    w963 = rod_q1_dot * rod_phi_phi_3_0_2_1 + rod_q3_dot * rod_phi_phi_3_2_2_1 + rod_q5_dot * rod_phi_phi_3_4_2_1
+    w964 = w308 * w949 + (w215 * w948 - w177 * c62) + (w217 * w951 - w170 * w961) + (w204 * (w953 + w962) - w203 * w963)
+    w965 = w215 * c285
+    w966 = w960 + (w964 + rod_q6_ddot * c350 + w819 * c3 + (w22 * w965 + w956 * rod_small_end_x))
+    w967 = w938 * rod_first_moment_x - w413 * w959 + (w458 * w943 - w424 * w941 - w451 * w942) + (w460 * w946 - w459 * w944 - w461 * w945)
+    w968 = w203 * (w952 + w962) - w200 * (rod_q6_dot * rod_phi_phi_3_5_0_2) - w204 * (rod_q1_dot * c104 + rod_q3_dot * c114 + rod_q5_dot * c124)
+    w969 = w968 + (w332 * c62 + (w222 * w949 - w217 * w948) + (w220 * w961 - w215 * w950) - w206 * c21 + w824 * c3)
+    w970 = w967 + (w969 - (w0 * w965 - w957 * rod_small_end_x))
+    w971 = w413 * w943 - w408 * w942 - w959 * rod_mass + (w442 * w945 - w437 * w946) - (w965 - (w346 * w529 + w348 * w531))
+    w972 = w938 * rod_mass + (w943 * rod_first_moment_x + w408 * w941) + (w429 * w946 - w442 * w944) + (w957 + (w346 * w530 - w350 * w531))
+    w973 = w939 * rod_mass - (w413 * w941 + w942 * rod_first_moment_x) + (w437 * w944 - w429 * w945) - (w956 + (w348 * w530 + w350 * w529))
+    w974 = w62 * w937 - (w407 * w958 + w414 * w966 + w411 * w970 + (w463 * w971 + w465 * w972 + w467 * w973))
+    w975 = w153 * w480 + w841 * rod_small_end_rotation_2_3 + w842 * c3
+    w976 = w844 * rod_small_end_rotation_2_3 + w845 * c3
+    w977 = w488 * w941 + w942 * c280 + w337 * w943 - w939 * c279 + (w491 * w944 + w493 * w945 + w495 * w946)
+    w978 = w848 * rod_small_end_rotation_2_3 + w606 * c3
+    w979 = w484 * w958 - w485 * w966 - w487 * w970 + w977 + w978 * rod_small_end_rotation_1_0 + (w171 * c334 + (w176 * c342 + w177 * c343))
+    w980 = w503 * w941 + w327 * w942 + w943 * c282 - w938 * c281 + (w509 * w944 + w511 * w945 - w505 * w946)
+    w981 = w852 * rod_small_end_rotation_2_3 + w853 * c3
+    w982 = w499 * w966 - w501 * w958 - w502 * w970 + w980 + w981 * rod_small_end_rotation_2_1 - (w208 * rod_phi_phi_3_1_0_0 + w221 * c344 + w957 * c2)
+    w983 = w518 * w941 + w942 * c284 + w338 * w943 - w939 * c283 + (w521 * w944 + w523 * w945 + w525 * w946)
+    w984 = w515 * w958 - w516 * w966 - w517 * w970 + w983 + w978 * rod_small_end_rotation_1_2 + (w171 * c336 + (w176 * c345 + w177 * c346))
+    w985 = w532 * w941 + w328 * w942 + w943 * c286 - w938 * c285 + (w538 * w944 + w540 * w945 - w534 * w946)
+    w986 = w529 * w966 - w530 * w958 - w531 * w970 + w985 + w981 * rod_small_end_rotation_2_3 - (w182 * rod_phi_phi_3_3_2_2 + (w208 * rod_phi_phi_3_3_0_0 + w221 * c347) + w957 * c3)
+    w987 = w547 * w941 + w942 * c288 + w339 * w943 - w939 * c287 + (w550 * w944 + w552 * w945 + w554 * w946)
+    w988 = w544 * w958 - w545 * w966 - w546 * w970 + w987 + w978 * rod_small_end_rotation_1_4 + (w171 * c338 + (w176 * c348 + w177 * c349))
+    w989 = w558 * w970 - (w559 * w958 + w560 * w966) + (w941 * c137 + w330 * w942 + w341 * w943 + (w565 * w945 - w562 * w944 + w569 * w946))
+    w990 = w989 - (w864 * rod_small_end_rotation_2_3 + w865 * c3) * rod_small_end_rotation_0_5 + (w169 * c350 + w103 * c340)
+    w991 = (w99 * w154 + (w597 * rod_small_end_rotation_1_4 + w598 * c12)) / w55
+    w992 = (w97 * w154 - w96 * w543 + (w595 * rod_small_end_rotation_1_4 + w596 * c12)) / w51 + w52 * w991
+    w993 = w93 * w154 - w86 * w543 + (w593 * rod_small_end_rotation_1_4 + w594 * c12) + w34 * w992 + w61 * w991
+    w994 = w154 * w390 - w379 * w543 + (w635 * rod_small_end_rotation_1_4 + w636 * c12) + (w391 * w991 - w392 * w992)
+    w995 = w154 * w397 - w393 * w543 + (w638 * rod_small_end_rotation_1_4 + w639 * c12) + (w398 * w991 - w399 * w992)
+    w996 = (w154 * w401 + (w641 * rod_small_end_rotation_1_4 + w642 * c12) + w402 * w991) / w55
+    w997 = w995 / w51 + w52 * w996
+    w998 = w154 * w364 - w356 * w543 + w609 * rod_small_end_rotation_1_4 - (w994 + w34 * w997 + w61 * w996) * slider_mass
+    w999 = w993 * guide_damping - w998
+    w1000 = w410 * w545 + w415 * w544
+    w1001 = w409 * w544 + w410 * w546
+    w1002 = 2 * w991
+    w1003 = w154 * w387 - w39 * w997 + w90 * w1002 - w30 * w996 - w628 * rod_small_end_rotation_1_4
+    w1004 = w154 * w381 - w35 * w997 + w87 * w1002 - w14 * w996 - w620 * rod_small_end_rotation_1_4
+    w1005 = w154 * w382 - w37 * w997 + w88 * w1002 - w24 * w996 - w618 * rod_small_end_rotation_1_4
+    w1006 = w90 * w154 - w39 * w992 - w30 * w991 - w587 * rod_small_end_rotation_1_4
+    w1007 = w87 * w154 - w35 * w992 - w14 * w991 + w575 * rod_small_end_rotation_1_4
+    w1008 = w88 * w154 - w37 * w992 - w24 * w991 - w580 * rod_small_end_rotation_1_4
+    w1009 = w413 * w1000 + w408 * w1001 + (w419 * w1003 - w422 * w1004 - w424 * w1005) + (w444 * w1006 - w430 * w1007 - w446 * w1008)
+    w1010 = w242 + (rod_q2 * c352 + rod_q4 * c354)
+    w1011 = w253 + rod_q6 * c356
+    w1012 = rod_q1 * rod_phi_phi_4_0_1_1 + rod_q3 * rod_phi_phi_4_2_1_1 + (w276 + w277)
+    w1013 = rod_q1 * c39 + rod_q3 * c44 + (w287 + w288)
+    w1014 = rod_q1_dot * rod_phi_phi_4_0_1_1 + rod_q3_dot * rod_phi_phi_4_2_1_1 + rod_q5_dot * rod_phi_phi_4_4_1_1
+    w1015 = rod_q1_dot * c39 + rod_q3_dot * c44 + rod_q5_dot * c50
+    w1016 = w244 * w1010 + (w170 * w1011 - w220 * c83) + (w177 * w1012 - w222 * w1013) - w224 * c38 + (w200 * (w1014 + w1015) - w204 * (rod_q6_dot * rod_phi_phi_4_5_1_0))
+    w1017 = w182 * c38 + w665 * c12
+    w1018 = w222 * c287
+    w1019 = w1016 + (rod_q2_ddot * c358 + rod_q4_ddot * c361) - w664 * c12 + w225 * c12 - (w0 * w1017 + w22 * w1018)
+    w1020 = w1009 + w1019
+    w1021 = w409 * w545 - w415 * w546
+    w1022 = w1000 * rod_first_moment_x - w408 * w1021 + (w450 * w1004 - w451 * w1005 - w422 * w1003) + (w455 * w1007 - w453 * w1008 - w456 * w1006)
+    w1023 = rod_q1 * rod_phi_phi_4_0_0_0 + rod_q3 * rod_phi_phi_4_2_0_0 + (w317 + w318)
+    w1024 = rod_q1_dot * rod_phi_phi_4_0_0_0 + rod_q3_dot * rod_phi_phi_4_2_0_0 + rod_q5_dot * rod_phi_phi_4_4_0_0
+    w1025 = w204 * (w1015 + w1024) - w203 * (rod_q2_dot * c112 + rod_q4_dot * c122) - w200 * (rod_q6_dot * rod_phi_phi_4_5_0_1)
+    w1026 = w206 * c38 + (w217 * w1013 - w170 * w1023 + (w215 * w1010 - w177 * w1011 + (w308 * c83 + w675 * c12)))
+    w1027 = w217 * c287
+    w1028 = w1022 + (w1025 + w1026 - (w1017 * rod_small_end_x - w22 * w1027))
+    w1029 = w1001 * rod_first_moment_x + w413 * w1021 + (w458 * w1005 - w424 * w1003 - w451 * w1004) + (w460 * w1008 - w459 * w1006 - w461 * w1007)
+    w1030 = w203 * (w1014 + w1024) - w204 * (rod_q2_dot * rod_phi_phi_4_1_1_2 + rod_q4_dot * rod_phi_phi_4_3_1_2)
+    w1031 = w332 * w1011 + (w222 * c83 - w217 * w1010) + (w220 * w1023 - w215 * w1012) + w1030 + rod_q6_ddot * c364
+    w1032 = w1029 + (w1031 - w682 * c12 - (w1018 * rod_small_end_x + w0 * w1027))
+    w1033 = w1021 * rod_mass + (w413 * w1005 - w408 * w1004) + (w442 * w1007 - w437 * w1008) + (w348 * w546 - w346 * w545 - w1027)
+    w1034 = w1001 * rod_mass + (w1005 * rod_first_moment_x + w408 * w1003) + (w429 * w1008 - w442 * w1006) - (w1018 + (w350 * w546 + w346 * w544))
+    w1035 = w437 * w1006 - w429 * w1007 - (w1000 * rod_mass + (w413 * w1003 + w1004 * rod_first_moment_x)) + (w1017 + (w348 * w544 + w350 * w545))
+    w1036 = w62 * w999 - (w407 * w1020 + w414 * w1028 + w411 * w1032 + (w463 * w1033 + w465 * w1034 + w467 * w1035))
+    w1037 = w154 * w480 + w702 * rod_small_end_rotation_1_4 + w703 * c12
+    w1038 = w705 * rod_small_end_rotation_1_4 + w706 * c12
+    w1039 = w488 * w1003 + w1004 * c280 + w337 * w1005 + w1000 * c279 + (w491 * w1006 + w493 * w1007 + w495 * w1008)
+    w1040 = w713 * rod_small_end_rotation_1_4 - w608 * c12
+    w1041 = w484 * w1020 - w485 * w1028 - w487 * w1032 + w1039 + w1040 * rod_small_end_rotation_1_0 - (w221 * rod_phi_phi_4_0_1_1 + (w208 * rod_phi_phi_4_0_0_0 + w182 * c357) + w1017 * c10)
+    w1042 = w503 * w1003 + w327 * w1004 + w1005 * c282 - w1001 * c281 + (w509 * w1006 + w511 * w1007 - w505 * w1008)
+    w1043 = w718 * c12 - w721 * rod_small_end_rotation_1_4
+    w1044 = w499 * w1028 - w501 * w1020 - w502 * w1032 + w1042 + w1043 * rod_small_end_rotation_2_1 + (w171 * c351 + (w176 * c358 + w222 * c359))
+    w1045 = w518 * w1003 + w1004 * c284 + w338 * w1005 + w1000 * c283 + (w521 * w1006 + w523 * w1007 + w525 * w1008)
+    w1046 = w515 * w1020 - w516 * w1028 - w517 * w1032 + w1045 + w1040 * rod_small_end_rotation_1_2 - (w221 * rod_phi_phi_4_2_1_1 + (w208 * rod_phi_phi_4_2_0_0 + w182 * c360) + w1017 * c11)
+    w1047 = w532 * w1003 + w328 * w1004 + w1005 * c286 - w1001 * c285 + (w538 * w1006 + w540 * w1007 - w534 * w1008)
+    w1048 = w529 * w1028 - w530 * w1020 - w531 * w1032 + w1047 + w1043 * rod_small_end_rotation_2_3 + (w171 * c353 + (w176 * c361 + w222 * c362))
+    w1049 = w547 * w1003 + w1004 * c288 + w339 * w1005 + w1000 * c287 + (w550 * w1006 + w552 * w1007 + w554 * w1008)
+    w1050 = w544 * w1020 - w545 * w1028 - w546 * w1032 + w1049 + w1040 * rod_small_end_rotation_1_4 - (w221 * rod_phi_phi_4_4_1_1 + (w208 * rod_phi_phi_4_4_0_0 + w182 * c363) + w1017 * c12)
+    w1051 = w558 * w1032 - (w559 * w1020 + w560 * w1028) + (w1003 * c137 + w330 * w1004 + w341 * w1005 + (w565 * w1007 - w562 * w1006 + w569 * w1008))
+    w1052 = w1051 + (w733 * rod_small_end_rotation_1_4 + w736 * c12) * rod_small_end_rotation_0_5 + (w214 * c364 + w209 * c355)
+    w1053 = w745 - w744
+    w1054 = w1053 + (w73 * w482 - w747)
+    w1055 = w584 - w583
+    w1056 = w1055 + (w586 + w73 * w500)
+    w1057 = w0 * w1054 - w22 * w1056 - (w589 + w750)
+    w1058 = w572 + (w573 + w741)
+    w1059 = w1054 * rod_small_end_x - w22 * w1058 + (w581 + w83 * w500)
+    w1060 = w0 * w1058 - w1056 * rod_small_end_x + (w83 * w482 - w738)
+    w1061 = (w97 * w157 - w96 * w557 + (w32 * w1057 + w20 * w1059 + w27 * w1060) * rod_small_end_rotation_0_5) / w51
+    w1062 = (w99 * w157 + (w39 * w1057 + w35 * w1059 + w37 * w1060) * rod_small_end_rotation_0_5) / w55
+    w1063 = w1061 + w52 * w1062
+    w1064 = w93 * w157 - w86 * w557 + (w49 * w1057 + w45 * w1059 + w47 * w1060) * rod_small_end_rotation_0_5 + w34 * w1063
+    w1065 = w1064 + w61 * w1062
+    w1066 = w605 + w717
+    w1067 = w735 - w734
+    w1068 = w157 * w364 - w356 * w557 + (w45 * w865 - w49 * w1066 + w47 * w1067) * rod_small_end_rotation_0_5
+    w1069 = w773 + w200 * w1055 - (w771 + (w612 * w1053 - w772)) + (w170 / w9 + w177 * w482 + w182 * w500)
+    w1070 = w626 - (w627 + w612 * w1055) - (w625 + w200 * w1053) + (w220 / w9 - w221 * w482 - w222 * w500)
+    w1071 = 2 * -w1056
+    w1072 = 2 * -w1054
+    w1073 = w0 * w1069 - w22 * w1070 + (w77 * w1071 - w81 * w1072) - (w631 + w777)
+    w1074 = w204 * w1053 - w203 * w1055 - w619 + (w215 * w482 - w208 / w9 - w217 * w500)
+    w1075 = 2 * w1058
+    w1076 = w1069 * rod_small_end_x + w22 * w1074 + (w83 * w1072 - w77 * w1075) + (w623 + w376 * w500)
+    w1077 = w81 * w1075 - w83 * w1071 - (w0 * w1074 + w1070 * rod_small_end_x) + (w376 * w482 - w769)
+    w1078 = w157 * w390 - w379 * w557 + (w49 * w1073 + w45 * w1076 + w47 * w1077) * rod_small_end_rotation_0_5
+    w1079 = w157 * w397 - w393 * w557 + (w32 * w1073 + w20 * w1076 + w27 * w1077) * rod_small_end_rotation_0_5
+    w1080 = w157 * w401 + (w39 * w1073 + w35 * w1076 + w37 * w1077) * rod_small_end_rotation_0_5 + w402 * w1062
+    w1081 = w1080 / w55
+    w1082 = (w1079 + (w398 * w1062 - w399 * w1063)) / w51 + w52 * w1081
+    w1083 = w1065 * guide_damping - (w1068 - (w1078 + (w391 * w1062 - w392 * w1063) + w34 * w1082 + w61 * w1081) * slider_mass)
+    w1084 = 2 * w1062
+    w1085 = w157 * w387 - w39 * w1082 + w90 * w1084 - w30 * w1081 - w1074 * rod_small_end_rotation_0_5
+    w1086 = w157 * w381 - w35 * w1082 + w87 * w1084 - w14 * w1081 - w1070 * rod_small_end_rotation_0_5
+    w1087 = w157 * w382 - w37 * w1082 + w88 * w1084 - w24 * w1081 - w1069 * rod_small_end_rotation_0_5
+    w1088 = w415 * w559 - w410 * w560
+    w1089 = w409 * w559 + w410 * w558
+    w1090 = w90 * w157 - w39 * w1063 - w30 * w1062 + w1058 * rod_small_end_rotation_0_5
+    w1091 = w87 * w157 - w35 * w1063 - w14 * w1062 - w1056 * rod_small_end_rotation_0_5
+    w1092 = w88 * w157 - w37 * w1063 - w24 * w1062 - w1054 * rod_small_end_rotation_0_5
+    w1093 = w419 * w1085 - w422 * w1086 - w424 * w1087 - (w413 * w1088 + w408 * w1089) + (w444 * w1090 - w430 * w1091 - w446 * w1092)
+    w1094 = w256 + (rod_q1 * c366 + rod_q3 * c368 + rod_q5 * c370)
+    w1095 = w266 + (rod_q2 * c372 + rod_q4 * c374)
+    w1096 = 2 * w279
+    w1097 = 2 * w290
+    w1098 = rod_q6_dot * rod_phi_phi_5_5_1_1
+    w1099 = rod_q6_dot * rod_phi_phi_5_5_2_2
+    w1100 = rod_q1_dot * rod_phi_phi_5_0_1_0 + rod_q3_dot * rod_phi_phi_5_2_1_0 + rod_q5_dot * rod_phi_phi_5_4_1_0
+    w1101 = w200 * (w1098 + w1099) - w204 * w1100 - w203 * (rod_q2_dot * rod_phi_phi_5_1_2_0 + rod_q4_dot * rod_phi_phi_5_3_2_0)
+    w1102 = w1093 + (w244 * c129 + (w170 * w1094 - w220 * w1095) + (w177 * w1096 - w222 * w1097) + w1101)
+    w1103 = w415 * w558 + w409 * w560
+    w1104 = w450 * w1086 - w451 * w1087 - w422 * w1085 - (w408 * w1103 + w1088 * rod_first_moment_x) + (w455 * w1091 - w453 * w1092 - w456 * w1090)
+    w1105 = 2 * w319
+    w1106 = rod_q6_dot * rod_phi_phi_5_5_0_0
+    w1107 = rod_q1_dot * rod_phi_phi_5_0_0_1 + rod_q3_dot * rod_phi_phi_5_2_0_1 + rod_q5_dot * rod_phi_phi_5_4_0_1
+    w1108 = w308 * w1095 + (w215 * c129 - w177 * w1094) + (w217 * w1097 - w170 * w1105) + (w204 * (w1099 + w1106) - w200 * w1107)
+    w1109 = w1104 + (w1108 + (rod_q2_ddot * c152 + rod_q4_ddot * c158))
+    w1110 = w413 * w1103 - w1089 * rod_first_moment_x + (w458 * w1087 - w424 * w1085 - w451 * w1086) + (w460 * w1092 - w459 * w1090 - w461 * w1091)
+    w1111 = w203 * (w1098 + w1106) - w200 * (rod_q2_dot * rod_phi_phi_5_1_0_2 + rod_q4_dot * rod_phi_phi_5_3_0_2)
+    w1112 = w332 * w1094 + (w222 * w1095 - w217 * c129) + (w220 * w1105 - w215 * w1096) + w1111 + (rod_q1_ddot * c149 + rod_q3_ddot * c155 + rod_q5_ddot * c161)
+    w1113 = w1110 + w1112
+    w1114 = w1103 * rod_mass + (w413 * w1087 - w408 * w1086) + (w442 * w1091 - w437 * w1092) - (w346 * w560 + w348 * w558)
+    w1115 = w1087 * rod_first_moment_x + w408 * w1085 - w1089 * rod_mass + (w429 * w1092 - w442 * w1090) + (w350 * w558 + w346 * w559)
+    w1116 = w1088 * rod_mass - (w413 * w1085 + w1086 * rod_first_moment_x) + (w437 * w1090 - w429 * w1091) + (w350 * w560 - w348 * w559)
+    w1117 = w62 * w1083 - (w407 * w1102 + w414 * w1109 + w411 * w1113 + (w463 * w1114 + w465 * w1115 + w467 * w1116))
+    w1118 = w695 - w500 * rod_small_end_x
+    w1119 = w836 + w482 * rod_small_end_x
+    w1120 = w347 * w1118 + w349 * w1119 - (w698 + w839)
+    w1121 = w690 + w833
+    w1122 = w688 + w474 * w500 + (w347 * w1121 - w351 * w1119)
+    w1123 = w474 * w482 - w831 - (w349 * w1121 + w351 * w1118)
+    w1124 = (w39 * w1120 + w35 * w1122 + w37 * w1123 + (w479 * w1067 - (w477 * w1066 + w478 * w865))) * rod_small_end_rotation_0_5
+    w1125 = w157 * w480 + w1124
+    w1126 = (w472 * w865 - w475 * w1066 - w473 * w1067 - (w30 * w1120 + w14 * w1122 + w24 * w1123)) * rod_small_end_rotation_0_5
+    w1127 = w488 * w1085 + w1086 * c280 + w337 * w1087 - w1088 * c279 + (w491 * w1090 + w493 * w1091 + w495 * w1092)
+    w1128 = (w731 - w74 * w712) * rod_small_end_rotation_0_5
+    w1129 = w484 * w1102 - w485 * w1109 - w487 * w1113 + w1127 - w1128 * rod_small_end_rotation_1_0 + (w214 * c149 + w209 * c365)
+    w1130 = w503 * w1085 + w327 * w1086 + w1087 * c282 + w1089 * c281 + (w509 * w1090 + w511 * w1091 - w505 * w1092)
+    w1131 = (w863 + w74 * w720) * rod_small_end_rotation_0_5
+    w1132 = w499 * w1109 - w501 * w1102 - w502 * w1113 + w1130 + w1131 * rod_small_end_rotation_2_1 + (w169 * c152 + w103 * c371)
+    w1133 = w518 * w1085 + w1086 * c284 + w338 * w1087 - w1088 * c283 + (w521 * w1090 + w523 * w1091 + w525 * w1092)
+    w1134 = w515 * w1102 - w516 * w1109 - w517 * w1113 + w1133 - w1128 * rod_small_end_rotation_1_2 + (w214 * c155 + w209 * c367)
+    w1135 = w532 * w1085 + w328 * w1086 + w1087 * c286 + w1089 * c285 + (w538 * w1090 + w540 * w1091 - w534 * w1092)
+    w1136 = w529 * w1109 - w530 * w1102 - w531 * w1113 + w1135 + w1131 * rod_small_end_rotation_2_3 + (w169 * c158 + w103 * c373)
+    w1137 = w547 * w1085 + w1086 * c288 + w339 * w1087 - w1088 * c287 + (w550 * w1090 + w552 * w1091 + w554 * w1092)
+    w1138 = w544 * w1102 - w545 * w1109 - w546 * w1113 + w1137 - w1128 * rod_small_end_rotation_1_4 + (w214 * c161 + w209 * c369)
+    w1139 = w558 * w1113 - (w559 * w1102 + w560 * w1109) + (w1085 * c137 + w330 * w1086 + w341 * w1087 + (w565 * w1091 - w562 * w1090 + w569 * w1092))
+    w1140 = w1139 + w74 * w732 * c272 - (w208 * rod_phi_phi_5_5_0_0 + w221 * rod_phi_phi_5_5_1_1 + w182 * rod_phi_phi_5_5_2_2)
+    w1141 = 2 * -(w20 * w95 + w35 * w98)
+    w1142 = 2 * -(w27 * w95 + w37 * w98)
+    w1143 = 2 * -w445
+    w1144 = 2 * -w431
+    w1145 = 2 * -w447
+    w1146 = w408 * w1141 - w413 * w1142 + (w419 * w1143 - w422 * w1144 - w424 * w1145) + (w407 * w444 - w414 * w430 - w411 * w446)
+    w1147 = 2 * -(w32 * w95 + w39 * w98)
+    w1148 = w450 * w1144 - w451 * w1145 - w422 * w1143 - (w408 * w1147 + w1142 * rod_first_moment_x) + (w414 * w455 - w411 * w453 - w407 * w456)
+    w1149 = w1141 * rod_first_moment_x + w413 * w1147 + (w458 * w1145 - w424 * w1143 - w451 * w1144) + (w411 * w460 - w407 * w459 - w414 * w461)
+    w1150 = w465 * (w1141 * rod_mass + (w1145 * rod_first_moment_x + w408 * w1143) + (w411 * w429 - w407 * w442))
+    w1151 = w467 * (w1142 * rod_mass - (w413 * w1143 + w1144 * rod_first_moment_x) + (w407 * w437 - w414 * w429))
+    w1152 = w62 * guide_damping + 2 * -w102 * slider_mass
+    w1153 = w488 * w1143 + w1144 * c280 + w337 * w1145 - w1142 * c279 + (w407 * w491 + w414 * w493 + w411 * w495)
+    w1154 = w503 * w1143 + w327 * w1144 + w1145 * c282 - w1141 * c281 + (w407 * w509 + w414 * w511 - w411 * w505)
+    w1155 = w518 * w1143 + w1144 * c284 + w338 * w1145 - w1142 * c283 + (w407 * w521 + w414 * w523 + w411 * w525)
+    w1156 = w532 * w1143 + w328 * w1144 + w1145 * c286 - w1141 * c285 + (w407 * w538 + w414 * w540 - w411 * w534)
+    w1157 = w547 * w1143 + w1144 * c288 + w339 * w1145 - w1142 * c287 + (w407 * w550 + w414 * w552 + w411 * w554)
+    w1158 = w558 * w1149 - (w559 * w1146 + w560 * w1148) + (w1143 * c137 + w330 * w1144 + w341 * w1145 + (w414 * w565 - w407 * w562 + w411 * w569))
+    w1159 = w497 * guide_damping - 2 * -w601 * slider_mass
+    w1160 = 2 * w653
+    w1161 = 2 * w654
+    w1162 = 2 * w655
+    w1163 = w73 * c375
+    w1164 = w419 * w1160 - w422 * w1161 - w424 * w1162 + (w444 * w484 + w430 * w485 + w446 * w487) + (w490 - w204 * w246 - w203 * rod_rho_phi_0_2_0 + w434 * c10 + w22 * w1163)
+    w1165 = 2 * -w76
+    w1166 = w183 * w1165
+    w1167 = w1165 * rod_mass
+    w1168 = w1167 * c10 - w204 * c34
+    w1169 = w450 * w1161 - w451 * w1162 - w422 * w1160 + (w453 * w487 - w455 * w485 - w456 * w484) + (w492 - w203 * w229 - w200 * w245 - w1166 * c10 - w22 * w1168)
+    w1170 = w200 * c54 + w178 * w1165
+    w1171 = w458 * w1162 - w424 * w1160 - w451 * w1161 + (w461 * w485 - (w460 * w487 + w459 * w484)) + (w494 - w200 * c71 - w204 * w228 + w1170 * c10 + (w1163 * rod_small_end_x + w0 * w1168))
+    w1172 = w463 * (w1168 + (w413 * w1162 - w408 * w1161 + (w437 * w487 - w442 * w485))) + w465 * (w1163 + (w1162 * rod_first_moment_x + w408 * w1160 - (w429 * w487 + w442 * w484)))
+    w1173 = w407 * w1164 + w414 * w1169 + w411 * w1171 + (w1172 + w467 * (w437 * w484 + w429 * w485 - (w413 * w1160 + w1161 * rod_first_moment_x)))
+    w1174 = w200 * c19
+    w1175 = w200 * c21
+    w1176 = w513 * guide_damping - 2 * -w760 * slider_mass
+    w1177 = 2 * w797
+    w1178 = 2 * w798
+    w1179 = 2 * w799
+    w1180 = 2 * -w73
+    w1181 = w178 * w1180
+    w1182 = w1180 * rod_mass
+    w1183 = w1182 * c2 - w1174
+    w1184 = w419 * w1177 - w422 * w1178 - w424 * w1179 + (w446 * w502 - (w444 * w501 + w430 * w499)) + (w507 - w204 * rod_rho_phi_1_1_0 - w203 * w259 - w1181 * c2 - w0 * w1183)
+    w1185 = w183 * w203 + w1180 * c54
+    w1186 = w80 * c376
+    w1187 = w450 * w1178 - w451 * w1179 - w422 * w1177 + (w455 * w499 + w453 * w502 + w456 * w501) + (w510 - w203 * w232 - w200 * c55 - w1185 * c2 - (w22 * w1186 + w1183 * rod_small_end_x))
+    w1188 = w458 * w1179 - w424 * w1177 - w451 * w1178 + (w459 * w501 - w460 * w502 - w461 * w499) + (w504 - w200 * w258 - w204 * w231 + w426 * c2 + w0 * w1186)
+    w1189 = w463 * (w1186 + (w413 * w1179 - w408 * w1178 + (w442 * w499 + w437 * w502))) + w465 * (w1179 * rod_first_moment_x + w408 * w1177 + (w442 * w501 - w429 * w502))
+    w1190 = w1189 + w467 * (w1183 - (w413 * w1177 + w1178 * rod_first_moment_x + (w437 * w501 + w429 * w499)))
+    w1191 = w1180 * c34
+    w1192 = w1180 * c36
+    w1193 = w1180 * c38
+    w1194 = w527 * guide_damping - 2 * -w869 * slider_mass
+    w1195 = 2 * w882
+    w1196 = 2 * w883
+    w1197 = 2 * w884
+    w1198 = w73 * c377
+    w1199 = w419 * w1195 - w422 * w1196 - w424 * w1197 + (w444 * w515 + w430 * w516 + w446 * w517) + (w520 - w204 * w249 - w203 * rod_rho_phi_2_2_0 + w434 * c11 + w22 * w1198)
+    w1200 = w1167 * c11 - w204 * c36
+    w1201 = w450 * w1196 - w451 * w1197 - w422 * w1195 + (w453 * w517 - w455 * w516 - w456 * w515) + (w522 - w203 * w235 - w200 * w248 - w1166 * c11 - w22 * w1200)
+    w1202 = w458 * w1197 - w424 * w1195 - w451 * w1196 + (w461 * w516 - (w460 * w517 + w459 * w515)) + (w524 - w200 * c76 - w204 * w234 + w1170 * c11 + (w1198 * rod_small_end_x + w0 * w1200))
+    w1203 = w463 * (w1200 + (w413 * w1197 - w408 * w1196 + (w437 * w517 - w442 * w516))) + w465 * (w1198 + (w1197 * rod_first_moment_x + w408 * w1195 - (w429 * w517 + w442 * w515)))
+    w1204 = w407 * w1199 + w414 * w1201 + w411 * w1202 + (w1203 + w467 * (w437 * w515 + w429 * w516 - (w413 * w1195 + w1196 * rod_first_moment_x)))
+    w1205 = w542 * guide_damping - 2 * -w931 * slider_mass
+    w1206 = 2 * w944
+    w1207 = 2 * w945
+    w1208 = 2 * w946
+    w1209 = w1182 * c3 - w1175
+    w1210 = w419 * w1206 - w422 * w1207 - w424 * w1208 + (w446 * w531 - (w444 * w530 + w430 * w529)) + (w536 - w204 * rod_rho_phi_3_1_0 - w203 * w262 - w1181 * c3 - w0 * w1209)
+    w1211 = w80 * c378
+    w1212 = w450 * w1207 - w451 * w1208 - w422 * w1206 + (w455 * w529 + w453 * w531 + w456 * w530) + (w539 - w203 * w238 - w200 * c60 - w1185 * c3 - (w22 * w1211 + w1209 * rod_small_end_x))
+    w1213 = w458 * w1208 - w424 * w1206 - w451 * w1207 + (w459 * w530 - w460 * w531 - w461 * w529) + (w533 - w200 * w261 - w204 * w237 + w426 * c3 + w0 * w1211)
+    w1214 = w463 * (w1211 + (w413 * w1208 - w408 * w1207 + (w442 * w529 + w437 * w531))) + w465 * (w1208 * rod_first_moment_x + w408 * w1206 + (w442 * w530 - w429 * w531))
+    w1215 = w1214 + w467 * (w1209 - (w413 * w1206 + w1207 * rod_first_moment_x + (w437 * w530 + w429 * w529)))
+    w1216 = w556 * guide_damping - 2 * -w993 * slider_mass
+    w1217 = 2 * w1006
+    w1218 = 2 * w1007
+    w1219 = 2 * w1008
+    w1220 = w73 * c379
+    w1221 = w419 * w1217 - w422 * w1218 - w424 * w1219 + (w444 * w544 + w430 * w545 + w446 * w546) + (w549 - w204 * w252 - w203 * rod_rho_phi_4_2_0 + w434 * c12 + w22 * w1220)
+    w1222 = w1167 * c12 - w204 * c38
+    w1223 = w450 * w1218 - w451 * w1219 - w422 * w1217 + (w453 * w546 - w455 * w545 - w456 * w544) + (w551 - w203 * w241 - w200 * w251 - w1166 * c12 - w22 * w1222)
+    w1224 = w458 * w1219 - w424 * w1217 - w451 * w1218 + (w461 * w545 - (w460 * w546 + w459 * w544)) + (w553 - w200 * c81 - w204 * w240 + w1170 * c12 + (w1220 * rod_small_end_x + w0 * w1222))
+    w1225 = w463 * (w1222 + (w413 * w1219 - w408 * w1218 + (w437 * w546 - w442 * w545))) + w465 * (w1220 + (w1219 * rod_first_moment_x + w408 * w1217 - (w429 * w546 + w442 * w544)))
+    w1226 = w407 * w1221 + w414 * w1223 + w411 * w1224 + (w1225 + w467 * (w437 * w544 + w429 * w545 - (w413 * w1217 + w1218 * rod_first_moment_x)))
+    w1227 = w570 * guide_damping - 2 * -w1065 * slider_mass
+    w1228 = 2 * w1090
+    w1229 = 2 * w1091
+    w1230 = 2 * w1092
+    w1231 = w419 * w1228 - w422 * w1229 - w424 * w1230 + (w430 * w560 - w444 * w559 - w446 * w558) + (w561 - w204 * w255 - w203 * w265)
+    w1232 = w450 * w1229 - w451 * w1230 - w422 * w1228 + (w456 * w559 - (w455 * w560 + w453 * w558)) + (w564 - w203 * rod_rho_phi_5_2_1 - w200 * w254)
+    w1233 = w458 * w1230 - w424 * w1228 - w451 * w1229 + (w460 * w558 + w459 * w559 + w461 * w560) + (w568 - w200 * w264 - w204 * rod_rho_phi_5_1_2)
+    w1234 = w463 * (w413 * w1230 - w408 * w1229 - (w442 * w560 + w437 * w558)) + w465 * (w1230 * rod_first_moment_x + w408 * w1228 + (w429 * w558 + w442 * w559))
+    w1235 = w407 * w1231 + w414 * w1232 + w411 * w1233 + (w1234 + w467 * (w429 * w560 - w437 * w559 - (w413 * w1228 + w1229 * rod_first_moment_x)))
+    w1236 = w448 * w559 + w457 * w560 - w462 * w558 - (w421 * c137 + w330 * w423 + w341 * w425 + (w445 * w562 - w431 * w565 - w447 * w569))
+    w1237 = (w1147 * c382 - (w413 * w1145 - w408 * w1144) - (w414 * w442 - w411 * w437)) * w463 - w1150 - w1151
+    w1238 = w487 * w1171 - (w484 * w1164 - w485 * w1169) - (w488 * w1160 + w1161 * c280 + w337 * w1162 + (w484 * w491 - w485 * w493 - w487 * w495))
+    w1239 = w502 * w1171 - (w499 * w1169 - w501 * w1164) - (w503 * w1160 + w327 * w1161 + w1162 * c282 + (w484 * w509 - w485 * w511 + w487 * w505))
+    w1240 = w517 * w1171 - (w515 * w1164 - w516 * w1169) - (w518 * w1160 + w1161 * c284 + w338 * w1162 + (w484 * w521 - w485 * w523 - w487 * w525))
+    w1241 = w531 * w1171 - (w529 * w1169 - w530 * w1164) - (w532 * w1160 + w328 * w1161 + w1162 * c286 + (w484 * w538 - w485 * w540 + w487 * w534))
+    w1242 = w546 * w1171 - (w544 * w1164 - w545 * w1169) - (w547 * w1160 + w1161 * c288 + w339 * w1162 + (w484 * w550 - w485 * w552 - w487 * w554))
+    w1243 = w559 * w1164 + w560 * w1169 - w558 * w1171 - (w1160 * c137 + w330 * w1161 + w341 * w1162 - (w484 * w562 + w485 * w565 + w487 * w569))
+    w1244 = w487 * w1188 - (w484 * w1184 - w485 * w1187) - (w488 * w1177 + w1178 * c280 + w337 * w1179 + (w493 * w499 - w491 * w501 - w495 * w502))
+    w1245 = w502 * w1188 - (w499 * w1187 - w501 * w1184) - (w503 * w1177 + w327 * w1178 + w1179 * c282 + (w499 * w511 - w501 * w509 + w502 * w505))
+    w1246 = w517 * w1188 - (w515 * w1184 - w516 * w1187) - (w518 * w1177 + w1178 * c284 + w338 * w1179 + (w499 * w523 - w501 * w521 - w502 * w525))
+    w1247 = w531 * w1188 - (w529 * w1187 - w530 * w1184) - (w532 * w1177 + w328 * w1178 + w1179 * c286 + (w499 * w540 - w501 * w538 + w502 * w534))
+    w1248 = w546 * w1188 - (w544 * w1184 - w545 * w1187) - (w547 * w1177 + w1178 * c288 + w339 * w1179 + (w499 * w552 - w501 * w550 - w502 * w554))
+    w1249 = w559 * w1184 + w560 * w1187 - w558 * w1188 - (w1177 * c137 + w330 * w1178 + w341 * w1179 + (w501 * w562 + w499 * w565 - w502 * w569))
+    w1250 = w487 * w1202 - (w484 * w1199 - w485 * w1201) - (w488 * w1195 + w1196 * c280 + w337 * w1197 + (w491 * w515 - w493 * w516 - w495 * w517))
+    w1251 = w502 * w1202 - (w499 * w1201 - w501 * w1199) - (w503 * w1195 + w327 * w1196 + w1197 * c282 + (w509 * w515 - w511 * w516 + w505 * w517))
+    w1252 = w517 * w1202 - (w515 * w1199 - w516 * w1201) - (w518 * w1195 + w1196 * c284 + w338 * w1197 + (w515 * w521 - w516 * w523 - w517 * w525))
+    w1253 = w531 * w1202 - (w529 * w1201 - w530 * w1199) - (w532 * w1195 + w328 * w1196 + w1197 * c286 + (w515 * w538 - w516 * w540 + w517 * w534))
+    w1254 = w546 * w1202 - (w544 * w1199 - w545 * w1201) - (w547 * w1195 + w1196 * c288 + w339 * w1197 + (w515 * w550 - w516 * w552 - w517 * w554))
+    w1255 = w559 * w1199 + w560 * w1201 - w558 * w1202 - (w1195 * c137 + w330 * w1196 + w341 * w1197 - (w515 * w562 + w516 * w565 + w517 * w569))
+    w1256 = w487 * w1213 - (w484 * w1210 - w485 * w1212) - (w488 * w1206 + w1207 * c280 + w337 * w1208 + (w493 * w529 - w491 * w530 - w495 * w531))
+    w1257 = w502 * w1213 - (w499 * w1212 - w501 * w1210) - (w503 * w1206 + w327 * w1207 + w1208 * c282 + (w511 * w529 - w509 * w530 + w505 * w531))
+    w1258 = w517 * w1213 - (w515 * w1210 - w516 * w1212) - (w518 * w1206 + w1207 * c284 + w338 * w1208 + (w523 * w529 - w521 * w530 - w525 * w531))
+    w1259 = w531 * w1213 - (w529 * w1212 - w530 * w1210) - (w532 * w1206 + w328 * w1207 + w1208 * c286 + (w529 * w540 - w530 * w538 + w531 * w534))
+    w1260 = w546 * w1213 - (w544 * w1210 - w545 * w1212) - (w547 * w1206 + w1207 * c288 + w339 * w1208 + (w529 * w552 - w530 * w550 - w531 * w554))
+    w1261 = w559 * w1210 + w560 * w1212 - w558 * w1213 - (w1206 * c137 + w330 * w1207 + w341 * w1208 + (w530 * w562 + w529 * w565 - w531 * w569))
+    w1262 = w487 * w1224 - (w484 * w1221 - w485 * w1223) - (w488 * w1217 + w1218 * c280 + w337 * w1219 + (w491 * w544 - w493 * w545 - w495 * w546))
+    w1263 = w502 * w1224 - (w499 * w1223 - w501 * w1221) - (w503 * w1217 + w327 * w1218 + w1219 * c282 + (w509 * w544 - w511 * w545 + w505 * w546))
+    w1264 = w517 * w1224 - (w515 * w1221 - w516 * w1223) - (w518 * w1217 + w1218 * c284 + w338 * w1219 + (w521 * w544 - w523 * w545 - w525 * w546))
+    w1265 = w531 * w1224 - (w529 * w1223 - w530 * w1221) - (w532 * w1217 + w328 * w1218 + w1219 * c286 + (w538 * w544 - w540 * w545 + w534 * w546))
+    w1266 = w546 * w1224 - (w544 * w1221 - w545 * w1223) - (w547 * w1217 + w1218 * c288 + w339 * w1219 + (w544 * w550 - w545 * w552 - w546 * w554))
+    w1267 = w559 * w1221 + w560 * w1223 - w558 * w1224 - (w1217 * c137 + w330 * w1218 + w341 * w1219 - (w544 * w562 + w545 * w565 + w546 * w569))
+    w1268 = w487 * w1233 - (w484 * w1231 - w485 * w1232) - (w488 * w1228 + w1229 * c280 + w337 * w1230 + (w495 * w558 - (w491 * w559 + w493 * w560)))
+    w1269 = w502 * w1233 - (w499 * w1232 - w501 * w1231) - (w503 * w1228 + w327 * w1229 + w1230 * c282 - (w509 * w559 + w511 * w560 + w505 * w558))
+    w1270 = w517 * w1233 - (w515 * w1231 - w516 * w1232) - (w518 * w1228 + w1229 * c284 + w338 * w1230 + (w525 * w558 - (w521 * w559 + w523 * w560)))
+    w1271 = w531 * w1233 - (w529 * w1232 - w530 * w1231) - (w532 * w1228 + w328 * w1229 + w1230 * c286 - (w538 * w559 + w540 * w560 + w534 * w558))
+    w1272 = w546 * w1233 - (w544 * w1231 - w545 * w1232) - (w547 * w1228 + w1229 * c288 + w339 * w1230 + (w554 * w558 - (w550 * w559 + w552 * w560)))
+    w1273 = w559 * w1231 + w560 * w1232 - w558 * w1233 - (w1228 * c137 + w330 * w1229 + w341 * w1230 + (w559 * w562 - w560 * w565 + w558 * w569))
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # axle.angle
-            w62 * w392 - w455 + w60 * w467, w671 - w60 * w688 + w56 * w691, w813 - w60 * w826 + w56 * w829,
-            w893 - w60 * w894 + w56 * w895, w954 - w60 * w955 + w56 * w956, w1014 - w60 * w1015 + w56 * w1016,
-            w1096 - w60 * w1104 + w56 * w1105,
+            w62 * w406 - w469 + w60 * w481, w687 - w60 * w704 + w56 * w707, w830 - w60 * w843 + w56 * w846,
+            w912 - w60 * w913 + w56 * w914, w974 - w60 * w975 + w56 * w976, w1036 - w60 * w1037 + w56 * w1038,
+            w1117 - w60 * w1125 + w56 * w1126,
         ),
         ca.horzcat(  # rod.q1
-            w448 * w473 - (w434 * w470 - w443 * w471) - w482 - w392 * w483 - w467 * w469,
-            w469 * w688 - (rod_K_ff_0_0 + w699 + w483 * w632) - w148 * w691,
-            w469 * w826 - (w833 + w483 * w774) - w148 * w829, w469 * w894 - (w898 + w483 * w858) - w148 * w895,
-            w469 * w955 - (w959 + w483 * w918) - w148 * w956, w469 * w1015 - (w1019 + w483 * w979) - w148 * w1016,
-            w469 * w1104 - (w1108 + w483 * w1061) - w148 * w1105,
+            w462 * w487 - (w448 * w484 - w457 * w485) - w496 - w406 * w497 - w481 * w483,
+            w483 * w704 - (rod_K_ff_0_0 + w715 + w497 * w646) - w148 * w707,
+            w483 * w843 - (w850 + w497 * w790) - w148 * w846, w483 * w913 - (w917 + w497 * w875) - w148 * w914,
+            w483 * w975 - (w979 + w497 * w937) - w148 * w976, w483 * w1037 - (w1041 + w497 * w999) - w148 * w1038,
+            w483 * w1125 - (w1129 + w497 * w1083) - w148 * w1126,
         ),
         ca.horzcat(  # rod.q2
-            w448 * w488 - (w443 * w485 - w434 * w487) - w498 - w392 * w499 - w467 * w484,
-            w484 * w688 - (w707 + w499 * w632) - w151 * w691,
-            w484 * w826 - (rod_K_ff_1_1 + w838 + w499 * w774) - w151 * w829,
-            w484 * w894 - (w901 + w499 * w858) - w151 * w895, w484 * w955 - (w962 + w499 * w918) - w151 * w956,
-            w484 * w1015 - (w1022 + w499 * w979) - w151 * w1016,
-            w484 * w1104 - (w1111 + w499 * w1061) - w151 * w1105,
+            w462 * w502 - (w457 * w499 - w448 * w501) - w512 - w406 * w513 - w481 * w498,
+            w498 * w704 - (w723 + w513 * w646) - w151 * w707,
+            w498 * w843 - (rod_K_ff_1_1 + w855 + w513 * w790) - w151 * w846,
+            w498 * w913 - (w920 + w513 * w875) - w151 * w914, w498 * w975 - (w982 + w513 * w937) - w151 * w976,
+            w498 * w1037 - (w1044 + w513 * w999) - w151 * w1038,
+            w498 * w1125 - (w1132 + w513 * w1083) - w151 * w1126,
         ),
         ca.horzcat(  # rod.q3
-            w448 * w503 - (w434 * w501 - w443 * w502) - w512 - w392 * w513 - w467 * w500,
-            w500 * w688 - (w709 + w513 * w632) - w152 * w691, w500 * w826 - (w840 + w513 * w774) - w152 * w829,
-            w500 * w894 - (rod_K_ff_2_2 + w903 + w513 * w858) - w152 * w895,
-            w500 * w955 - (w964 + w513 * w918) - w152 * w956, w500 * w1015 - (w1024 + w513 * w979) - w152 * w1016,
-            w500 * w1104 - (w1113 + w513 * w1061) - w152 * w1105,
+            w462 * w517 - (w448 * w515 - w457 * w516) - w526 - w406 * w527 - w481 * w514,
+            w514 * w704 - (w725 + w527 * w646) - w152 * w707, w514 * w843 - (w857 + w527 * w790) - w152 * w846,
+            w514 * w913 - (rod_K_ff_2_2 + w922 + w527 * w875) - w152 * w914,
+            w514 * w975 - (w984 + w527 * w937) - w152 * w976, w514 * w1037 - (w1046 + w527 * w999) - w152 * w1038,
+            w514 * w1125 - (w1134 + w527 * w1083) - w152 * w1126,
         ),
         ca.horzcat(  # rod.q4
-            w448 * w517 - (w443 * w515 - w434 * w516) - w527 - w392 * w528 - w467 * w514,
-            w514 * w688 - (w711 + w528 * w632) - w153 * w691, w514 * w826 - (w842 + w528 * w774) - w153 * w829,
-            w514 * w894 - (w905 + w528 * w858) - w153 * w895,
-            w514 * w955 - (rod_K_ff_3_3 + w966 + w528 * w918) - w153 * w956,
-            w514 * w1015 - (w1026 + w528 * w979) - w153 * w1016,
-            w514 * w1104 - (w1115 + w528 * w1061) - w153 * w1105,
+            w462 * w531 - (w457 * w529 - w448 * w530) - w541 - w406 * w542 - w481 * w528,
+            w528 * w704 - (w727 + w542 * w646) - w153 * w707, w528 * w843 - (w859 + w542 * w790) - w153 * w846,
+            w528 * w913 - (w924 + w542 * w875) - w153 * w914,
+            w528 * w975 - (rod_K_ff_3_3 + w986 + w542 * w937) - w153 * w976,
+            w528 * w1037 - (w1048 + w542 * w999) - w153 * w1038,
+            w528 * w1125 - (w1136 + w542 * w1083) - w153 * w1126,
         ),
         ca.horzcat(  # rod.q5
-            w448 * w532 - (w434 * w530 - w443 * w531) - w541 - w392 * w542 - w467 * w529,
-            w529 * w688 - (w713 + w542 * w632) - w154 * w691, w529 * w826 - (w844 + w542 * w774) - w154 * w829,
-            w529 * w894 - (w907 + w542 * w858) - w154 * w895, w529 * w955 - (w968 + w542 * w918) - w154 * w956,
-            w529 * w1015 - (rod_K_ff_4_4 + w1028 + w542 * w979) - w154 * w1016,
-            w529 * w1104 - (w1117 + w542 * w1061) - w154 * w1105,
+            w462 * w546 - (w448 * w544 - w457 * w545) - w555 - w406 * w556 - w481 * w543,
+            w543 * w704 - (w729 + w556 * w646) - w154 * w707, w543 * w843 - (w861 + w556 * w790) - w154 * w846,
+            w543 * w913 - (w926 + w556 * w875) - w154 * w914, w543 * w975 - (w988 + w556 * w937) - w154 * w976,
+            w543 * w1037 - (rod_K_ff_4_4 + w1050 + w556 * w999) - w154 * w1038,
+            w543 * w1125 - (w1138 + w556 * w1083) - w154 * w1126,
         ),
         ca.horzcat(  # rod.q6
-            w1215 - w392 * w556 - w467 * w543, w543 * w688 - (w721 + w556 * w632) - w157 * w691,
-            w543 * w826 - (w849 + w556 * w774) - w157 * w829, w543 * w894 - (w909 + w556 * w858) - w157 * w895,
-            w543 * w955 - (w970 + w556 * w918) - w157 * w956, w543 * w1015 - (w1030 + w556 * w979) - w157 * w1016,
-            w543 * w1104 - (rod_K_ff_5_5 + w1119 + w556 * w1061) - w157 * w1105,
+            w1236 - w406 * w570 - w481 * w557, w557 * w704 - (w737 + w570 * w646) - w157 * w707,
+            w557 * w843 - (w866 + w570 * w790) - w157 * w846, w557 * w913 - (w928 + w570 * w875) - w157 * w914,
+            w557 * w975 - (w990 + w570 * w937) - w157 * w976, w557 * w1037 - (w1052 + w570 * w999) - w157 * w1038,
+            w557 * w1125 - (rod_K_ff_5_5 + w1140 + w570 * w1083) - w157 * w1126,
         ),
     )
     J_v = ca.vertcat(
         ca.horzcat(  # axle.angle
-            w1216 - (w393 * w1125 + w400 * w1127 + w397 * w1128) - w62 * w1131, w62 * w1138 - w1152,
-            w62 * w1155 - (w393 * w1163 + w400 * w1166 + w397 * w1167 + w1169), w62 * w1173 - w1183,
-            w62 * w1184 - (w393 * w1189 + w400 * w1191 + w397 * w1192 + w1194), w62 * w1195 - w1205,
-            w62 * w1206 - w1214,
+            w1237 - (w407 * w1146 + w414 * w1148 + w411 * w1149) - w62 * w1152, w62 * w1159 - w1173,
+            w62 * w1176 - (w407 * w1184 + w414 * w1187 + w411 * w1188 + w1190), w62 * w1194 - w1204,
+            w62 * w1205 - (w407 * w1210 + w414 * w1212 + w411 * w1213 + w1215), w62 * w1216 - w1226,
+            w62 * w1227 - w1235,
         ),
         ca.horzcat(  # rod.q1
-            w483 * w1131 - (w470 * w1125 - w471 * w1127 - w473 * w1128 + w1132),
-            w1217 - rod_D_ff_0_0 - w483 * w1138, w1223 - (w200 * c319 - w1170 * c2 - w1162 * c10) - w483 * w1155,
-            w1229 - w483 * w1173, w1235 - (w200 * c328 - w1170 * c3 - w1188 * c10) - w483 * w1184,
-            w1241 - w483 * w1195, w1247 - w203 * c149 - w483 * w1206,
+            w497 * w1152 - (w484 * w1146 - w485 * w1148 - w487 * w1149 + w1153),
+            w1238 - rod_D_ff_0_0 - w497 * w1159, w1244 - (w200 * c311 - w1191 * c2 - w1183 * c10) - w497 * w1176,
+            w1250 - w497 * w1194, w1256 - (w200 * c342 - w1191 * c3 - w1209 * c10) - w497 * w1205,
+            w1262 - w497 * w1216, w1268 - w203 * c149 - w497 * w1227,
         ),
         ca.horzcat(  # rod.q2
-            w499 * w1131 - (w485 * w1127 - w487 * w1125 - w488 * w1128 + w1133),
-            w1218 - (w200 * c315 - w1153 * c10 - w1142 * c2) - w499 * w1138, w1224 - rod_D_ff_1_1 - w499 * w1155,
-            w1230 - (w200 * c324 - w1153 * c11 - w1177 * c2) - w499 * w1173, w1236 - w499 * w1184,
-            w1242 - (w200 * c333 - w1153 * c12 - w1199 * c2) - w499 * w1195, w1248 - w204 * c152 - w499 * w1206,
+            w513 * w1152 - (w499 * w1148 - w501 * w1146 - w502 * w1149 + w1154),
+            w1239 - (w200 * c296 - w1174 * c10 - w1163 * c2) - w513 * w1159, w1245 - rod_D_ff_1_1 - w513 * w1176,
+            w1251 - (w200 * c327 - w1174 * c11 - w1198 * c2) - w513 * w1194, w1257 - w513 * w1205,
+            w1263 - (w200 * c358 - w1174 * c12 - w1220 * c2) - w513 * w1216, w1269 - w204 * c152 - w513 * w1227,
         ),
         ca.horzcat(  # rod.q3
-            w513 * w1131 - (w501 * w1125 - w502 * w1127 - w503 * w1128 + w1134), w1219 - w513 * w1138,
-            w1225 - (w200 * c320 - w1171 * c2 - w1162 * c11) - w513 * w1155, w1231 - rod_D_ff_2_2 - w513 * w1173,
-            w1237 - (w200 * c329 - w1171 * c3 - w1188 * c11) - w513 * w1184, w1243 - w513 * w1195,
-            w1249 - w203 * c155 - w513 * w1206,
+            w527 * w1152 - (w515 * w1146 - w516 * w1148 - w517 * w1149 + w1155), w1240 - w527 * w1159,
+            w1246 - (w200 * c314 - w1192 * c2 - w1183 * c11) - w527 * w1176, w1252 - rod_D_ff_2_2 - w527 * w1194,
+            w1258 - (w200 * c345 - w1192 * c3 - w1209 * c11) - w527 * w1205, w1264 - w527 * w1216,
+            w1270 - w203 * c155 - w527 * w1227,
         ),
         ca.horzcat(  # rod.q4
-            w528 * w1131 - (w515 * w1127 - w516 * w1125 - w517 * w1128 + w1135),
-            w1220 - (w200 * c316 - w1154 * c10 - w1142 * c3) - w528 * w1138, w1226 - w528 * w1155,
-            w1232 - (w200 * c325 - w1154 * c11 - w1177 * c3) - w528 * w1173, w1238 - rod_D_ff_3_3 - w528 * w1184,
-            w1244 - (w200 * c334 - w1154 * c12 - w1199 * c3) - w528 * w1195, w1250 - w204 * c158 - w528 * w1206,
+            w542 * w1152 - (w529 * w1148 - w530 * w1146 - w531 * w1149 + w1156),
+            w1241 - (w200 * c299 - w1175 * c10 - w1163 * c3) - w542 * w1159, w1247 - w542 * w1176,
+            w1253 - (w200 * c330 - w1175 * c11 - w1198 * c3) - w542 * w1194, w1259 - rod_D_ff_3_3 - w542 * w1205,
+            w1265 - (w200 * c361 - w1175 * c12 - w1220 * c3) - w542 * w1216, w1271 - w204 * c158 - w542 * w1227,
         ),
         ca.horzcat(  # rod.q5
-            w542 * w1131 - (w530 * w1125 - w531 * w1127 - w532 * w1128 + w1136), w1221 - w542 * w1138,
-            w1227 - (w200 * c321 - w1172 * c2 - w1162 * c12) - w542 * w1155, w1233 - w542 * w1173,
-            w1239 - (w200 * c330 - w1172 * c3 - w1188 * c12) - w542 * w1184, w1245 - rod_D_ff_4_4 - w542 * w1195,
-            w1251 - w203 * c161 - w542 * w1206,
+            w556 * w1152 - (w544 * w1146 - w545 * w1148 - w546 * w1149 + w1157), w1242 - w556 * w1159,
+            w1248 - (w200 * c317 - w1193 * c2 - w1183 * c12) - w556 * w1176, w1254 - w556 * w1194,
+            w1260 - (w200 * c348 - w1193 * c3 - w1209 * c12) - w556 * w1205, w1266 - rod_D_ff_4_4 - w556 * w1216,
+            w1272 - w203 * c161 - w556 * w1227,
         ),
         ca.horzcat(  # rod.q6
-            w556 * w1131 - w1137, w1222 - w203 * c317 - w556 * w1138, w1228 - w204 * c322 - w556 * w1155,
-            w1234 - w203 * c326 - w556 * w1173, w1240 - w204 * c331 - w556 * w1184,
-            w1246 - w203 * c335 - w556 * w1195, w1252 - rod_D_ff_5_5 - w556 * w1206,
+            w570 * w1152 - w1158, w1243 - w203 * c302 - w570 * w1159, w1249 - w204 * c319 - w570 * w1176,
+            w1255 - w203 * c333 - w570 * w1194, w1261 - w204 * c350 - w570 * w1205,
+            w1267 - w203 * c364 - w570 * w1216, w1273 - rod_D_ff_5_5 - w570 * w1227,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
@@ -9556,13 +9780,13 @@ def residual_jacobian() -> ca.Function:
 def deflections() -> ca.Function:
     """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
 
-    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 383) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives B (n_i x n_s = 7 x 6) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 6 x 6) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 6 x 6) [SI]: damping of the stiff deflections
     0 operations.
     """
-    c = ca.SX.sym("c", 339)
+    c = ca.SX.sym("c", 383)
     rod_D_ff_0_0 = c[147]
     rod_K_ff_0_0 = c[148]
     rod_D_ff_1_1 = c[150]
@@ -9614,7 +9838,7 @@ def blocks() -> ca.Function:
     takes q_d (n_d = 24) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 383) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_LL (n_L x n_L = 1) [SI]: block of M_hat, rows of L, columns of L
     gives M_hat_LS (n_L x n_S = 1 x 6) [SI]: block of M_hat, rows of L, columns of S
     gives M_hat_SL (n_S x n_L = 6) [SI]: block of M_hat, rows of S, columns of L
@@ -9627,7 +9851,7 @@ def blocks() -> ca.Function:
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
-    c = ca.SX.sym("c", 339)
+    c = ca.SX.sym("c", 383)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -10321,7 +10545,7 @@ def substep_2() -> ca.Function:
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
     takes q_L_ddot (n_L = 1) [mixed]: accelerations of the slower groups, frozen over their step
-    takes c (n_const = 339) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 383) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 6 x 6) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 6) [N, N m]: right-hand side of a sub-step, slow q'' given
     2202 operations.
@@ -10331,7 +10555,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 339)
+    c = ca.SX.sym("c", 383)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]

@@ -27,11 +27,6 @@ def derivative(expression: sp.Expr, rules: Rules) -> sp.Expr:
     return sp.Add(*(sp.diff(expression, symbol) * rate for symbol, rate in rules.items()))
 
 
-def derivative_all(expressions: Sequence[sp.Expr], rules: Rules) -> list[sp.Expr]:
-    """`derivative` of each expression."""
-    return [derivative(expression, rules) for expression in expressions]
-
-
 _UNARY: dict[type, Callable[[ca.SX], ca.SX]] = {sp.sin: ca.sin, sp.cos: ca.cos}
 
 

@@ -17,7 +17,6 @@ import casadi as ca
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ONE, ZERO, add, div, mul, neg, sub
 from symgen.condensed.condensation import Condensed, congruence
-from symgen.condensed.locks import Locks
 from symgen.system.equations import FreeJointAccelerations
 from symgen.system.topology import Topology
 
@@ -62,24 +61,6 @@ class Lock:
 
 
 FREE = Lock(ONE, {}, ZERO)
-
-
-def locked_pivots(locks: Locks, topology: Topology) -> dict[int, Lock] | None:
-    """By column, of the elements of a tree; None where two of them would have the same."""
-    system = locks.system
-    if locks.right_inverse is None or not is_tree(system, topology):
-        return None
-    body_of = {column: body for body, columns in system.reduced.body_columns.items() for column in columns}
-    found: dict[int, Lock] = {}
-    for row, bias, one in zip(locks.rows, locks.bias, locks.elements, strict=True):
-        entries = {column: value for column, value in row.items() if not value.is_zero()}
-        far = max(entries, key=lambda column: (topology.distance_of(body_of[column]), column))
-        if far in found:
-            return None
-        factor = entries.pop(far)
-        e = {column: neg(div(value, factor)) for column, value in entries.items()}
-        found[far] = Lock(one.moves, e, neg(div(bias, factor)))
-    return found
 
 
 def is_tree(system: Condensed, topology: Topology) -> bool:

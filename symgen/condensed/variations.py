@@ -101,7 +101,7 @@ def _known_changes(eq: Equations, accelerations: Row) -> dict[int, ConstraintCha
     found = {}
     for joint, known in eq.loop_rates.items():
         own = [row for row, constraint in enumerate(eq.constraints) if constraint.joint == joint]
-        for row, first, second in zip(own, *known.rows(dict(enumerate(eq.q_dot)), accelerations), strict=True):
+        for row, first, second in zip(own, *known(dict(enumerate(eq.q_dot)), accelerations), strict=True):
             entries = eq.constraints[row].C_q
             g, h = (_of(entries.keys() & accelerations.keys(), change) for change in (first, second))
             found[row] = ConstraintChange(dict(entries), g, h, _twice(g))

@@ -19,7 +19,6 @@ from symgen.system.equations import Equations, matrix_times
 def constraints(system: Condensed) -> Kernel:
     """C, C_q, C_t, nu = -C_t and gamma in all coordinates (Eqs. 21-27)."""
     eq = system.equations
-    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
     outputs = {
         "C": ca.vertcat(*(row.C for row in eq.constraints)),
         "C_q": constraint_jacobian(eq),
@@ -27,13 +26,12 @@ def constraints(system: Condensed) -> Kernel:
         "nu": ca.vertcat(*(-row.C_t for row in eq.constraints)),
         "gamma": ca.vertcat(*(row.gamma for row in eq.constraints)),
     }
-    return Kernel(inputs, outputs)
+    return Kernel(eq.state, outputs)
 
 
 def augmented(system: Condensed) -> Kernel:
     """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and the constraints' right-hand side of Eq. (28), all coordinates."""
     eq = system.equations
-    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
     outputs = {
         "M": to_matrix(eq.M),
         "K": to_matrix(eq.K),
@@ -44,7 +42,7 @@ def augmented(system: Condensed) -> Kernel:
     if eq.constraints:
         outputs["C_q"] = constraint_jacobian(eq)
         outputs["gamma"] = ca.vertcat(*(row.gamma for row in eq.constraints))
-    return Kernel(inputs, outputs)
+    return Kernel(eq.state, outputs)
 
 
 def reactions(system: Condensed) -> Kernel:
@@ -120,9 +118,8 @@ def _loop_reactions(system: Condensed, force: Row) -> dict[int, ca.SX]:
 def energy(system: Condensed) -> Kernel:
     """Energies [J] and powers [W]: kinetic, elastic, potential, dissipated (>= 0), applied by loads."""
     eq = system.equations
-    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
     return Kernel(
-        inputs,
+        eq.state,
         {
             "kinetic": eq.kinetic(),
             "elastic": eq.elastic,
@@ -140,7 +137,6 @@ def load_forces(system: Condensed, bodies: Sequence[str]) -> Kernel:
     of. `load_actions` has one end of a load, in world axes, for who draws or reads it: neither follows from the other.
     """
     eq = system.equations
-    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
     frames = {body: eq.frame_columns(body) for body in bodies}
     rows = max((len(columns) for columns in frames.values()), default=0)
     columns = [
@@ -148,23 +144,21 @@ def load_forces(system: Condensed, bodies: Sequence[str]) -> Kernel:
         for body, own in frames.items()
         for name in eq.loads_on(body)
     ]
-    return Kernel(inputs, {"load_forces": ca.densify(ca.horzcat(*columns)) if columns else ca.SX(rows, 0)})
+    return Kernel(eq.state, {"load_forces": ca.densify(ca.horzcat(*columns)) if columns else ca.SX(rows, 0)})
 
 
 def measures(system: Condensed) -> Kernel:
     """The scene's measures and their rates, in scene order."""
     eq = system.equations
-    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
     values = list(eq.measures.values())
-    return Kernel(inputs, {"measures": ca.vertcat(*values) if values else ca.SX(0, 1)})
+    return Kernel(eq.state, {"measures": ca.vertcat(*values) if values else ca.SX(0, 1)})
 
 
 def load_actions(system: Condensed) -> Kernel:
     """(3 or 6 x loads): world force [N] and moment [N m] of each load on its marker or marker b."""
     eq = system.equations
-    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
     columns = [ca.vertcat(*action) for action in eq.load_actions.values()]
-    return Kernel(inputs, {"load_actions": ca.horzcat(*columns) if columns else ca.SX(0, 0)})
+    return Kernel(eq.state, {"load_actions": ca.horzcat(*columns) if columns else ca.SX(0, 0)})
 
 
 def switching(system: Condensed) -> Kernel:
@@ -176,11 +170,10 @@ def switching(system: Condensed) -> Kernel:
 def events(system: Condensed) -> Kernel:
     """What passes zero when an event happens and, behind them, where a load kinks; what inputs become by actions."""
     eq = system.equations
-    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
     actions = [value for _, action in eq.events.values() for value in action.values()]
     passing = [when for when, _ in eq.events.values()] + [value for _, value in eq.kinks.values()]
     outputs = {"events": ca.vertcat(*passing)}
-    return Kernel(inputs, {**outputs, "actions": ca.vertcat(*actions)} if actions else outputs)
+    return Kernel(eq.state, {**outputs, "actions": ca.vertcat(*actions)} if actions else outputs)
 
 
 def poses(equations: Equations) -> Kernel:

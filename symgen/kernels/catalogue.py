@@ -30,8 +30,8 @@ from symgen.kernels.all_coordinates import (
     reactions,
     switching,
 )
-from symgen.kernels.kernel import Arguments, Kernel, arguments_of, dynamics
-from symgen.kernels.specification import block_signals, substep_name
+from symgen.kernels.kernel import Arguments, Kernel, arguments_of, blocks, dynamics
+from symgen.kernels.specification import substep_name
 from symgen.system.constraint import DerivationError
 from symgen.system.topology import Topology
 
@@ -89,7 +89,7 @@ def kernel_builders(
     if tree:
         builders["forward_dynamics"] = lambda: dynamics(system, arguments, tree_accelerations(system, topology, {}))
     if len(groups) > 1:
-        builders["blocks"] = partial(_blocks, system, arguments, named_groups)
+        builders["blocks"] = lambda: blocks(arguments, system.M_hat(), system.generalised_force({}), named_groups)
     for level in range(1, len(groups)):
         builders[substep_name(level + 1)] = partial(_substep, system, arguments, groups, level)
     if system.reduced.elements:
@@ -143,15 +143,6 @@ def _jacobian(name: str, system: Condensed, a: Arguments) -> Kernel:
     return found
 
 
-def _blocks(system: Condensed, a: Arguments, groups: list[Group]) -> Kernel:
-    """M_hat_LL, M_hat_LS, ... and Q_hat_L, ... by the names of the groups (Eq. 39)."""
-    M_hat, Q_hat = system.M_hat(), system.generalised_force({})
-    values = [M_hat[row.positions, column.positions] for row in groups for column in groups]
-    values += [Q_hat[group.positions] for group in groups]
-    names = [signal.name for signal in block_signals(groups)]
-    return Kernel(a.select("q_i", "q_d", "q_i_dot", "q_d_dot"), dict(zip(names, values, strict=True)))
-
-
 def _substep(system: Condensed, a: Arguments, groups: list[list[int]], level: int) -> Kernel:
     """M_hat of the groups from `level` on, and their right-hand side with slower accelerations given (Eq. 64)."""
     slow = [k for group in groups[:level] for k in group]
@@ -169,10 +160,10 @@ def _closure(system: Condensed, a: Arguments) -> Kernel:
     C_loop: the loop rows before the step; det_loop: the determinant of each block that the step solves.
     """
     eq, choice = system.reduced, system.choice
-    closed_form = _closed_form(system, a)
+    guess = _structural_positions(system, {c: eq.q[c] for c in (*choice.independent, *choice.loop_columns)})
+    closed_form = _column(a, guess)
     outputs = {"q_d_next": closed_form}
     if choice.loop_rows:
-        guess = _structural_positions(system, {c: eq.q[c] for c in (*choice.independent, *choice.loop_columns)})
         old, new = _replacement(system, guess)
         entries = [(row, column) for row in choice.loop_rows for column in system.loops.rows[row].entries]
         values = [system.loops.rows[row].entries[column] for row, column in entries]
@@ -226,11 +217,6 @@ def _replacement(system: Condensed, values: dict[int, ca.SX]) -> tuple[ca.SX, ca
     if not columns:
         return ca.SX.sym("none", 0), ca.SX(0, 1)
     return (ca.vertcat(*(system.reduced.q[c] for c in columns)), ca.vertcat(*(values[c] for c in columns)))
-
-
-def _closed_form(system: Condensed, a: Arguments) -> ca.SX:
-    known = {c: system.reduced.q[c] for c in (*system.choice.independent, *system.choice.loop_columns)}
-    return _column(a, _structural_positions(system, known))
 
 
 def _velocities(system: Condensed, a: Arguments) -> Kernel:

@@ -13,15 +13,15 @@ import casadi as ca
 
 from runtime.contract.records import Group
 from symgen.algebra.rows import Row
-from symgen.algebra.scalar import ONE, add, mul, sub
+from symgen.algebra.scalar import ONE, add, div, mul, neg, sub
 from symgen.condensed.condensation import Condensed
-from symgen.condensed.forward_dynamics import locked_pivots, tree_accelerations
+from symgen.condensed.forward_dynamics import Lock, is_tree, tree_accelerations
 from symgen.condensed.locks import Locks, locks
 from symgen.condensed.variations import directions
 from symgen.kernels.jacobians import jacobian_kernels
-from symgen.kernels.kernel import Arguments, Kernel, dynamics
+from symgen.kernels.kernel import Arguments, Kernel, blocks, dynamics
 from symgen.kernels.reaction_friction import Grips
-from symgen.kernels.specification import block_signals, substep_name
+from symgen.kernels.specification import substep_name
 from symgen.system.equations import Element
 from symgen.system.topology import Topology
 
@@ -44,13 +44,31 @@ def with_elements(
     found["condensed"] = lambda: Kernel(a.select(*STATE), dict(zip(("M_hat", "Q_hat"), locked.locked(), strict=True)))
     for name in jacobian_kernels(system, a):
         found[name] = partial(_rates_left, name, locked, a, grips)
-    if (pivots := locked_pivots(locked, topology)) is not None:
+    if (pivots := _pivots(locked, topology)) is not None:
         found["forward_dynamics"] = lambda: dynamics(system, a, tree_accelerations(system, topology, pivots))
     if len(groups) > 1:
-        found["blocks"] = partial(_blocks, locked, a, groups)
+        found["blocks"] = lambda: blocks(a, *locked.locked(), groups)
     for level in range(1, len(groups)):
         found[substep_name(level + 1)] = partial(_substep, locked, a, [one.positions for one in groups], level)
     return grips.in_kernels(found) if grips.own else found
+
+
+def _pivots(locks: Locks, topology: Topology) -> dict[int, Lock] | None:
+    """By column, of the elements of a tree; None where two of them would have the same."""
+    system = locks.system
+    if locks.right_inverse is None or not is_tree(system, topology):
+        return None
+    body_of = {column: body for body, columns in system.reduced.body_columns.items() for column in columns}
+    found: dict[int, Lock] = {}
+    for row, bias, one in zip(locks.rows, locks.bias, locks.elements, strict=True):
+        entries = {column: value for column, value in row.items() if not value.is_zero()}
+        far = max(entries, key=lambda column: (topology.distance_of(body_of[column]), column))
+        if far in found:
+            return None
+        factor = entries.pop(far)
+        e = {column: neg(div(value, factor)) for column, value in entries.items()}
+        found[far] = Lock(one.moves, e, neg(div(bias, factor)))
+    return found
 
 
 def _elements(locked: Locks, a: Arguments, grips: Grips) -> Kernel:
@@ -138,15 +156,6 @@ def _along_motions(locked: Locks, q_i_ddot: ca.SX, grips: Grips) -> tuple[ca.SX,
     J_q = [ca.jtimes(residual, ca.vertcat(q, rates), ca.vertcat(moved(one.S), moved(one.S_dot))) for one in found]
     J_v = [ca.jtimes(residual, rates, moved(one.S)) for one in found]
     return ca.densify(ca.horzcat(*J_q)), ca.densify(ca.horzcat(*J_v))
-
-
-def _blocks(locked: Locks, a: Arguments, groups: list[Group]) -> Kernel:
-    """Blocks of the locked M_hat and Q_hat by groups (Eq. 39)."""
-    M_hat, Q_hat = locked.locked()
-    values = [M_hat[row.positions, column.positions] for row in groups for column in groups]
-    values += [Q_hat[group.positions] for group in groups]
-    names = [signal.name for signal in block_signals(groups)]
-    return Kernel(a.select(*STATE), dict(zip(names, values, strict=True)))
 
 
 def _substep(locked: Locks, a: Arguments, groups: list[list[int]], level: int) -> Kernel:

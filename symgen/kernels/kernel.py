@@ -7,10 +7,12 @@ from dataclasses import dataclass, replace
 
 import casadi as ca
 
+from runtime.contract.records import Group
 from runtime.contract.tape import Tape, read_tape, shared
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import length
 from symgen.condensed.condensation import Condensed
+from symgen.kernels.specification import block_signals
 
 MUCH_LONGER = 1.15  # a form that has this many times the operations of another is not simplified to compare
 
@@ -84,3 +86,11 @@ def dynamics(system: Condensed, a: Arguments, forms: Sequence[Row]) -> Kernel:
     """Accelerations by the shortest of several forms, each by column."""
     rows = [ca.vertcat(*(found[c] for c in system.choice.independent)) for found in forms]
     return shortest(a.select("q_i", "q_d", "q_i_dot", "q_d_dot"), [{"q_i_ddot": ca.densify(form)} for form in rows])
+
+
+def blocks(a: Arguments, M_hat: ca.SX, Q_hat: ca.SX, groups: Sequence[Group]) -> Kernel:
+    """M_hat_LL, M_hat_LS, ... and Q_hat_L, ... by the names of the groups (Eq. 39)."""
+    values = [M_hat[row.positions, column.positions] for row in groups for column in groups]
+    values += [Q_hat[group.positions] for group in groups]
+    names = [signal.name for signal in block_signals(groups)]
+    return Kernel(a.select("q_i", "q_d", "q_i_dot", "q_d_dot"), dict(zip(names, values, strict=True)))

@@ -1,24 +1,18 @@
-"""What loads are written in (`symgen.loads.load.Acting`), in the plane and in space: markers and quantities as SX.
-
-Translational spring-damper between two points: length, force and potential derived in SymPy.
-"""
+"""What loads are written in (`symgen.loads.load.Acting`), in the plane and in space: markers and quantities as SX."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache
 from typing import Any
 
 import casadi as ca
 import numpy as np
-import sympy as sp
 
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_scaled, nonzero
-from symgen.algebra.scalar import ONE, ZERO, dot, neg
-from symgen.algebra.template import Template, derivative
-from symgen.algebra.vectors import Vector, combination, minus, zeros
+from symgen.algebra.scalar import ONE, ZERO, div, dot, mul, neg, sub
+from symgen.algebra.vectors import Vector, combination, minus, negative, plus, scaled, zeros
 from symgen.bodies.beam_places import moving_place, stations
 from symgen.bodies.planar_body import MarkerMotion
 from symgen.bodies.spatial_body import SpatialMarker
@@ -31,35 +25,6 @@ from symgen.system.one_sided import Push, hunt_crossley
 from symgen.system.structure import ExpressionReader, Read
 
 SMALLEST = 1e-24  # m2: points nearer than that have met
-k, c, l_0, length = sp.symbols("k c l_0 length")
-
-
-def _vectors(dimension: int) -> tuple[list[sp.Symbol], list[sp.Symbol]]:
-    return (
-        [sp.Symbol(f"d_{axis}") for axis in "xyz"[:dimension]],
-        [sp.Symbol(f"d_dot_{axis}") for axis in "xyz"[:dimension]],
-    )
-
-
-@cache
-def template(dimension: int) -> Template:
-    """Force on point b (minus that on a): -dV/dd - c l_dot dl/dd, with V = 1/2 k (l - l_0)^2, l = |d|.
-
-    Written with (1 - l_0/l) so that a spring of zero free length without damper needs no square root.
-    """
-    d, d_dot = _vectors(dimension)
-    squared = sp.Add(*(component**2 for component in d))
-    length_rate = derivative(sp.sqrt(squared), dict(zip(d, d_dot, strict=True)))
-    outputs: dict[str, sp.Expr] = {"length": sp.sqrt(squared)}
-    for axis, component in zip("xyz", d, strict=False):
-        gradient = sp.diff(sp.sqrt(squared), component)
-        spring = -k * (1 - l_0 / length) * component
-        damper = -c * (length_rate * gradient).subs(squared, length**2)
-        outputs[f"force_{axis}"] = spring + sp.simplify(damper)
-    outputs["potential"] = k * (length - l_0) ** 2 / 2
-    rate = length_rate.subs(squared, length**2)
-    outputs["dissipated"] = sp.expand(c * rate**2)
-    return Template(outputs)
 
 
 @dataclass(frozen=True)
@@ -71,34 +36,24 @@ class SpringForce:
     dissipated: ca.SX
 
 
-def evaluate(
-    d: Sequence[ca.SX], d_dot: Sequence[ca.SX], stiffness: ca.SX, damping: ca.SX, free_length: ca.SX
-) -> SpringForce:
-    """The spring between points a distance vector d apart (2 or 3 components)."""
-    if free_length.is_zero() and not damping.is_zero():
-        return _through_zero(ca.vertcat(*d), ca.vertcat(*d_dot), stiffness, damping)
-    form, (names, rates) = template(len(d)), _vectors(len(d))
-    values = {
-        **dict(zip(names, d, strict=True)),
-        **dict(zip(rates, d_dot, strict=True)),
-        k: stiffness,
-        c: damping,
-        l_0: free_length,
-    }
-    values[length] = form.evaluate(values, ["length"])["length"]
-    forces = [f"force_{axis}" for axis in "xyz"[: len(d)]]
-    out = form.evaluate(values, [*forces, "potential", "dissipated"])
-    return SpringForce([out[name] for name in forces], out["potential"], out["dissipated"])
+def spring_between(d: Vector, d_dot: Vector, stiffness: ca.SX, damping: ca.SX, free_length: ca.SX) -> SpringForce:
+    """Between points a distance vector d apart: -k (1 - l_0/l) d - c l' d/l on b, with l = |d|.
 
-
-def _through_zero(d: ca.SX, d_dot: ca.SX, stiffness: ca.SX, damping: ca.SX) -> SpringForce:
-    """Zero free length, with a damper: the points may meet, where no line between them is left for the damper.
-
-    Force on b: -k d - c (d_dot . d) d / |d|^2.
+    A spring of zero free length without damper needs no square root, with one the points may meet.
     """
-    squared, along = ca.fmax(ca.dot(d, d), SMALLEST), ca.dot(d_dot, d)
-    force = -stiffness * d - damping * along / squared * d
-    return SpringForce(ca.vertsplit(force), stiffness * ca.dot(d, d) / 2, damping * along * along / squared)
+    squared, along = dot(d, d), dot(d, d_dot)
+    length = ca.sqrt(squared)
+    if free_length.is_zero():
+        squared = ca.fmax(squared, SMALLEST)
+        spring, stored = stiffness, div(mul(stiffness, dot(d, d)), ca.SX(2))
+    else:
+        stretch = sub(length, free_length)
+        spring, stored = (
+            mul(stiffness, sub(ONE, div(free_length, length))),
+            div(mul(stiffness, mul(stretch, stretch)), ca.SX(2)),
+        )
+    damper = mul(damping, div(along, squared))
+    return SpringForce(negative(plus(scaled(spring, d), scaled(damper, d))), stored, mul(damper, along))
 
 
 HIGHEST = 6  # power of a polynomial along a beam
@@ -209,7 +164,7 @@ class _Acting:
 
     def spring(self, a: Any, b: Any, stiffness: ca.SX, damping: ca.SX, free_length: ca.SX) -> SpringForce:
         """Along the line from a to b."""
-        return evaluate(minus(b.r, a.r), minus(b.r_dot, a.r_dot), stiffness, damping, free_length)
+        return spring_between(minus(b.r, a.r), minus(b.r_dot, a.r_dot), stiffness, damping, free_length)
 
     def coordinate(self, name: str) -> Scalar:
         """Of a joint."""

@@ -15,6 +15,7 @@ import casadi as ca
 from runtime.contract.records import Coordinate, EventRecord, InputRecord, ModeSetRecord
 from symgen.algebra.rows import Row, add_scaled, add_to
 from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, sub, total
+from symgen.algebra.vectors import Vector
 from symgen.bodies.outlines import Picture
 from symgen.loads.load import LinearSpring
 from symgen.scene import SceneRecord
@@ -154,14 +155,8 @@ def product(factors: Sequence[ca.SX]) -> ca.SX:
 InertiaForces = Callable[[Row], Row]  # of a tree of frames: accelerations -> by column
 ForceChanges = Callable[[Row], tuple[list[Row], list[Row]]]  # accelerations, held -> rows by q and by q_dot
 # accelerations, multipliers of loops, directions -> F_q and F_v of (inertia forces + C_q^T lambda), None: no way
-LoopChanges = Callable[[Row, Mapping[str, Sequence[ca.SX]], Sequence[Direction]], tuple[ca.SX, ca.SX] | None]
-
-
-class RowRates(Protocol):
-    """Derivatives in time of the rows of a joint that closes a loop."""
-
-    def rows(self, rates: Row, accelerations: Row) -> tuple[list[Row], list[Row]]:
-        """(dC_q/dt, d^2 C_q/dt^2), rows by column."""
+LoopChanges = Callable[[Row, Mapping[str, Vector], Sequence[Direction]], tuple[ca.SX, ca.SX] | None]
+RowRates = Callable[[Row, Row], tuple[list[Row], list[Row]]]  # rates, accelerations -> dC_q/dt, d^2 C_q/dt^2 by row
 
 
 class FreeJointAccelerations(Protocol):
@@ -308,6 +303,11 @@ class Equations:
         given = {"t": self.t, "u": ca.vertcat(*self.u.values())} if self.u else {"t": self.t}
         charts = [entry for turning in self.turnings for entry in turning.chart]
         return {**given, "chart": ca.vertcat(*charts)} if charts else given
+
+    @property
+    def state(self) -> dict[str, ca.SX]:
+        """Arguments of what depends on all coordinates and their rates."""
+        return {"q": ca.vertcat(*self.q), "q_dot": ca.vertcat(*self.q_dot), **self.signals}
 
     @cached_property
     def turn_columns(self) -> frozenset[int]:

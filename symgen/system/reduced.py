@@ -31,7 +31,7 @@ from symgen.system.equations import Direction, Equations, Rotor
 from symgen.system.frames.aba import floats, free_joint_accelerations
 from symgen.system.frames.alignment import links_of
 from symgen.system.frames.crba import mass_rows
-from symgen.system.frames.loop_derivatives import LoopForce, LoopRates, MarkerWay, loop_changes
+from symgen.system.frames.loop_derivatives import Loop, MarkerWay, loop_changes
 from symgen.system.frames.moves import Ball, MarkerNode
 from symgen.system.frames.paths import Path
 from symgen.system.frames.rnea import floating_forces, inverse_dynamics, own_wrenches
@@ -54,7 +54,7 @@ class TreeSpace(SpatialSpace):
         self.known, self.whole, self.orientations = space.bodies, whole, orientations
         self._turnings = {turning.body: turning for turning in equations.turnings}
         self._paths: dict[tuple[int, int], Path] = {}
-        self.loop_rates: dict[str, LoopRates] = {}
+        self.loops: dict[str, Loop] = {}
 
     def add_body(self, name: str, columns: list[int], q: list[ca.SX], q_dot: list[ca.SX]) -> tuple[SpatialBody, int]:
         """As in all coordinates."""
@@ -204,7 +204,7 @@ class TreeSpace(SpatialSpace):
         if joint.is_ball():
             base = self._common(joint.marker_a, joint.marker_b)
             one, other = (self._way(base, reference) for reference in (joint.marker_a, joint.marker_b))
-            self.loop_rates[joint.name] = LoopRates(one, other, self._path(GROUND, base))
+            self.loops[joint.name] = Loop(one, other, self._path(GROUND, base))
         return super().joint_rows(joint, motions)
 
     def picture(self) -> Picture:
@@ -214,10 +214,11 @@ class TreeSpace(SpatialSpace):
 
 @dataclass(frozen=True)
 class TreeForces:
-    """Of a tree of frames that moves by the coordinates of some equations."""
+    """Of a tree of frames that moves by the coordinates of some equations; loops: what closes it, by joint."""
 
     tree: FrameTree
     equations: Equations
+    loops: Mapping[str, Loop]
 
     @property
     def _base(self) -> Vector:
@@ -241,16 +242,10 @@ class TreeForces:
         return force_changes(self.tree, len(self.equations.q), self._base, self._rates, accelerations)
 
     def loop_changes(
-        self,
-        loops: Mapping[str, LoopRates],
-        accelerations: Row,
-        multipliers: Mapping[str, Sequence[ca.SX]],
-        directions: Sequence[Direction],
+        self, accelerations: Row, multipliers: Mapping[str, Vector], directions: Sequence[Direction]
     ) -> tuple[ca.SX, ca.SX] | None:
         """Derivatives of `inertia_forces` + C_q^T lambda of spherical loops along directions."""
-        if not loops or any(way.base != GROUND for loop in loops.values() for way in (loop.a, loop.b)):
-            return None
-        found = [LoopForce(loop.a, loop.b, list(multipliers[joint])) for joint, loop in loops.items()]
+        found = [(loop, multipliers[joint]) for joint, loop in self.loops.items()]
         moving = self._rates, accelerations
         return loop_changes(self.tree, len(self.equations.q), self._base, moving, found, directions)
 
@@ -298,17 +293,14 @@ def reduced_equations(built: Mechanism[SpatialMarker], space: SpatialSpace, orie
         equations.constraints += turning.rows([q[column] for column in turning.columns])
     tree = tree_space.tree
     equations.masses = lambda: with_states(mass_rows(tree, size), equations)
-    forces = TreeForces(tree, replace(equations) if equations.rotors else equations)
+    forces = TreeForces(tree, replace(equations) if equations.rotors else equations, tree_space.loops)
     equations.inertia_forces = forces.inertia_forces
     if equations.rotors:
         equations.masses = lambda: with_rotors(with_states(mass_rows(tree, size), equations), equations)
         equations.inertia_forces = partial(_inertia_with_rotors, forces, equations.rotors)
     elif has_force_changes(tree):
-        equations.force_changes, equations.loop_changes = (
-            forces.force_changes,
-            partial(forces.loop_changes, tree_space.loop_rates),
-        )
-        equations.loop_rates = tree_space.loop_rates
+        equations.force_changes, equations.loop_changes = forces.force_changes, forces.loop_changes
+        equations.loop_rates = {joint: loop.rows for joint, loop in tree_space.loops.items()}
     if not floats(tree) and not equations.rotors:
         equations.free_joints = forces.free_joints
     inertia_forces = equations.inertia_forces

@@ -84,7 +84,7 @@ def test_rates_of_loop_rows() -> None:
     entries = ca.vertcat(*(row.get(column, ca.SX(0)) for row in rows for column in columns))
     once = ca.jtimes(entries, q, rates)
     twice = ca.jtimes(once, ca.vertcat(q, rates), ca.vertcat(rates, a))
-    found = known.rows(dict(enumerate(eq.q_dot)), dict(zip(columns, ca.vertsplit(a), strict=True)))
+    found = known(dict(enumerate(eq.q_dot)), dict(zip(columns, ca.vertsplit(a), strict=True)))
     by_fields = [ca.vertcat(*(row.get(column, ca.SX(0)) for row in one for column in columns)) for one in found]
     function = ca.Function("both", [ca.vertcat(*eq.q), ca.vertcat(*eq.q_dot), a, p], [*by_fields, once, twice])
     rng, defaults = np.random.default_rng(0), np.array([entry.default for entry in system.parameters.entries])

@@ -79,8 +79,8 @@ class MarkerWay:
 
 
 @dataclass(frozen=True)
-class LoopRates:
-    """Of a spherical joint between the ends of two ways from the same frame; base: the way to that, whose rates do not
+class Loop:
+    """A spherical joint between the ends of two ways from the same frame; base: the way to that, whose rates do not
     count: what is closed in its axes is closed in those of the world, in which the rows are.
     """
 
@@ -197,15 +197,6 @@ class FramePlace:
 
 
 @dataclass(frozen=True)
-class LoopForce:
-    """A spherical joint between the ends of two ways from the ground; force: lambda in world axes."""
-
-    a: MarkerWay
-    b: MarkerWay
-    force: Vector
-
-
-@dataclass(frozen=True)
 class _End:
     """Of a joint, with the force on it in the axes of its frame."""
 
@@ -219,16 +210,19 @@ def loop_changes(
     n: int,
     base: Vector,
     moving: tuple[Row, Row],
-    loops: Sequence[LoopForce],
+    loops: Sequence[tuple[Loop, Vector]],
     directions: Sequence[Direction],
 ) -> tuple[ca.SX, ca.SX] | None:
     """F_q and F_v (n x directions), of which S^T F_q and S^T F_v are the derivatives by all x and x'.
 
-    moving: rates and accelerations of the coordinates by column. None where several joints bind bent markers of a body.
+    moving: rates and accelerations of the coordinates by column. loops: each with its force in world axes. None where
+    several joints bind bent markers of a body, or ways do not begin at the ground.
     """
+    if not loops or any(way.base != GROUND for loop, _ in loops for way in (loop.a, loop.b)):
+        return None
     sums = _Sums(tree, n, base, moving, directions)
     for k, frame in enumerate(tree.frames):
-        ends = [end for loop in loops for end in _ends(loop) if end.own.frame == k]
+        ends = [end for loop, force in loops for end in _ends(loop, force) if end.own.frame == k]
         if len(ends) > 1 and any(isinstance(end.own.end, MarkerNode) for end in ends):
             return None
         if frame.inertia is not None or ends:
@@ -240,9 +234,9 @@ def _matrix(rows: list[Vector]) -> ca.SX:
     return ca.sparsify(ca.vertcat(*(ca.horzcat(*row) for row in rows)))
 
 
-def _ends(loop: LoopForce) -> list[_End]:
+def _ends(loop: Loop, given: Vector) -> list[_End]:
     found = []
-    for own, other, force in ((loop.a, loop.b, loop.force), (loop.b, loop.a, negative(loop.force))):
+    for own, other, force in ((loop.a, loop.b, given), (loop.b, loop.a, negative(given))):
         found.append(_End(own, other, [dot(axis, force) for axis in own.path.axes]))
     return found
 

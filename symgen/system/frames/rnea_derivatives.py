@@ -28,11 +28,10 @@ from functools import cached_property
 import casadi as ca
 
 from symgen.algebra.rows import Row, add_to
-from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg, sub, total
+from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg, sub, vector
 from symgen.algebra.vectors import (
     Matrix,
     Vector,
-    axial,
     combination,
     cross,
     inertia_times,
@@ -185,53 +184,19 @@ def mode_rows(inertia: FlexibleNode, motion: FrameMotion, rates: Row) -> dict[in
     return found
 
 
-def by_modes(inertia: FlexibleNode, motion: FrameMotion, rates: Row, a: Row) -> dict[int, ModeChange]:
-    """Derivatives by the modes q_f, by column; a: accelerations."""
-    data, moments = inertia.data, inertia.moments(rates)
-    speeds, own, doubled = inertia.own(rates), inertia.own(a), inertia.doubled
-    twice, found = scaled(TWO, motion.omega), {}
-    back = transposed(motion.G)
-    for b, column in enumerate(inertia.columns):
-        pairs = [_pair(inertia, a_, b) for a_ in range(data.nf)]  # dL_a / dq_b
-        s = [[neg(S_H[a_][b]) for S_H in data.S_H] or zeros() for a_ in range(data.nf)]  # ds_a / dq_b
-        f = plus(times(motion.G, moments.s[b]), cross(twice, combination(s, speeds)), combination(s, own))
-        moving, turning = weighted(pairs, speeds), weighted(pairs, own)
-        n = plus(
-            cross(moments.s[b], motion.a),
-            axial(product(doubled[b], back)),
-            traced(moving, twice, False),
-            axial(turning),
-        )
-        modes = {
-            other: add(
-                dot(s[k], motion.a),
-                total(mul(motion.G[i][j], pairs[k][j][i]) for i in range(3) for j in range(3)),
-            )
-            for k, other in enumerate(inertia.columns)
-        }
-        found[column] = ModeChange(Force(f, n), modes)
-    return found
-
-
-def by_mode_rates(inertia: FlexibleNode, motion: FrameMotion, rates: Row) -> dict[int, ModeChange]:
-    """Derivatives by q_f', by column."""
-    data, moments, speeds = inertia.data, inertia.moments(rates), inertia.own(rates)
-    twice, found = scaled(TWO, motion.omega), {}
-    for b, column in enumerate(inertia.columns):
-        fading = [neg(mul(TWO, dot(S_H[b], speeds))) for S_H in data.S_H] or zeros()
-        n = traced(moments.L[b], twice, False)
-        modes = {other: dot(twice, axial(data.P[b][k])) if data.P else ZERO for k, other in enumerate(inertia.columns)}
-        found[column] = ModeChange(Force(plus(cross(twice, moments.s[b]), fading), n), modes)
-    return found
-
-
-def _pair(inertia: FlexibleNode, a: int, b: int) -> Matrix:
-    """dL_a / dq_b."""
-    data = inertia.data
-    found = [list(row) for row in data.P[b][a]] if data.P else [zeros() for _ in range(3)]
-    if data.G_H:
-        found = [[sub(found[i][j], data.G_H[i][j][a][b]) for j in range(3)] for i in range(3)]
-    return found
+def by_modes(
+    inertia: FlexibleNode, motion: FrameMotion, rates: Row, accelerations: Row
+) -> tuple[dict[int, ModeChange], dict[int, ModeChange]]:
+    """Derivatives of the inertia force by q_f and by q_f', by column, the motion of the frame held."""
+    given = [*motion.omega, *motion.alpha, *motion.a]
+    symbols = ca.SX.sym("held", len(given))
+    omega, alpha, a = (ca.vertsplit(part) for part in ca.vertsplit(symbols, 3))
+    wrench, modes = inertia.inertia_force(FrameMotion(omega, alpha, a), rates, accelerations)
+    values, n = ca.vertcat(*wrench.f, *wrench.n, *modes.values()), len(modes)
+    slopes = ca.jacobian(values, ca.vertcat(*inertia.q_f, *inertia.own(rates)))
+    columns = [vector(column) for column in ca.horzsplit(ca.substitute(slopes, symbols, ca.vertcat(*given)))]
+    found = [ModeChange(Force(one[:3], one[3:6]), dict(zip(modes, one[6:], strict=True))) for one in columns]
+    return dict(zip(modes, found[:n], strict=True)), dict(zip(modes, found[n:], strict=True))
 
 
 HALF = ca.SX(0.5)
@@ -442,8 +407,7 @@ class ForceSweep:
         wrench, _ = inertia.inertia_force(motion, self._rates, self._accelerations)
         if isinstance(inertia, RigidNode):
             return Subtree(Tangent.of(inertia.rigid, motion), wrench)
-        places = by_modes(inertia, motion, self._rates, self._accelerations)
-        speeds = by_mode_rates(inertia, motion, self._rates)
+        places, speeds = by_modes(inertia, motion, self._rates, self._accelerations)
         for target, changes in ((self.K, places), (self.D, speeds)):
             for column, change in changes.items():
                 for row, value in change.modes.items():
