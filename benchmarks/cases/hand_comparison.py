@@ -10,8 +10,7 @@ from benchmarks.contenders.by_c_compiler import CompiledProgram
 from benchmarks.contenders.hand_stepper import HandStepper
 from benchmarks.harness.models import workplace
 from benchmarks.harness.timing import interleave, ratio
-from runtime.engine.choose import Engine
-from runtime.engine.native import NativeProgram
+from runtime.engine.native import Engine, NativeProgram
 
 AGREEMENT_STEPS = 300
 ROUNDS = 100

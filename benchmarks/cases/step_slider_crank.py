@@ -16,9 +16,8 @@ from benchmarks.contenders.python_stepper import PythonStepper
 from benchmarks.harness.models import workplace
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.timing import Timing, interleave, ratio
-from runtime.engine.choose import Engine
 from runtime.engine.interpreted import InterpretedProgram
-from runtime.engine.native import NativeProgram
+from runtime.engine.native import Engine, NativeProgram
 
 ROOT = Path(__file__).resolve().parents[2]
 PROCESSES, LOOP_STEPS = 7, 20

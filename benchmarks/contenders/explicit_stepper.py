@@ -10,7 +10,7 @@ import numpy as np
 from benchmarks.contenders.by_c_compiler import CompiledProgram
 from runtime.engine.prepare import Prepared, prepare
 from runtime.engine.program import Fields, Layout, make_stage
-from runtime.schemes.baselines.runge_kutta import DormandPrince8
+from runtime.schemes.runge_kutta import DormandPrince8
 
 
 class ExplicitStepper:

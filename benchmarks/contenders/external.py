@@ -132,7 +132,7 @@ def _program(inputs: list[ca.SX], results: list[ca.SX], c: ca.SX, values: np.nda
     stage = ca.Function("external", [z, c], [ca.vertcat(z[: given.numel()], result)], ["z", "c"], ["z_next"])
     prepared = prepare(Call(stage), z.numel(), c.numel())
     operations = sum(code_length(one) for one in prepared.program.stages())
-    engine = NativeProgram(prepared.program, wait=operations <= BEST, tapes=prepared.tapes)
+    engine = NativeProgram(prepared.program, wait=operations <= BEST)
     return BoundProgram(engine, operations, prepared.widened(np.zeros(z.numel())), prepared.ready(values))
 
 

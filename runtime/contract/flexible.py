@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -67,7 +68,7 @@ def polynomials(rows: Sequence[Sequence[float]]) -> ShapeFunctions:
     return ShapeFunctions(np.array(rows, dtype=float).T, np.zeros(0), np.zeros((0, 4, len(rows))))
 
 
-_GAUSS = np.polynomial.legendre.leggauss(12)
+_gauss = cache(lambda: np.polynomial.legendre.leggauss(12))  # most runs take none
 
 
 def gauss_points(panels: int, end: float = 1.0) -> tuple[Array, Array]:
@@ -75,8 +76,7 @@ def gauss_points(panels: int, end: float = 1.0) -> tuple[Array, Array]:
 
     A product of two waves of at most half a period a part is integrated to rounding.
     """
-    points, weights = _GAUSS
-    size = end / panels
+    (points, weights), size = _gauss(), end / panels
     starts = size * np.arange(panels)[:, None]
     return (starts + 0.5 * size * (1.0 + points)).ravel(), np.tile(0.5 * size * weights, panels)
 

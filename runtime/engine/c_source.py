@@ -16,14 +16,14 @@ import shlex
 import shutil
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import isinf, isnan
 
 import casadi as ca
+import numpy as np
 
-from runtime.contract.tape import UNUSED, Tape, below, read_tape
-from runtime.engine.llvm_ir import WIDTHS, Group, side_by_side
+from runtime.contract.tape import UNUSED, Tape, below, marked, read_tape
+from runtime.engine.llvm_ir import TRIGONOMETRIC, WIDTHS, Group, divided, partners, side_by_side
 from runtime.engine.program import Program, Repeat, Until
-from runtime.engine.table_code import table_c, table_name
+from runtime.engine.table_code import numbers_of, table_name
 
 LONGEST = 12_000  # operations of one function; a third as many statements
 CHUNK = 100
@@ -92,7 +92,6 @@ _UNARY = {
 }
 _CALLED = frozenset(op for op, text in (*_UNARY.items(), *_BINARY.items()) if text.endswith(")"))
 _REPEATING = (ca.OP_SQ, ca.OP_SIGN)  # whose argument stands twice
-_PARTNER = {ca.OP_SIN: ca.OP_COS, ca.OP_COS: ca.OP_SIN}
 
 
 @dataclass(frozen=True)
@@ -123,12 +122,12 @@ def source(parts: Sequence[Code], style: Style, between: str = "") -> str:
 def program_code(name: str, program: Program, style: Style, kept: str = "") -> Code:
     """`void name(double *z, const double *c, double *w, long n)`; kept: how it is declared, such as "static "."""
     numbers: dict[str, int] = {}
-    parts, work = list[str](), 0
+    parts, work, tables = list[str](), 0, dict[float, None]()
     for position, stage in enumerate(program.stages()):
         numbers[stage.name()] = position
         found = stage_code(f"{name}_{position}", read_tape(stage), style)
         parts.append(found.text)
-        work = max(work, found.work)
+        work, tables = max(work, found.work), tables | dict.fromkeys(found.tables)
     body = "\n".join(_indented(_indented(_control(program, name, numbers))))
     size = program.stages()[0].size1_in(0)
     copy = f"  memcpy(z, z_run, {size} * sizeof(double));\n"
@@ -138,18 +137,7 @@ def program_code(name: str, program: Program, style: Style, kept: str = "") -> C
         "  (void)c, (void)w;\n  for (long k = 0; k < n; ++k) {\n" + body + "\n  }\n"
         f"  memcpy(z_run, z, {size} * sizeof(double));\n}}\n"
     )
-    return Code("\n".join(parts), work, tuple(program_tables(program)))
-
-
-def program_tables(program: Program) -> list[float]:
-    """The marks of its tables, each once."""
-    stages = (read_tape(stage) for stage in program.stages() if stage.find_functions())
-    return list(dict.fromkeys(value for tape in stages for value in tape_tables(tape)))
-
-
-def tape_tables(tape: Tape) -> list[float]:
-    """The marks of the tables of a tape, each once."""
-    return list(dict.fromkeys(node.value for node in tape.nodes if node.op == ca.OP_CALL))
+    return Code("\n".join(parts), work, tuple(tables))
 
 
 def _control(program: Program, name: str, numbers: dict[str, int]) -> list[str]:
@@ -203,15 +191,6 @@ def named(function: ca.Function, *names: str) -> Tape:
     return replace(read_tape(function), input_names=list(names))
 
 
-def number(value: float) -> str:
-    """As C reads it back."""
-    if isnan(value):
-        return "NAN"
-    if isinf(value):
-        return "INFINITY" if value > 0 else "(-INFINITY)"
-    return f"({value!r})" if value < 0 or (value == 0 and str(value)[0] == "-") else repr(value)
-
-
 class _Writer:
     """Statements of one tape. All loads precede the stores (targets with their nodes), which may be in place."""
 
@@ -233,15 +212,9 @@ class _Writer:
         self.beside: dict[int, Group] = {}
         if style.own and len(order) <= LONGEST:
             order, self.beside = side_by_side(tape.nodes, order)
-        self.partner = self._partners([k for k in order if k not in self.beside]) if style.own else {}
+        self.partner = partners(tape.nodes, [k for k in order if k not in self.beside]) if style.own else {}
         self.order = self._paired(order)
         self.uses = self._uses()
-
-    def _partners(self, order: list[int]) -> dict[int, int]:
-        """{sine or cosine: the other one of the same angle}."""
-        found = {(self.tape.nodes[k].op, self.tape.nodes[k].a): k for k in order if self.tape.nodes[k].op in _PARTNER}
-        pairs = {k: found.get((_PARTNER[op], angle)) for (op, angle), k in found.items()}
-        return {k: other for k, other in pairs.items() if other is not None}
 
     def _paired(self, order: list[int]) -> list[int]:
         """The second of a pair right behind the first."""
@@ -259,7 +232,7 @@ class _Writer:
             node = self.tape.nodes[k]
             for argument in (node.a, node.b):
                 if argument in count:
-                    count[argument] += 2 if node.op in _REPEATING or node.op in _PARTNER else 1
+                    count[argument] += 2 if node.op in _REPEATING or node.op in TRIGONOMETRIC else 1
         for _, k in self.stores:
             if k in count:
                 count[k] += 2
@@ -268,7 +241,7 @@ class _Writer:
     def code(self) -> Code:
         """One function, or several."""
         text, work = self._chunked() if len(self.order) > LONGEST else (self._single(), 0)
-        return Code(text, work, tuple(tape_tables(self.tape)))
+        return Code(text, work, tuple(dict.fromkeys(node.value for node in self.tape.nodes if node.op == ca.OP_CALL)))
 
     def _operand(self, k: int, names: dict[int, str]) -> str:
         node = self.tape.nodes[k]
@@ -350,23 +323,8 @@ class _Writer:
 
     def _chunked(self) -> tuple[str, int]:
         """Functions of CHUNK operations; values that outlive their chunk live in the work array, stores come last."""
-        chunk_of: dict[int, int] = {}
-        for position, k in enumerate(self.order):
-            chunk_of.setdefault(k, position // CHUNK)
-            if k in self.partner:
-                chunk_of.setdefault(self.partner[k], position // CHUNK)
-        slots: dict[int, int] = {}
-        for k in self.order:
-            node = self.tape.nodes[k]
-            for argument in (node.a, node.b):
-                if argument in chunk_of and chunk_of[argument] != chunk_of[k]:
-                    slots.setdefault(argument, len(slots))
-        for _, k in self.stores:  # an entry that moves to another place is copied before anything is stored
-            if k in chunk_of or self.tape.nodes[k].op == ca.OP_INPUT:
-                slots.setdefault(k, len(slots))
-        members: list[list[int]] = [[] for _ in range((len(self.order) - 1) // CHUNK + 1)]
-        for k in self.order:
-            members[chunk_of[k]].append(k)
+        stored = [k for _, k in self.stores]
+        chunk_of, members, slots = divided(self.tape.nodes, self.order, self.partner, stored, CHUNK)
         parts = [self._chunk(n, own, chunk_of, slots) for n, own in enumerate(members)]
         stores = [self.stores[k : k + CHUNK] for k in range(0, len(self.stores), CHUNK)]
         parts += [self._store_chunk(n, part, slots) for n, part in enumerate(stores)]
@@ -392,6 +350,46 @@ class _Writer:
         # nothing is read where it is written: loads of w need not wait for stores
         apart = self.declared.replace("double *w", "double *restrict w")
         return self._function(f"{self.name}_{n}", lines, "static APART ", apart)
+
+
+# ---- Tables in C: the same operations in the same order, the numbers written out.
+
+
+def table_c(value: float, prefix: str = "") -> str:
+    """C of the function of a table, and of its arrays, whose numbers are written out."""
+    (table, order), name = marked(value), prefix + table_name(value)
+    degree, places = len(table.coefficients(order)), [f"{name}_{what}" for what in ("knots", "powers", "starts")]
+    lines = [
+        *(_written(*one) for one in zip(places, numbers_of(value), strict=True) if one[1].size),
+        f"static double {name}(double x) {{",
+        f"  const double *knots = {places[0]}, *powers = {places[1]};",
+        f"  const double inside = {prefix}smaller(x, {table.last!r});",
+        f"  long row = (long){prefix}larger((inside - ({table.left!r})) * {table.scale!r}, 0);",
+    ]
+    if table.starts.size:
+        lines.append(f"  row = (long){places[2]}[row];")
+    for level in reversed(range(table.levels)):
+        lines.append(f"  if (inside >= knots[row + {1 << level}]) row += {1 << level};")
+    lines += ["  const double beyond = x - knots[row];"] if degree > 1 else []
+    lines += [f"  powers += {degree} * row;"]
+    y = f"powers[{degree - 1}]"
+    for power in reversed(range(degree - 1)):
+        y = f"powers[{power}] + beyond * ({y})"
+    return "\n".join([*lines, f"  return {y};", "}\n"])
+
+
+def _written(name: str, values: np.ndarray) -> str:
+    """A constant array; numbers are read back as they are."""
+    flat = values.ravel().tolist()
+    rows = ["  " + ", ".join(number(one).strip("()") for one in flat[k : k + 8]) for k in range(0, len(flat), 8)]
+    return f"static const double {name}[{len(flat)}] = {{\n" + ",\n".join(rows) + "};"
+
+
+def number(value: float) -> str:
+    """As C reads it back."""
+    if not np.isfinite(value):
+        return "NAN" if value != value else "INFINITY" if value > 0 else "(-INFINITY)"
+    return f"({value!r})" if value < 0 or (value == 0 and str(value)[0] == "-") else repr(value)
 
 
 def find_compiler() -> str | None:

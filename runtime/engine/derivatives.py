@@ -8,11 +8,8 @@ take an iteration at its fixed point, so nothing of its course is recorded.
 from __future__ import annotations
 
 import ctypes
-import hashlib
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from functools import cache
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import casadi as ca
@@ -25,21 +22,19 @@ from runtime.engine.llvm_code import (
     INLINED,
     OPTIMISED,
     Code,
+    Compiler,
+    ProgramCompiler,
     Tier,
     Tiers,
     best_tier,
-    code_in_tiers,
     first_tier,
     host,
-    linked,
-    machine_code,
     program_digest,
     program_length,
-    tools,
     written_out,
 )
-from runtime.engine.llvm_ir import Operations, StageWriter
-from runtime.engine.object_cache import ObjectCache
+from runtime.engine.llvm_ir import MEMCPY, Operations, StageWriter, entry, loop
+from runtime.engine.native import blocks_of
 from runtime.engine.program import Call, Form, Program, Repeat, Sequence, Until
 
 # ---- Derivatives of one stage of a step program, and of an iteration at what it has converged to.
@@ -259,8 +254,7 @@ def reversal_ir(back: Back, z_size: int, adjoint_size: int, form: Form) -> tuple
     record = writer.entry("record", writer.recorded(back), back.records, z_size, forward=True)
     reverse = writer.entry("reverse", writer.reversed(back), back.records, adjoint_size, forward=False)
     count = f"@records = constant i64 {back.records}"
-    declared = "declare void @llvm.memcpy.p0.p0.i64(ptr, ptr, i64, i1)"
-    return "\n".join([writer.exact.functions(), declared, count, *writer.parts, record, reverse]), writer.work
+    return "\n".join([writer.exact.functions(), MEMCPY, count, *writer.parts, record, reverse]), writer.work
 
 
 @dataclass
@@ -359,44 +353,27 @@ class _ReversalWriter:
     def _loop(self, body: list[str], limit: int | str, flag: int | None = None) -> list[str]:
         """The body so many times; with a flag, while z[flag] > 0."""
         k = self._number()
-        test = [f"  %go{k} = icmp slt i64 %i{k}, {limit}"]
-        if flag is not None:
-            test = [
-                f"  %below{k} = icmp slt i64 %i{k}, {limit}",
-                f"  %f{k}p = getelementptr double, ptr %z, i64 {flag}\n  %f{k} = load double, ptr %f{k}p",
-                f"  %g{k} = fcmp ogt double %f{k}, 0.0\n  %go{k} = and i1 %below{k}, %g{k}",
-            ]
-        return [
-            f"  store i64 0, ptr %j{k}\n  br label %head{k}\nhead{k}:\n  %i{k} = load i64, ptr %j{k}",
-            *test,
-            f"  br i1 %go{k}, label %body{k}, label %done{k}\nbody{k}:",
-            *body,
-            f"  %n{k} = add i64 %i{k}, 1\n  store i64 %n{k}, ptr %j{k}\n  br label %head{k}\ndone{k}:",
+        test = [
+            f"  %f{k}p = getelementptr double, ptr %z, i64 {flag}\n  %f{k} = load double, ptr %f{k}p",
+            f"  %g{k} = fcmp ogt double %f{k}, 0.0\n  %go{k} = and i1 %below{k}, %g{k}",
         ]
+        return loop(k, body, limit, () if flag is None else test)
 
     def entry(self, name: str, body: list[str], records: int, size: int, forward: bool) -> str:
-        """An entry function: n times the body, on a copy of z where that is to stay in registers."""
-        lines = self._loop(body, "%n")
-        counters = [f"  %j{k} = alloca i64" for k in range(1, self.loops + 1)]
-        local = self.form.inline
-        copy = "  call void @llvm.memcpy.p0.p0.i64(ptr {to}, ptr {of}, i64 {n}, i1 false)"
+        """An entry function: n times the body."""
+        local, lines = self.form.inline, self._loop(body, "%n")
         head = f"define void @{name}({ARGUMENTS.format(run='_run' if local else '')}) nounwind {{"
-        lines = [
-            *counters,
+        begin = [
             "  %at = alloca ptr",
-            *([f"  %z = alloca [{size} x double], align 64", copy.format(to="%z", of="%z_run", n=8 * size)] * local),
             *([] if forward else [f"  %all = mul i64 %n, {records}"]),
             f"  %begin = getelementptr double, ptr %tape, i64 {0 if forward else '%all'}\n  store ptr %begin, ptr %at",
-            *lines,
-            *([copy.format(to="%z_run", of="%z", n=8 * size)] * local),
         ]
-        return "\n".join([head, *lines, "  ret void", "}", ""])
+        return entry(head, self.loops, [*begin, *lines], size, "double", 8, local)
 
 
 # ---- Machine code for derivatives: a program along directions in lanes, and a program that records with its way
 # back.
 
-PRINTER = ("derivatives",)  # files of this folder
 ADJOINT = 4  # operations of a stage with its adjoint, of one of the stage
 LONGEST = 1000  # statements of a function of the first code
 Entry = Callable[[int, int, int, int, int], None]
@@ -413,13 +390,7 @@ class LaneArrays:
 
     def __init__(self, z_rows: int, c_rows: int, width: int) -> None:
         self.width = width
-        self.z, self.c = _aligned(z_rows, width), _aligned(c_rows, width)
-
-
-def _aligned(rows: int, width: int) -> np.ndarray:
-    whole = np.zeros(rows * width + width)
-    first = -(whole.ctypes.data // 8) % width
-    return whole[first : first + rows * width].reshape(rows, width)
+        self.z, self.c = (blocks_of(1, rows, width)[0] for rows in (z_rows, c_rows))
 
 
 class TangentCode:
@@ -429,8 +400,8 @@ class TangentCode:
         tangents, self.width = tangent_program(program, active), width
         first, best = (chosen(tangents, "own") for chosen in (first_tier, best_tier))
         first, best = (tier._replace(form=tier.form._replace(width=width)) for tier in (first, best))
-        self.tiers = code_in_tiers(tangents, first, best, wait)
-        self._work = _aligned(1, width)
+        self.tiers = Tiers(ProgramCompiler(tangents), first, best, program_length(tangents), wait)
+        self._work = blocks_of(1, 1, width)[0]
 
     def run(self, arrays: LaneArrays, n: int) -> None:
         """Apply the program n times, in place."""
@@ -438,7 +409,7 @@ class TangentCode:
 
     def _go(self, code: Code, arrays: LaneArrays, n: int) -> None:
         if len(self._work) < code.work + 1:
-            self._work = _aligned(code.work + 1, self.width)
+            self._work = blocks_of(1, code.work + 1, self.width)[0]
         code.run(arrays.z.ctypes.data, arrays.c.ctypes.data, self._work.ctypes.data, n)
 
 
@@ -450,6 +421,24 @@ class _Recording(NamedTuple):
     keep: Any
 
 
+class _ReversalCompiler(Compiler[_Recording]):
+    """Of a program that records, with its way back; kept, neither derivatives nor code have to be made."""
+
+    def __init__(self, program: Program, active: Active) -> None:
+        self._program, self._active = program, active
+        super().__init__(program_digest(program) + repr(active).encode())
+
+    def printed(self, form: Form) -> tuple[str, int]:
+        back = reversal(self._program, self._active)
+        return reversal_ir(back, self._active.z_size, self._active.size, form)
+
+    def loaded(self, engine: Any, work: int) -> _Recording:
+        kind = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 4, ctypes.c_int64)
+        record, reverse = (kind(engine.get_function_address(name)) for name in ("record", "reverse"))
+        records = ctypes.c_int64.from_address(engine.get_global_value_address("records")).value
+        return _Recording(record, reverse, records, work, engine)
+
+
 class Recorder:
     """A program that records what its way back reads. For one thread at a time. Raises NoLlvm.
 
@@ -457,13 +446,11 @@ class Recorder:
     """
 
     def __init__(self, program: Program, active: Active, wait: bool = False) -> None:
-        self._program, self._active = program, active
-        self._digest = hashlib.sha256(program_digest(program) + tools() + _texts() + repr(active).encode()).digest()
         size = ADJOINT * program_length(program)
         chunk, inline = (300, False) if size > OPTIMISED else (0, written_out(program) <= INLINED)
         best = Tier(Form(1, "own", chunk, inline), BEST)
         first = Tier(Form(1, "own", LONGEST, False), FIRST)
-        self.tiers: Tiers[_Recording] = Tiers(self._built, self._is_kept, first, best, size, wait)
+        self.tiers = Tiers(_ReversalCompiler(program, active), first, best, size, wait)
         self.records = self.tiers.code.records
         self._work = np.zeros(1)
 
@@ -480,35 +467,3 @@ class Recorder:
         if len(self._work) < code.work + 1:
             self._work = np.zeros(code.work + 1)
         entry(z, c, self._work.ctypes.data, tape, n)
-
-    def _key(self, tier: Tier) -> str:
-        text = "\n".join([repr(tier), *host()])
-        return hashlib.sha256(self._digest + text.encode()).hexdigest()
-
-    def _is_kept(self, tier: Tier) -> bool:
-        return ObjectCache().has(self._key(tier))
-
-    def _built(self, tier: Tier) -> _Recording:
-        """From the cache, where neither derivatives nor code have to be made, or new."""
-        stored, key = ObjectCache(), self._key(tier)
-        found = stored.read(key)
-        if found is None:
-            back = reversal(self._program, self._active)
-            text, work = reversal_ir(back, self._active.z_size, self._active.size, tier.form)
-            found = machine_code(text, tier.effort, host()), work
-            stored.write(key, *found)
-        return _loaded(*found)
-
-
-def _loaded(code: bytes, work: int) -> _Recording:
-    engine = linked(code, host())
-    kind = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 4, ctypes.c_int64)
-    record, reverse = (kind(engine.get_function_address(name)) for name in ("record", "reverse"))
-    records = ctypes.c_int64.from_address(engine.get_global_value_address("records")).value
-    return _Recording(record, reverse, records, work, engine)
-
-
-@cache
-def _texts() -> bytes:
-    """The text of what decides about the code besides the printer of programs."""
-    return "\n".join(Path(__file__).with_name(f"{name}.py").read_text(encoding="utf-8") for name in PRINTER).encode()

@@ -18,6 +18,7 @@ from typing import Any
 import casadi as ca
 
 from runtime.contract.files import stamp_of
+from runtime.contract.model import Model
 from runtime.engine.object_cache import ObjectCache
 from runtime.engine.prepare import Prepared
 from runtime.engine.program import Call, Program, Repeat, Sequence, Until
@@ -33,9 +34,13 @@ def _code() -> str:
     return f"{stamp_of(*(folder / room for room in ROOMS))} {ca.CasadiMeta.version()}"
 
 
-def key_of(*facts: str) -> str:
-    """The key of a program that follows from these facts and from the code as it is."""
-    return hashlib.sha256(repr((_code(), facts)).encode()).hexdigest()
+def key_of(model: Model, *facts: str) -> str:
+    """The key of what follows from a model, these facts and the code as it is; "" where nothing is kept of the model.
+
+    Kept is what follows from a folder, whose text is what its digest says.
+    """
+    kept = bool(model.folder) and not model.sources
+    return hashlib.sha256(repr((_code(), (model.digest, *facts))).encode()).hexdigest() if kept else ""
 
 
 def are_short(functions: list[ca.Function]) -> bool:

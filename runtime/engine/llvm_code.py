@@ -6,10 +6,9 @@ import ctypes
 import hashlib
 import threading
 import time
-from array import array
-from collections.abc import Callable, Mapping
+from abc import abstractmethod
+from collections.abc import Callable
 from functools import cache
-from itertools import chain
 from pathlib import Path
 from typing import Any, Generic, NamedTuple, TypeVar
 
@@ -17,12 +16,13 @@ import casadi as ca
 
 from runtime.contract.doors import opened
 from runtime.contract.errors import CompilerError
-from runtime.contract.tape import Tape, code_length, no_collection, read_tape
+from runtime.contract.tape import code_length, no_collection, read_tape
 from runtime.engine.object_cache import ObjectCache
 from runtime.engine.program import Form, Program, Repeat, Until
 from runtime.engine.table_code import bind_native
 
-PRINTER = ("llvm_ir", "mathematics", "table_code", "llvm_code")  # files of this folder
+T = TypeVar("T")
+PRINTER = ("llvm_ir", "mathematics", "table_code", "llvm_code", "derivatives")  # files of this folder
 
 
 class Effort(NamedTuple):
@@ -40,13 +40,14 @@ class Processor(NamedTuple):
 
 
 class Code(NamedTuple):
-    """`run(z, c, w, n)` and `run_blocks(z, c, w, n, blocks, apart)` on addresses; see llvm_ir.py.
+    """`run(z, c, w, n)`, `run_blocks(z, c, w, n, blocks, apart)` and `run_rows` on addresses; see llvm_ir.py.
 
     work: entries of w. keep holds what must outlive it.
     """
 
     run: Callable[[int, int, int, int], None]
     run_blocks: Callable[[int, int, int, int, int, int], None]
+    run_rows: Callable[[int, int, int, int, int, int, int], None]
     work: int
     keep: Any
 
@@ -85,27 +86,35 @@ def host() -> Processor:
     return Processor(llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten())
 
 
-class Compiler:
-    """Makes code of one program in any form. Raises NoLlvm where LLVM cannot be had.
+class Compiler(Generic[T]):
+    """Makes code of something in any form. Raises NoLlvm where LLVM cannot be had.
 
-    tapes: of stages by name, for the first code that is made; they are long, and not kept.
+    digest: of what it is; a subclass says what is printed, and what is called of it.
     """
 
-    def __init__(self, program: Program, tapes: Mapping[str, Tape] | None = None) -> None:
+    def __init__(self, digest: bytes) -> None:
         _llvm()
-        self.program, self._tapes = program, tapes or {}
-        self._digest = program_digest(program, self._tapes)
+        self._digest = digest
 
-    def build(self, form: Form, effort: Effort, processor: Processor | None = None) -> Code:
+    @abstractmethod
+    def printed(self, form: Form) -> tuple[str, int]:
+        """(IR, entries of the work array)."""
+
+    @abstractmethod
+    def loaded(self, engine: Any, work: int) -> T:
+        """What is called of the code that an engine of LLVM holds, as long as it lives."""
+
+    def build(self, form: Form, effort: Effort, processor: Processor | None = None) -> T:
         """Code from the cache, or compiled and kept there."""
         processor, stored = processor or host(), ObjectCache()
         key = self._key(form, effort, processor)
         found = stored.read(key)
         if found is None:
-            found = compiled(self.program, form, effort, processor, self._tapes)
+            text, work = self.printed(form)
+            found = machine_code(text, effort, processor), work
+            del text
             stored.write(key, *found)
-        self._tapes = {}
-        return _loaded(*found, processor)
+        return self.loaded(linked(found[0], processor), found[1])
 
     def is_kept(self, form: Form, effort: Effort) -> bool:
         """Is this code in the cache?"""
@@ -117,15 +126,27 @@ class Compiler:
         return hashlib.sha256(self._digest + tools() + text.encode()).hexdigest()
 
 
-def compiled(
-    program: Program, form: Form, effort: Effort, processor: Processor, tapes: Mapping[str, Tape]
-) -> tuple[bytes, int]:
-    """(object file, entries of the work array); tapes: of stages that need not be read."""
-    with no_collection():
-        known = {stage.name(): tapes.get(stage.name()) or read_tape(stage) for stage in program.stages()}
-        text, work = opened("runtime.engine.llvm_ir:program_ir")(program, known, form)
-        del known
-    return machine_code(text, effort, processor), work
+class ProgramCompiler(Compiler[Code]):
+    """Of a program."""
+
+    def __init__(self, program: Program) -> None:
+        self._program = program
+        super().__init__(program_digest(program))
+
+    def printed(self, form: Form) -> tuple[str, int]:
+        """See llvm_ir.py."""
+        with no_collection():
+            found: tuple[str, int] = opened("runtime.engine.llvm_ir:program_ir")(self._program, form)
+            return found
+
+    def loaded(self, engine: Any, work: int) -> Code:
+        """Its three entries."""
+        p, n = ctypes.c_void_p, ctypes.c_int64
+        kinds = {"run": (p, p, p, n), "run_blocks": (p, p, p, n, n, n), "run_rows": (p, p, p, p, n, p, n)}
+        found: dict[str, Any] = {
+            name: ctypes.CFUNCTYPE(None, *kind)(engine.get_function_address(name)) for name, kind in kinds.items()
+        }
+        return Code(**found, work=work, keep=engine)
 
 
 def machine_code(text: str, effort: Effort, processor: Processor) -> bytes:
@@ -157,14 +178,6 @@ def linked(code: bytes, processor: Processor) -> Any:
     return engine
 
 
-def _loaded(code: bytes, work: int, processor: Processor) -> Code:
-    engine = linked(code, processor)
-    arrays = [ctypes.c_void_p] * 3
-    run = ctypes.CFUNCTYPE(None, *arrays, ctypes.c_int64)(engine.get_function_address("run"))
-    whole = ctypes.CFUNCTYPE(None, *arrays, *[ctypes.c_int64] * 3)(engine.get_function_address("run_blocks"))
-    return Code(run, whole, work, engine)
-
-
 @cache
 def tools() -> bytes:
     """What besides the program decides about the code: compiler, CasADi and the text of the printer."""
@@ -174,14 +187,8 @@ def tools() -> bytes:
     return hashlib.sha256("\n".join(parts).encode()).digest()
 
 
-def _content(tape: Tape) -> bytes:
-    """All that a stage's tape says."""
-    sizes = array("q", [*tape.input_sizes, len(tape.nodes), *tape.outputs[0]])
-    return sizes.tobytes() + array("d", chain.from_iterable(tape.nodes)).tobytes()
-
-
-def program_digest(program: Program, tapes: Mapping[str, Tape] | None = None) -> bytes:
-    """What is computed: the stages and their order; by their tapes where these are known, which is quicker."""
+def program_digest(program: Program) -> bytes:
+    """What is computed: the stages and their order."""
     numbers = {stage.name(): k for k, stage in enumerate(program.stages())}
 
     def again(body: str, node: Repeat | Until) -> str:
@@ -191,10 +198,8 @@ def program_digest(program: Program, tapes: Mapping[str, Tape] | None = None) ->
     control = program.fold(lambda stage: str(numbers[stage.name()]), " ".join, again)
     digest = hashlib.sha256(control.encode())
     for stage in program.stages():
-        tape = (tapes or {}).get(stage.name())
-        if tape is None and stage.find_functions():  # with the numbers of tables it were long
-            tape = read_tape(stage)
-        digest.update(stage.serialize().encode() if tape is None else _content(tape))
+        # with the numbers of tables the text were long
+        digest.update(repr(read_tape(stage)).encode() if stage.find_functions() else stage.serialize().encode())
     return digest.digest()
 
 
@@ -204,7 +209,6 @@ def program_digest(program: Program, tapes: Mapping[str, Tape] | None = None) ->
 # take, that is made in a background thread, and the next call uses it: the same bits, so a run may change over at
 # any time.
 
-T = TypeVar("T")
 INLINED = 10_000  # operations with every call written out: below, stages are inlined and z is local
 WHOLE = 70_000  # below, each stage is one function when it is optimised
 LONG = 50_000  # above, the first code is fetched faster in short functions
@@ -251,25 +255,17 @@ def written_out(program: Program) -> int:
 
 
 class Tiers(Generic[T]):
-    """What `build` makes of a tier: of the first at once; of the best when so many seconds were spent that it pays.
+    """Code of the first tier at once; of the best when so many seconds were spent that it pays.
 
-    kept: is it in the cache? operations: of what is compiled. wait: only the best will do. final: it is the best.
+    operations: of what is compiled. wait: only the best will do. final: it is the best.
     """
 
-    def __init__(
-        self,
-        build: Callable[[Tier], T],
-        kept: Callable[[Tier], bool],
-        first: Tier,
-        best: Tier,
-        operations: int,
-        wait: bool,
-    ) -> None:
-        self._build, self._best = build, best
+    def __init__(self, compiler: Compiler[T], first: Tier, best: Tier, operations: int, wait: bool) -> None:
+        self._compiler, self._best = compiler, best
         self._left = operations * SECONDS_PER_OPERATION  # seconds to be spent before better code is made
         self._builder: threading.Thread | None = None
-        self.final = wait or kept(best)
-        self.code = build(best if self.final else first)
+        self.final = wait or compiler.is_kept(*best)
+        self.code = compiler.build(*(best if self.final else first))
 
     def use(self, call: Callable[[T], object]) -> None:
         """A call of the code: one code for all of it, whatever is built meanwhile; the time it takes counts."""
@@ -292,22 +288,7 @@ class Tiers(Generic[T]):
 
     def _improve(self) -> None:
         try:
-            self.code = self._build(self._best)
+            self.code = self._compiler.build(*self._best)
         except CompilerError:
             pass  # the first code is right, only slower: it stays
         self.final = True
-
-
-def code_in_tiers(
-    program: Program, first: Tier, best: Tier, wait: bool, tapes: Mapping[str, Tape] | None = None
-) -> Tiers[Code]:
-    """Code of a program; tapes: of stages that need not be read for the first code. Raises NoLlvm."""
-    compiler = Compiler(program, tapes)
-    return Tiers(
-        lambda tier: compiler.build(*tier),
-        lambda tier: compiler.is_kept(*tier),
-        first,
-        best,
-        program_length(program),
-        wait,
-    )

@@ -3,6 +3,8 @@
     void run(ptr z, ptr c, ptr w, i64 n)        applies the program n times to z; w is a work array
     void run_blocks(ptr z, ptr c, ptr w, i64 n, i64 blocks, i64 apart)
                                                 the same for so many z and c, each `apart` bytes behind the one before
+    void run_rows(ptr z, ptr c, ptr w, ptr counts, i64 rows, ptr out, i64 bytes)
+                                                counts[k] times, then z is copied to row k of out; of one lane
 
 Entry e of lane l is at [e * width + l]. A short program copies z to a local array and has its stages inlined, so that
 values stay in registers over a step; a long one has stages of several functions, since compilers take quadratic time on
@@ -11,12 +13,11 @@ long ones.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Mapping, Sequence
 
 import casadi as ca
 
-from runtime.contract.tape import UNUSED, Node, Tape, below
+from runtime.contract.tape import UNUSED, Node, Tape, below, read_tape
 from runtime.engine.mathematics import LIBRARY_BINARY, LIBRARY_UNARY, PURE, REPLACED, Lanes, own_functions, sincos
 from runtime.engine.program import Form, Program, Repeat, Until
 from runtime.engine.table_code import module_ir, table_name
@@ -78,6 +79,39 @@ def _groups(nodes: Sequence[Node], order: Sequence[int]) -> dict[int, Group]:
     return {k: group for k, group in found if group is not None}
 
 
+PARTNER = {ca.OP_SIN: ca.OP_COS, ca.OP_COS: ca.OP_SIN}
+
+
+def partners(nodes: Sequence[Node], order: Sequence[int]) -> dict[int, int]:
+    """{sine or cosine: the other one of the same angle}."""
+    found = {(nodes[k].op, nodes[k].a): k for k in order if nodes[k].op in PARTNER}
+    pairs = {k: found.get((PARTNER[op], angle)) for (op, angle), k in found.items()}
+    return {k: other for k, other in pairs.items() if other is not None}
+
+
+def divided(
+    nodes: Sequence[Node], order: Sequence[int], partner: Mapping[int, int], stored: Sequence[int], size: int
+) -> tuple[dict[int, int], list[list[int]], dict[int, int]]:
+    """Functions of so many statements: ({node: its function}, their nodes, {node that others read: place in w})."""
+    chunk_of: dict[int, int] = {}
+    for position, k in enumerate(order):
+        chunk_of.setdefault(k, position // size)
+        if k in partner:  # a sine and its cosine come from one call, where the first of them stands
+            chunk_of.setdefault(partner[k], position // size)
+    slots: dict[int, int] = {}
+    for k in order:
+        for argument in nodes[k][1:3]:
+            if argument in chunk_of and chunk_of[argument] != chunk_of[k]:
+                slots.setdefault(argument, len(slots))
+    for k in stored:  # an entry that moves to another place is copied before anything is stored
+        if k in chunk_of or nodes[k].op == ca.OP_INPUT:
+            slots.setdefault(k, len(slots))
+    chunks: list[list[int]] = [[] for _ in range((len(order) - 1) // size + 1)]
+    for k in order:
+        chunks[chunk_of[k]].append(k)
+    return chunk_of, chunks, slots
+
+
 # ---- Each operation of a tape in LLVM IR, for any number of lanes. No fast-math flag: nothing is contracted or
 # reordered.
 #
@@ -119,14 +153,6 @@ TEMPLATES = {
         for op, name in _FUNCTIONS.items()
     },
 }
-
-
-class Beside(NamedTuple):
-    """Instructions, and the names of sines and cosines that they define."""
-
-    text: str
-    sines: list[str]
-    cosines: list[str]
 
 
 class Operations:
@@ -188,8 +214,8 @@ class Operations:
             f"  {sine} = extractvalue {pair} {sine}p, 0\n  {cosine} = extractvalue {pair} {sine}p, 1"
         )
 
-    def sines_and_cosines(self, name: str, angles: list[str]) -> Beside:
-        """Of several angles by one call; more lanes than angles repeat the last."""
+    def sines_and_cosines(self, name: str, angles: list[str]) -> tuple[str, list[str], list[str]]:
+        """Of several angles by one call: instructions, names; more lanes than angles repeat the last."""
         width = next(one for one in sorted(WIDTHS) if one >= len(angles))
         self._beside.add(width)
         D, lines, vector = Lanes(width).double, [], "poison"
@@ -203,7 +229,7 @@ class Operations:
             lines.append(f"  {name}{letter} = extractvalue {{ {D}, {D} }} {name}p, {part}")
             names.append([f"{name}{letter}{lane}" for lane in range(len(angles))])
             lines += [f"  {one} = extractelement {D} {name}{letter}, i64 {k}" for k, one in enumerate(names[-1])]
-        return Beside("\n".join(lines), *names)
+        return "\n".join(lines), names[0], names[1]
 
     def functions(self) -> str:
         """Declarations and definitions that a module needs."""
@@ -248,7 +274,6 @@ class Operations:
 # lanes where it is set. Most values have numbers for names, which LLVM reads in two thirds of the time.
 
 ARGUMENTS = "ptr noalias %z, ptr noalias readonly %c, ptr noalias %w"
-PARTNER = {ca.OP_SIN: ca.OP_COS, ca.OP_COS: ca.OP_SIN}
 
 
 class StageWriter:
@@ -270,7 +295,7 @@ class StageWriter:
         ]
         live = below(tape.nodes, [k for _, k in self.stores])
         self.order = [k for k in live if tape.nodes[k].op not in (ca.OP_INPUT, ca.OP_CONST)]
-        self.partner = self._partners() if operations.own else {}
+        self.partner = partners(tape.nodes, self.order) if operations.own else {}
         self.chunk = chunk if 0 < chunk < len(self.order) else max(1, len(self.order))
         self.beside: dict[int, Group] = {}
         if operations.takes_angles_together and chunk == 0:
@@ -288,30 +313,13 @@ class StageWriter:
         self.names: dict[int, str] = {}
         self.next = 0
 
-    def _partners(self) -> dict[int, int]:
-        """{sine or cosine: the other one of the same angle}."""
-        found: dict[tuple[int, int], int] = {}
-        for k in self.order:
-            node = self.tape.nodes[k]
-            if node.op in PARTNER:
-                found[node.op, node.a] = k
-        pairs = {k: found.get((PARTNER[op], angle)) for (op, angle), k in found.items()}
-        return {k: other for k, other in pairs.items() if other is not None}
-
     def functions(self) -> tuple[list[str], int]:
         """(IR of the functions, entries of the work array)."""
-        chunk_of: dict[int, int] = {}
-        for position, k in enumerate(self.order):
-            chunk_of.setdefault(k, position // self.chunk)
-            if k in self.partner:  # a sine and its cosine come from one call, where the first of them stands
-                chunk_of.setdefault(self.partner[k], position // self.chunk)
-        slots = self._slots(chunk_of)
-        count = (len(self.order) - 1) // self.chunk + 1 if self.order else 0
-        if count <= 1:
+        if len(self.order) <= self.chunk:
             return ["\n".join(self._whole())], 0
-        chunks: list[list[int]] = [[] for _ in range(count)]
-        for k in self.order:
-            chunks[chunk_of[k]].append(k)
+        stored = [k for _, k in self.stores]
+        chunk_of, chunks, slots = divided(self.tape.nodes, self.order, self.partner, stored, self.chunk)
+        count = len(chunks)
         parts = [self._chunk(n, members, chunk_of, slots) for n, members in enumerate(chunks)]
         groups = [self.stores[k : k + self.chunk] for k in range(0, len(self.stores), self.chunk)]
         parts += [self._store_chunk(n, group, slots) for n, group in enumerate(groups)]
@@ -320,19 +328,6 @@ class StageWriter:
         mask = f", {self.operations.lanes.bit} %mask" if self.masked else ""
         calls = [f"  call void @{name}(ptr %z, ptr %c, ptr %w{self.passed}{mask})" for name in called]
         return [*parts, "\n".join([head, *calls, *ending])], len(slots)
-
-    def _slots(self, chunk_of: dict[int, int]) -> dict[int, int]:
-        """{node that is used outside its chunk: its place in the work array}."""
-        slots: dict[int, int] = {}
-        nodes = self.tape.nodes
-        for k in self.order:
-            for argument in nodes[k][1:3]:
-                if argument in chunk_of and chunk_of[argument] != chunk_of[k]:
-                    slots.setdefault(argument, len(slots))
-        for _, k in self.stores:  # an entry of z that moves to another place is copied before anything is stored
-            if k in chunk_of or nodes[k].op == ca.OP_INPUT:
-                slots.setdefault(k, len(slots))
-        return slots
 
     def _head(self, name: str, kind: str) -> tuple[str, list[str]]:
         mask = f", {self.operations.lanes.bit} %mask" if self.masked else ""
@@ -403,10 +398,11 @@ class StageWriter:
     def _define_beside(self, group: Group) -> None:
         """Sines and cosines of a group of angles, in lanes."""
         angles = [self._operand(k) for k in group]
-        found = self.operations.sines_and_cosines(f"%g{group[0]}", angles)
-        self.lines.append(found.text)
-        names = {ca.OP_SIN: dict(zip(group, found.sines, strict=True))}
-        names[ca.OP_COS] = dict(zip(group, found.cosines, strict=True))
+        text, sines, cosines = self.operations.sines_and_cosines(f"%g{group[0]}", angles)
+        self.lines.append(text)
+        names = {
+            op: dict(zip(group, own, strict=True)) for op, own in zip(TRIGONOMETRIC, (sines, cosines), strict=True)
+        }
         for k, other in self.beside.items():
             if other == group:
                 node = self.tape.nodes[k]
@@ -460,6 +456,28 @@ class StageWriter:
             self._store("z", entry, value)
 
 
+MEMCPY = "declare void @llvm.memcpy.p0.p0.i64(ptr, ptr, i64, i1)"
+RUN_ROWS = """
+define void @run_rows(ptr %z, ptr %c, ptr %w, ptr %counts, i64 %rows, ptr %out, i64 %bytes) nounwind {
+entry:
+  br label %head
+head:
+  %k = phi i64 [ 0, %entry ], [ %next, %body ]
+  %go = icmp slt i64 %k, %rows
+  br i1 %go, label %body, label %done
+body:
+  %at = getelementptr i64, ptr %counts, i64 %k
+  %count = load i64, ptr %at
+  call void @run(ptr %z, ptr %c, ptr %w, i64 %count)
+  %offset = mul i64 %k, %bytes
+  %place = getelementptr i8, ptr %out, i64 %offset
+  call void @llvm.memcpy.p0.p0.i64(ptr %place, ptr %z, i64 %bytes, i1 false)
+  %next = add i64 %k, 1
+  br label %head
+done:
+  ret void
+}
+"""
 RUN_BLOCKS = """
 define void @run_blocks(ptr %z, ptr %c, ptr %w, i64 %n, i64 %blocks, i64 %apart) nounwind {
 entry:
@@ -481,8 +499,9 @@ done:
 """
 
 
-def program_ir(program: Program, tapes: dict[str, Tape], form: Form) -> tuple[str, int]:
-    """(IR text of the module, entries of the work array); tapes: of the stages by name."""
+def program_ir(program: Program, form: Form) -> tuple[str, int]:
+    """(IR text of the module, entries of the work array)."""
+    tapes = {stage.name(): read_tape(stage) for stage in program.stages()}
     operations = Operations(form.width, form.mathematics, form.inline)
     control = _Control(operations.lanes)
     body = program.fold(control.call, control.sequence, control.again)("")
@@ -493,8 +512,39 @@ def program_ir(program: Program, tapes: dict[str, Tape], form: Form) -> tuple[st
         parts += functions
         work = max(work, entries)
     size = program.stages()[0].size1_in(0)
-    parts += [operations.functions(), _run(operations.lanes, control.loops, body, size, form.inline), RUN_BLOCKS]
-    return "\n".join(parts), work
+    z, lanes = "%z_run" if form.inline else "%z", operations.lanes
+    head = f"define void @run(ptr noalias {z}, ptr noalias readonly %c, ptr noalias %w, i64 %n) nounwind {{"
+    run = entry(head, control.loops, loop(0, body, "%n"), size, lanes.double, lanes.align, form.inline)
+    return "\n".join([*parts, operations.functions(), MEMCPY, run, RUN_BLOCKS, RUN_ROWS]), work
+
+
+def loop(k: int, body: list[str], limit: int | str, test: Sequence[str] = ()) -> list[str]:
+    """The body so many times, counted in %jk; test: lines that make %gok of %belowk, where more than the count says."""
+    return [
+        f"  store i64 0, ptr %j{k}",
+        f"  br label %head{k}",
+        f"head{k}:",
+        f"  %i{k} = load i64, ptr %j{k}",
+        f"  %{'below' if test else 'go'}{k} = icmp slt i64 %i{k}, {limit}",
+        *test,
+        f"  br i1 %go{k}, label %body{k}, label %done{k}",
+        f"body{k}:",
+        *body,
+        f"  %n{k} = add i64 %i{k}, 1",
+        f"  store i64 %n{k}, ptr %j{k}",
+        f"  br label %head{k}",
+        f"done{k}:",
+    ]
+
+
+def entry(head: str, loops: int, body: list[str], size: int, double: str, align: int, local: bool) -> str:
+    """An entry function with counters for its loops, on a copy of z where that is to stay in registers."""
+    copy = f"  call void @llvm.memcpy.p0.p0.i64(ptr align {align} {{}}, ptr align {align} {{}}, i64 {{}}, i1 false)"
+    length = size * align  # bytes: an entry is as long as its alignment
+    before = [f"  %z = alloca [{size} x {double}], align {align}", copy.format("%z", "%z_run", length)] * local
+    after = [copy.format("%z_run", "%z", length)] * local
+    counters = [f"  %j{k} = alloca i64" for k in range(loops + 1)]
+    return "\n".join([head, *counters, *before, *body, *after, "  ret void", "}", ""])
 
 
 Lines = Callable[[str], list[str]]  # of a part of the program, given the name of the mask of lanes ("" for all lanes)
@@ -529,25 +579,10 @@ class _Control:
         def lines(mask: str) -> list[str]:
             self.loops += 1
             k = self.loops
-            limit = node.count if isinstance(node, Repeat) else node.limit
-            test, inner = ([f"  %go{k} = and i1 %below{k}, true"], mask)
-            if isinstance(node, Until):
-                test, inner = self._test(k, node.flag, mask)
-            return [
-                f"  store i64 0, ptr %j{k}",
-                f"  br label %head{k}",
-                f"head{k}:",
-                f"  %i{k} = load i64, ptr %j{k}",
-                f"  %below{k} = icmp slt i64 %i{k}, {limit}",
-                *test,
-                f"  br i1 %go{k}, label %body{k}, label %done{k}",
-                f"body{k}:",
-                *body(inner),
-                f"  %n{k} = add i64 %i{k}, 1",
-                f"  store i64 %n{k}, ptr %j{k}",
-                f"  br label %head{k}",
-                f"done{k}:",
-            ]
+            if isinstance(node, Repeat):
+                return loop(k, body(mask), node.count)
+            test, inner = self._test(k, node.flag, mask)
+            return loop(k, body(inner), node.limit, test)
 
         return lines
 
@@ -564,33 +599,3 @@ class _Control:
         lines.append(f"  %m{k} = and {self.lanes.bit} %g{k}, {mask or self.lanes.true}")
         lines.append(f"  %any{k} = call i1 @llvm.vector.reduce.or.v{width}i1({self.lanes.bit} %m{k})")
         return [*lines, f"  %go{k} = and i1 %below{k}, %any{k}"], f"%m{k}"
-
-
-def _run(lanes: Lanes, loops: int, body: list[str], size: int, local: bool) -> str:
-    """The entry: n times the body, on a copy of z where that is to stay in registers."""
-    size_of, align = 8 * size * lanes.width, lanes.align
-    lines = [f"  %j{k} = alloca i64" for k in range(loops + 1)]
-    copy = "  call void @llvm.memcpy.p0.p0.i64(ptr align {a} {to}, ptr align {a} {of}, i64 {n}, i1 false)"
-    if local:
-        lines.append(f"  %z = alloca [{size} x {lanes.double}], align {align}")
-        lines.append(copy.format(a=align, to="%z", of="%z_run", n=size_of))
-    lines += [
-        "  store i64 0, ptr %j0",
-        "  br label %head0",
-        "head0:",
-        "  %i0 = load i64, ptr %j0",
-        "  %go0 = icmp slt i64 %i0, %n",
-        "  br i1 %go0, label %body0, label %done0",
-        "body0:",
-        *body,
-        "  %n0 = add i64 %i0, 1",
-        "  store i64 %n0, ptr %j0",
-        "  br label %head0",
-        "done0:",
-    ]
-    if local:
-        lines.append(copy.format(a=align, to="%z_run", of="%z", n=size_of))
-    z = "%z_run" if local else "%z"
-    head = f"define void @run(ptr noalias {z}, ptr noalias readonly %c, ptr noalias %w, i64 %n) nounwind {{"
-    declared = "declare void @llvm.memcpy.p0.p0.i64(ptr, ptr, i64, i1)"
-    return "\n".join([declared, head, *lines, "  ret void", "}", ""])

@@ -1,18 +1,32 @@
-"""A program as native code without a C compiler, in two tiers; see `llvm_code`."""
+"""A program as native code without a C compiler: for one run in two tiers, see `llvm_code`, for many in lanes."""
 
 from __future__ import annotations
 
-import ctypes
 import threading
-from collections.abc import Callable, Mapping
-from functools import cache, partial
-from typing import NamedTuple
+from collections.abc import Callable
+from functools import partial
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from runtime.contract.tape import Tape
-from runtime.engine.llvm_code import Code, Effort, best_tier, code_in_tiers, first_tier, host, linked, machine_code
-from runtime.engine.program import Program
+from runtime.contract.doors import opened
+from runtime.contract.errors import ArgumentError
+from runtime.contract.tape import arithmetic
+from runtime.engine.llvm_code import (
+    BEST,
+    FIRST,
+    INLINED,
+    Code,
+    Effort,
+    ProgramCompiler,
+    Tiers,
+    best_tier,
+    find_llvm,
+    first_tier,
+    host,
+    program_length,
+)
+from runtime.engine.program import Form, Program
 
 
 class _Bound(NamedTuple):
@@ -30,21 +44,15 @@ class _Bound(NamedTuple):
 class NativeProgram:
     """A program as native code; mathematics: `own` or `library`.
 
-    wait: only the best code will do. tapes: of stages by name, where they are known.
+    wait: only the best code will do.
     """
 
     name = "compiled"
 
-    def __init__(
-        self,
-        program: Program,
-        mathematics: str = "own",
-        wait: bool = False,
-        tapes: Mapping[str, Tape] | None = None,
-    ) -> None:
+    def __init__(self, program: Program, mathematics: str = "own", wait: bool = False) -> None:
         self.note = ""
         first, best = first_tier(program, mathematics), best_tier(program, mathematics)
-        self.tiers = code_in_tiers(program, first, best, wait, tapes or {})
+        self.tiers = Tiers(ProgramCompiler(program), first, best, program_length(program), wait)
         self._work = threading.local()
 
     def run(self, z: np.ndarray, c: np.ndarray, n: int) -> None:
@@ -55,10 +63,8 @@ class NativeProgram:
         """Apply the program counts (N,) times, each count followed by a copy of z to the next of rows (N, z_size)."""
 
         def call(code: Code) -> None:
-            address = ctypes.cast(code.run, ctypes.c_void_p).value  # type: ignore[arg-type]
-            assert address is not None
             own = z.ctypes.data, c.ctypes.data, self._work_array(code.work), counts.ctypes.data
-            _drive()[0](address, *own, len(counts), rows.ctypes.data, rows.strides[0] if len(rows) else 0)
+            code.run_rows(*own, len(counts), rows.ctypes.data, rows.strides[0] if len(rows) else 0)
 
         self.tiers.use(call)
 
@@ -89,39 +95,108 @@ class NativeProgram:
         return int(array.ctypes.data)
 
 
-# ---- Many calls of a step in one: states are written to rows on the way, without Python in between.
+# ---- Which engine runs a program: compiled by LLVM, interpreted only where LLVM cannot be had.
 
-IR = """
-declare void @llvm.memcpy.p0i8.p0i8.i64(i8*, i8*, i64, i1)
-
-define void @drive(void (double*, double*, double*, i64)* %step, double* %z, double* %c, double* %w,
-                   i64* %counts, i64 %rows, i8* %out, i64 %bytes) {
-entry:
-  %none = icmp eq i64 %rows, 0
-  br i1 %none, label %done, label %next
-next:
-  %k = phi i64 [ 0, %entry ], [ %more, %next ]
-  %place = phi i8* [ %out, %entry ], [ %after, %next ]
-  %address = getelementptr i64, i64* %counts, i64 %k
-  %count = load i64, i64* %address
-  call void %step(double* %z, double* %c, double* %w, i64 %count)
-  %state = bitcast double* %z to i8*
-  call void @llvm.memcpy.p0i8.p0i8.i64(i8* %place, i8* %state, i64 %bytes, i1 false)
-  %after = getelementptr i8, i8* %place, i64 %bytes
-  %more = add i64 %k, 1
-  %going = icmp ult i64 %more, %rows
-  br i1 %going, label %next, label %done
-done:
-  ret void
-}
-"""
-Drive = Callable[[int, int, int, int, int, int, int, int], None]
+# auto: compiled where LLVM is there; compiled-library: with sin, cos and exp of the C library, equal to interpreted bit
+# for bit
+ENGINES = ("auto", "compiled", "interpreted", "compiled-library")
 
 
-@cache
-def _drive() -> tuple[Drive, object]:
-    """(the function, what keeps it alive)."""
-    engine = linked(machine_code(IR, Effort(passes=False, level=1), host()), host())
-    pointers, numbers = ctypes.c_void_p, ctypes.c_int64
-    kind = ctypes.CFUNCTYPE(None, *[pointers] * 5, numbers, pointers, numbers)
-    return kind(engine.get_function_address("drive")), engine
+class Engine(Protocol):
+    """Runs a program n times on z in place. note says why it was chosen where that is worth knowing."""
+
+    name: str
+    note: str
+
+    def run(self, z: np.ndarray, c: np.ndarray, n: int) -> None:
+        """Apply the program n times to z."""
+
+    def run_rows(self, z: np.ndarray, c: np.ndarray, counts: np.ndarray, rows: np.ndarray) -> None:
+        """Apply the program counts (N,) times, each count followed by a copy of z to the next of rows (N, z_size)."""
+
+    def bound(self, z: np.ndarray, c: np.ndarray) -> Callable[[int], None]:
+        """`run` with z and c fixed, which stay where they are."""
+
+
+def choose_engine(requested: str, program: Program, z_size: int, c_size: int, wait: bool = False) -> Engine:
+    """`requested` is one of ENGINES; auto is compiled, interpreted only where LLVM cannot be had.
+
+    wait: for the best code. Raises ArgumentError for an unknown engine and CompilerError for one that cannot be had.
+    """
+    if requested not in ENGINES:
+        raise ArgumentError(f"engine must be one of {', '.join(ENGINES)}, not {requested!r}")
+    missing = find_llvm() if requested == "auto" else ""
+    if requested == "interpreted" or missing:
+        engine: Engine = opened("runtime.engine.interpreted:InterpretedProgram")(program, z_size, c_size)
+        engine.note = f"the run was interpreted: {missing}" if missing else ""
+        return engine
+    return NativeProgram(program, "library" if requested == "compiled-library" else "own", wait)
+
+
+# ---- A program for many runs at once: how many lanes, code for them, and memory for blocks of lanes.
+#
+# A block is an array (size, width): entry e of lane l at [e, l]. z and c of a program are ranges of its rows.
+
+SHORT = 2_000  # operations: below, two vector registers a value hide the latency of one
+LONG = 20_000  # operations: above, passes over code in lanes cost more than they save
+LONG_CHUNK = 100
+ALIGNMENT = 128  # bytes, of 16 lanes
+
+
+def lane_width(program: Program) -> int:
+    """How many runs go side by side on this machine."""
+    features = host().features
+    if "+avx512f" in features:
+        return 16 if program_size(program) < SHORT else 8
+    return 4 if "+avx" in features else 2
+
+
+def program_size(program: Program) -> int:
+    """Operations of its distinct stages; what they pass on costs nothing in lanes."""
+    return sum(arithmetic(stage) for stage in program.stages())
+
+
+def lane_form(program: Program, width: int) -> tuple[Form, Effort]:
+    """How steps are compiled for so many lanes: with own mathematics."""
+    written_out = program.fold(arithmetic, lambda parts: sum(parts), lambda body, node: body)
+    if written_out <= INLINED:
+        return Form(width, "own", 0, True), BEST
+    if program_size(program) <= LONG:
+        return Form(width, "own", 0, False), BEST
+    return Form(width, "own", LONG_CHUNK, False), FIRST
+
+
+def once_form(program: Program, width: int) -> tuple[Form, Effort]:
+    """For what is done once a run, with the library's mathematics: the virtual machine's bits."""
+    return Form(width, "library", LONG_CHUNK if program_size(program) > LONG else 1000, False), FIRST
+
+
+def blocks_of(count: int, size: int, width: int) -> np.ndarray:
+    """Zeros (count, size, width), aligned for vectors of so many lanes."""
+    raw = np.zeros(count * size * width + ALIGNMENT // 8)
+    first = (-raw.ctypes.data // 8) % (ALIGNMENT // 8)
+    return raw[first : first + count * size * width].reshape(count, size, width)
+
+
+class LaneCode:
+    """Code of a program for blocks of `width` lanes. Raises NoLlvm where LLVM cannot be had."""
+
+    def __init__(self, program: Program, form: Form, effort: Effort) -> None:
+        self.width = form.width
+        self._code = ProgramCompiler(program).build(form, effort)
+        self._work = threading.local()
+
+    def run(self, blocks: np.ndarray, z: int, c: int, n: int) -> None:
+        """Apply the program n times to each of the blocks (count, size, width), whose z and c begin at these rows.
+
+        Several threads may do so at once; Python goes on meanwhile.
+        """
+        count, size, width = blocks.shape
+        start, row = blocks.ctypes.data, 8 * width
+        self._code.run_blocks(start + z * row, start + c * row, self._own_work(), n, count, size * row)
+
+    def _own_work(self) -> int:
+        array = getattr(self._work, "array", None)
+        if array is None:
+            array = self._work.array = blocks_of(1, self._code.work + 1, self.width)
+        return int(array.ctypes.data)

@@ -7,8 +7,7 @@ division by one becomes a product with its reciprocal.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import casadi as ca
@@ -115,13 +114,12 @@ def _before(name: str, once: Tape) -> ca.Function:
 class Prepared:
     """A program as it is run: z has z_size entries, the first of which are the scheme's; constants(c) is what it reads.
 
-    The first entries of constants(c) are c. tapes: of the stages, by name, for who compiles them at once.
+    The first entries of constants(c) are c.
     """
 
     program: Program
     z_size: int
     constants: ca.Function
-    tapes: Mapping[str, Tape] = field(default_factory=dict)
 
     def widened(self, z: np.ndarray) -> np.ndarray:
         """A scheme's z with room for what the program keeps besides."""
@@ -145,16 +143,7 @@ def _prepared(program: Program, z_size: int, c_size: int) -> Prepared:
     once, rest = split(tapes, {"c": c_size}, _input_time, Time.RUN, Place("c", c_size))
     c = ca.SX.sym("c", c_size)
     constants = ca.Function("prepare", [c], [ca.densify(ca.vertcat(c, as_function("more", once)(c)))])
-    program = program.map(lambda stage: as_function(stage.name(), rest[stage.name()]))
-    lengths = {stage.name(): stage.n_instructions() for stage in program.stages()}
-    return Prepared(
-        program, z_size, constants, {name: tape for name, tape in rest.items() if _is_of(tape, lengths[name])}
-    )
-
-
-def _is_of(tape: Tape, length: int) -> bool:
-    """Is a tape that of its Function? It is unless CasADi found something to simplify."""
-    return tape.instructions == length
+    return Prepared(program.map(lambda stage: as_function(stage.name(), rest[stage.name()])), z_size, constants)
 
 
 def _input_time(name: str, entry: int) -> Time:

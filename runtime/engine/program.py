@@ -13,7 +13,7 @@ from typing import NamedTuple, TypeVar
 import casadi as ca
 import numpy as np
 
-from runtime.contract.tape import shared
+from runtime.contract.tape import code_length, shared
 
 T = TypeVar("T")
 LONG = 30_000  # nodes of a stage
@@ -144,3 +144,12 @@ class Form(NamedTuple):
     mathematics: str = "own"
     chunk: int = 0
     inline: bool = True
+
+
+def operations_per_step(program: Program) -> int:
+    """Operations of one application (each Until body counted as often as is usual)."""
+
+    def again(body: int, node: Repeat | Until) -> int:
+        return body * (node.count if isinstance(node, Repeat) else node.usual)
+
+    return program.fold(code_length, lambda parts: sum(parts), again)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from functools import lru_cache
 from threading import Lock
 from typing import Any
@@ -11,7 +10,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from runtime.contract.tape import UNUSED, as_function, marked, read_tape
+from runtime.contract.tape import UNUSED, marked, read_tape
 from runtime.engine.llvm_code import find_llvm
 from runtime.engine.native import NativeProgram
 from runtime.engine.program import Call
@@ -99,21 +98,23 @@ class RowFunction:
     def _by_native(self, arguments: list[np.ndarray], n: int) -> np.ndarray:
         with self._lock:
             if self._native is None:
-                self._native = NativeProgram(Call(self._stage()), "library")
+                self._native = NativeProgram(Call(_at_a_point(self._function)), "library")
         rows, first = np.empty((n, sum(self._sizes) + sum(self._outputs.values()))), 0
         for size, one in zip(self._sizes, arguments, strict=True):
             rows[:, first : first + size], first = one, first + size
         self._native.each(rows)
         return rows[:, first:]
 
-    def _stage(self) -> ca.Function:
-        """(z, c) -> z: arguments and outputs one after another; no constants."""
-        size = sum(self._sizes)
-        z, c = ca.SX.sym("z", size + sum(self._outputs.values())), ca.SX.sym("c", 1)
-        ends = np.cumsum([0, *self._sizes]).tolist()
-        given = [ca.reshape(z[ends[k] : ends[k + 1]], *self._function.size_in(k)) for k in range(self._function.n_in())]
-        found = ca.vertcat(*(ca.densify(ca.vec(ca.SX(one))) for one in self._function.call(given)))
-        return ca.Function("at_a_point", [z, c], [ca.densify(ca.vertcat(z[:size], found))], ["z", "c"], ["z_next"])
+
+def _at_a_point(function: ca.Function) -> ca.Function:
+    """(z, c) -> z: arguments and outputs one after another; no constants."""
+    sizes = [int(function.numel_in(k)) for k in range(function.n_in())]
+    outputs = sum(int(function.numel_out(k)) for k in range(function.n_out()))
+    z, c = ca.SX.sym("z", sum(sizes) + outputs), ca.SX.sym("c", 1)
+    ends = np.cumsum([0, *sizes]).tolist()
+    given = [ca.reshape(z[ends[k] : ends[k + 1]], *function.size_in(k)) for k in range(function.n_in())]
+    found = ca.vertcat(*(ca.densify(ca.vec(ca.SX(one))) for one in function.call(given)))
+    return ca.Function("at_a_point", [z, c], [ca.densify(ca.vertcat(z[: ends[-1]], found))], ["z", "c"], ["z_next"])
 
 
 # ---- Values of straight-line code at many points at once, by NumPy: a hundredth of the time of as many calls.
@@ -158,57 +159,39 @@ BINARY: dict[int, Callable[..., np.ndarray]] = {
 
 
 class ManyPoints:
-    """The first output (m,) of an SX Function of one vector (n,), of which only the entries from `first` on vary.
+    """The first output (m,) of an SX Function of one vector (n,), at points (N, n) at once.
 
     Roundings of functions such as exp may be others than CasADi's.
     """
 
-    def __init__(self, function: ca.Function, first: int = 0) -> None:
-        self._function, self._first, tape = function, first, read_tape(function)
-        nodes, moving = tape.nodes, list[bool]()
-        for node in nodes:
-            if node.op in (ca.OP_INPUT, ca.OP_CONST):
-                moving.append(node.op == ca.OP_INPUT and node.b >= first)
-            else:
-                moving.append(moving[node.a] or (node.b != UNUSED and moving[node.b]))
-        self._nodes = [(k, node) for k, node in enumerate(nodes) if moving[k]]
-        read = {one for _, node in self._nodes if node.op != ca.OP_INPUT for one in (node.a, node.b) if one != UNUSED}
-        self._held = sorted(one for one in read if not moving[one])
-        self._outputs = [(entry, k) for entry, k in enumerate(tape.outputs[0]) if moving[k]]
-        self._size = len(tape.outputs[0])
-        self._by_calls = not all(node.op in {ca.OP_INPUT, ca.OP_CALL, *UNARY, *BINARY} for _, node in self._nodes)
-        held = replace(tape, output_names=["held"], output_shapes=[(len(self._held), 1)], outputs=[self._held])
-        self._known = Direct(as_function("held", held)) if self._held else None
-        self._whole = Direct(function)
+    def __init__(self, function: ca.Function) -> None:
+        self._function, self._tape = function, read_tape(function)
+        known = {ca.OP_INPUT, ca.OP_CONST, ca.OP_CALL, *UNARY, *BINARY}
+        self._by_calls = not all(node.op in known for node in self._tape.nodes)
 
-    def __call__(self, fixed: np.ndarray, points: np.ndarray) -> np.ndarray:
-        """(N, m) for the entries before `first` (first,) and those from there on (N, n - first)."""
+    def __call__(self, points: np.ndarray) -> np.ndarray:
+        """(N, m)."""
         if self._by_calls:
-            return np.array([self._whole(np.append(fixed, one)) for one in points]).reshape(len(points), -1)
-        start = np.append(fixed, points[0])
-        known = [] if self._known is None else self._known(start).tolist()
-        values: dict[int, np.ndarray | float] = dict(zip(self._held, known, strict=True))
+            return np.asarray(self._function(points.T)).T
+        values = list[np.ndarray | float]()
         with np.errstate(all="ignore"):
-            for k, (op, a, b, value) in self._nodes:
+            for op, a, b, value in self._tape.nodes:
                 if op == ca.OP_INPUT:
-                    values[k] = points[:, b - self._first]
+                    values.append(points[:, b])
+                elif op == ca.OP_CONST:
+                    values.append(value)
                 elif op == ca.OP_CALL:
                     table, order = marked(value)
-                    values[k] = table(np.asarray(values[a]), order)
-                elif b == UNUSED:
-                    values[k] = UNARY[op](values[a])
+                    values.append(table(np.asarray(values[a]), order))
                 else:
-                    values[k] = BINARY[op](values[a], values[b])
-        found = np.empty((len(points), self._size))
-        if len(self._outputs) < self._size:
-            found[:] = self._whole(start)
-        for entry, k in self._outputs:
+                    values.append(UNARY[op](values[a]) if b == UNUSED else BINARY[op](values[a], values[b]))
+        found = np.empty((len(points), len(self._tape.outputs[0])))
+        for entry, k in enumerate(self._tape.outputs[0]):
             found[:, entry] = values[k]
         return found
 
 
-# ---- CasADi Functions of (t, y, c) called from Python at little cost: as native code, or through CasADi's
-# buffers.
+# ---- CasADi Functions of (t, y, c) called from Python at little cost: as native code, or through buffers.
 
 Evaluate = Callable[[float, np.ndarray], np.ndarray]
 
@@ -216,41 +199,19 @@ Evaluate = Callable[[float, np.ndarray], np.ndarray]
 def evaluator(function: ca.Function, c: np.ndarray, compiled: bool = True) -> Evaluate:
     """(t, y) -> the only output of a Function (t, y, c), column by column; native where LLVM is there and it is asked.
 
-    The array it returns is overwritten by the next call.
+    The array it returns may be overwritten by the next call.
     """
     constants = np.array(c, dtype=float)
-    return _native(function, constants) if compiled and not find_llvm() else _buffered(function, constants)
-
-
-def _native(function: ca.Function, c: np.ndarray) -> Evaluate:
-    """As a step program on z = [t, y, output]."""
-    n, count = function.numel_in(1), function.numel_out(0)
-    z_symbol, c_symbol = ca.SX.sym("z", 1 + n + count), ca.SX.sym("c", len(c))
-    value = ca.densify(ca.vec(function(z_symbol[0], z_symbol[1 : 1 + n], c_symbol)))
-    z_next = ca.vertcat(z_symbol[: 1 + n], value)
-    stage = ca.Function(function.name(), [z_symbol, c_symbol], [z_next], ["z", "c"], ["z_next"])
-    engine, z = NativeProgram(Call(stage), wait=True), np.zeros(1 + n + count)
+    if not compiled or find_llvm():
+        direct = Direct(function)
+        return lambda t, y: direct(t, y, constants)
+    engine, n = NativeProgram(Call(_at_a_point(function)), wait=True), function.numel_in(1)
+    row = np.concatenate([np.zeros(1 + n), constants, np.zeros(function.numel_out(0))])[None, :]
 
     def evaluate(t: float, y: np.ndarray) -> np.ndarray:
-        z[0], z[1 : 1 + n] = t, y
-        engine.run(z, c, 1)
-        return z[1 + n :]
-
-    return evaluate
-
-
-def _buffered(function: ca.Function, c: np.ndarray) -> Evaluate:
-    buffers: Any = function.buffer()
-    buffer, call = buffers
-    clock, state, result = np.zeros(1), np.zeros(function.numel_in(1)), np.zeros(function.numel_out(0))
-    for k, array in enumerate((clock, state, c)):
-        buffer.set_arg(k, array.data)
-    buffer.set_res(0, result.data)
-
-    def evaluate(t: float, y: np.ndarray, keep: tuple[Any, ...] = (function, buffer, c)) -> np.ndarray:
-        clock[0], state[:] = t, y  # the buffer holds no references: hence keep
-        call()
-        return result
+        row[0, 0], row[0, 1 : 1 + n] = t, y
+        engine.each(row)
+        return np.asarray(row[0, 1 + n + len(constants) :])
 
     return evaluate
 

@@ -1,4 +1,4 @@
-"""Tables in machine code: one function each, LLVM IR for any number of lanes or C.
+"""Tables in machine code: one function each, LLVM IR for any number of lanes. C of them is in c_source.py.
 
 The same operations in the same order as runtime/contract/tape.py says. C has the numbers of its tables written out.
 Code by LLVM holds no numbers but where to look, in arrays of this process; it lists the marks of its tables
@@ -15,20 +15,16 @@ from typing import Any
 import numpy as np
 
 from runtime.contract.tape import marked
-from runtime.engine.mathematics import Lanes
+from runtime.engine.mathematics import Body, Lanes
 
 MARKS, COUNT, ARRAYS = "table_marks", "table_count", "table_arrays"  # what the code of a program exports
 PLACES = 3  # arrays of a table
 _READS = "nounwind willreturn memory(read)"
 
 
-def arrays(value: float) -> tuple[int, ...]:
-    """Addresses of the knots, the powers (rows, degree + 1) and the starts of the table with this mark."""
-    return tuple(array.ctypes.data for array in _arrays(value))
-
-
 @cache  # machine code reads them as long as the process lasts
-def _arrays(value: float) -> tuple[np.ndarray, ...]:
+def numbers_of(value: float) -> tuple[np.ndarray, ...]:
+    """The knots, the powers (rows, degree + 1) and the starts of the table with this mark."""
     table, order = marked(value)
     powers = table.coefficients(order)
     return table.knots, np.ascontiguousarray(powers.T), table.starts
@@ -41,7 +37,7 @@ def bind_native(engine: Any) -> None:
     if count:
         marks = (ctypes.c_int64 * count).from_address(engine.get_global_value_address(MARKS))
         room = (ctypes.c_void_p * (PLACES * count)).from_address(engine.get_global_value_address(ARRAYS))
-        room[:] = [address for value in marks for address in arrays(float(value))]
+        room[:] = [array.ctypes.data for value in marks for array in numbers_of(float(value))]
 
 
 def table_name(value: float) -> str:
@@ -99,16 +95,8 @@ def _function_ir(k: int, value: float, count: int, lanes: Lanes, kind: str) -> s
     return "\n".join([head, *body.lines, f"  ret {D} {y}", "}"])
 
 
-class _Lines:
-    """Instructions of one function, each with a name of its own."""
-
-    def __init__(self, lanes: Lanes) -> None:
-        self.lanes, self.lines = lanes, list[str]()
-
-    def line(self, text: str) -> str:
-        name = f"%t{len(self.lines)}"
-        self.lines.append(f"  {name} = {text}")
-        return name
+class _Lines(Body):
+    """Instructions of one function that reads arrays."""
 
     def load(self, array: str, entry: str) -> str:
         """An entry of an array, or one for each lane."""
@@ -120,37 +108,3 @@ class _Lines:
         places = self.line(f"getelementptr double, ptr {array}, {self.lanes.integer} {entry}")
         gather = f"call {D} @llvm.masked.gather.v{width}f64.v{width}p0"
         return self.line(f"{gather}({kind} {places}, i32 8, {self.lanes.bit} {self.lanes.true}, {D} poison)")
-
-
-def table_c(value: float, prefix: str = "") -> str:
-    """C of the function of a table, and of its arrays, whose numbers are written out."""
-    (table, order), name = marked(value), prefix + table_name(value)
-    degree, places = len(table.coefficients(order)), [f"{name}_{what}" for what in ("knots", "powers", "starts")]
-    lines = [
-        *(_written(*one) for one in zip(places, _arrays(value), strict=True) if one[1].size),
-        f"static double {name}(double x) {{",
-        f"  const double *knots = {places[0]}, *powers = {places[1]};",
-        f"  const double inside = {prefix}smaller(x, {table.last!r});",
-        f"  long row = (long){prefix}larger((inside - ({table.left!r})) * {table.scale!r}, 0);",
-    ]
-    if table.starts.size:
-        lines.append(f"  row = (long){places[2]}[row];")
-    for level in reversed(range(table.levels)):
-        lines.append(f"  if (inside >= knots[row + {1 << level}]) row += {1 << level};")
-    lines += ["  const double beyond = x - knots[row];"] if degree > 1 else []
-    lines += [f"  powers += {degree} * row;"]
-    y = f"powers[{degree - 1}]"
-    for power in reversed(range(degree - 1)):
-        y = f"powers[{power}] + beyond * ({y})"
-    return "\n".join([*lines, f"  return {y};", "}\n"])
-
-
-def _written(name: str, values: np.ndarray) -> str:
-    """A constant array; numbers are read back as they are."""
-    flat = values.ravel().tolist()
-    rows = ["  " + ", ".join(map(_number, flat[k : k + 8])) for k in range(0, len(flat), 8)]
-    return f"static const double {name}[{len(flat)}] = {{\n" + ",\n".join(rows) + "};"
-
-
-def _number(value: float) -> str:
-    return repr(value) if np.isfinite(value) else "NAN" if value != value else f"{'-' * (value < 0)}INFINITY"

@@ -31,7 +31,7 @@ from runtime.running.problem import make_plan, steps_asked
 from runtime.running.stepping import ModelStepper
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import prepared_step, start_there
-from runtime.schemes.switching.restart import restarted
+from runtime.schemes.switching.stop_program import restarted
 from runtime.schemes.switching.watched import watches
 from runtime.start.start_state import start_state
 

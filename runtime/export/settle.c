@@ -1,5 +1,5 @@
 /* What is held and what moves where that is open, as in runtime/schemes/switching: settle.py, stops.py,
-   complementarity.py. Matrices stand by columns; sums begin with the first entry, as in small_systems.py. */
+   complementarity.py. Matrices stand by columns; sums begin with the first entry, as there. */
 
 #define AT_REST 1e-9
 #define PASSES 1e-6

@@ -12,8 +12,7 @@ import numpy as np
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
 from runtime.running.problem import Plan
-from runtime.schemes.switching.breaks import ON_THE_GRID, Breaks, within
-from runtime.schemes.switching.times import SwitchTime, switching_times
+from runtime.schemes.switching.times import ON_THE_GRID, Breaks, SwitchTime, switching_times, within
 
 JUMPS, EVENT = "jumps", "event"  # of turns whose time moves, as that of a jump or of an event
 Moves = Callable[[Sequence[SwitchTime]], np.ndarray]  # of jumps at one time: its derivative by p (n_p,)

@@ -19,7 +19,7 @@ from runtime.gradients.start_of_run import Begun
 from runtime.running.events import EventActions, Passage, state_of
 from runtime.running.problem import Plan
 from runtime.running.stepped_model import SteppedModel
-from runtime.schemes.switching.breaks import ON_THE_GRID
+from runtime.schemes.switching.times import ON_THE_GRID
 from runtime.schemes.switching.watched import are_kinks, values_at, watched_events, watches
 
 BATCH = 64  # steps after which events are looked at

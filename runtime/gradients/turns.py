@@ -27,7 +27,7 @@ from runtime.gradients.course import EVENT, EventPassage, Turn
 from runtime.gradients.impacts import sizes, thrown
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.gradients.start_of_run import Begun
-from runtime.schemes.switching.restart import loop_guess, restarted, with_steps
+from runtime.schemes.switching.stop_program import loop_guess, restarted, with_steps
 from runtime.schemes.switching.watched import values_at, watched_events
 
 OFF = 1e-6  # of the largest rate: impacts at one time that are none after another

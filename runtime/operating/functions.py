@@ -11,8 +11,7 @@ from runtime.contract.coordinates import joined
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.operating.mode_solver import State, axes_turning, in_moving_axes
-from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
-from runtime.schemes.turned_axes import along_rotations
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, along_rotations
 
 CLOSURE_ITERATIONS = 4
 CLOSED = 1e-9  # rad or m: a larger error before the last Newton step means that the loops did not close

@@ -35,8 +35,7 @@ from runtime.operating.given_state import given_state
 from runtime.operating.linearisation import Linearisation
 from runtime.operating.mode_solver import State, parameters_at, state_at
 from runtime.results.solution import Solution
-from runtime.schemes.stage_equations import StageEquations
-from runtime.schemes.turned_axes import along_rotations, turning
+from runtime.schemes.stage_equations import StageEquations, along_rotations, turning
 
 Place = Equilibrium | State | Mapping[str, float] | tuple[Solution, int] | None
 

@@ -16,8 +16,7 @@ from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
 from runtime.contract.orientations import tilde
 from runtime.results.solution import Solution
-from runtime.schemes.stage_equations import StageEquations, is_long_tree
-from runtime.schemes.turned_axes import turning_and_rate
+from runtime.schemes.stage_equations import StageEquations, is_long_tree, turning_and_rate
 
 # ---- Small turns in axes that move with their bodies: d omega = dphi' + omega x dphi, so q_i' changes by W
 # dq_i.

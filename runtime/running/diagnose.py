@@ -38,7 +38,7 @@ def step_advice(monitor: Monitor, below: str = "") -> str:
         return "Give a smaller tolerance."
     slopes, h = monitor.slopes(), scheme.grid.h[-1]
     damper = "" if slopes is None else _damper(*slopes, h)
-    limit = scheme.step_limit(*slopes) if slopes is not None and scheme.limited(scheme.options) else None
+    limit = scheme.step_limit(*slopes) if slopes is not None and scheme.limited() else None
     if limit is None:
         return damper or (f"{OUT_OF_REACH} {below}" if below else "Reduce the step.")
     text = (
@@ -78,7 +78,7 @@ def _of_deflections(monitor: Monitor) -> str:
     if not scheme.adaptive:
         h, known = scheme.grid.h[-1], [one for one in (monitor.slopes(), monitor.slopes(moving=False)) if one]
         said = [text for slopes in known[::-1] if (text := _damper(*slopes, h))][:1]
-        limits = [scheme.step_limit(*slopes) for slopes in known if scheme.limited(scheme.options)]
+        limits = [scheme.step_limit(*slopes) for slopes in known if scheme.limited()]
         said += [f"The {one}: the scheme needs a step below {one.h:.3g} s." for one in limits[:1] if one and h > one.h]
         said = [f"The step of {h:.3g} s is too long here. {' '.join(said)} "] if said else []
     return "".join(said) + (

@@ -14,8 +14,8 @@ from runtime.contract.records import EventRecord
 from runtime.contract.status import Event, Status
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.scheme import Scheme
-from runtime.schemes.switching.breaks import ON_THE_GRID
 from runtime.schemes.switching.impulse import Impulse, impulse_text
+from runtime.schemes.switching.times import ON_THE_GRID
 from runtime.schemes.switching.watched import (
     Acted,
     action_values,
@@ -96,7 +96,7 @@ class EventActions:
 
         None may be. Nothing has happened yet: states before the event can still be seen.
         """
-        ended: list[int] = opened("runtime.schemes.adaptive.event_ends:ended_at_event")(
+        ended: list[int] = opened("runtime.schemes.adaptive_steps:ended_at_event")(
             self._scheme, z, self._scheme.constants(self.own.c), self._once
         )
         return ended
@@ -134,7 +134,7 @@ class EventActions:
         z[scheme.layout.slice("v_to")] += self._happen(z, scheme.reached(z), happened, shown)
         begin_events(scheme, z, constants, scheme.at_end(z))  # with the inputs as they are now
         if self.status is not None:
-            opened("runtime.schemes.adaptive.event_ends:shown_at_end")(scheme, z, own.plan.grid.dt_L, self._once)
+            opened("runtime.schemes.adaptive_steps:shown_at_end")(scheme, z, own.plan.grid.dt_L, self._once)
         return None if np.array_equal(before, z[self._inputs]) else z[self._inputs].copy()
 
     def happen_at(self, z: np.ndarray, t: float, happened: list[int], values: np.ndarray) -> np.ndarray | None:

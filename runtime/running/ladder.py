@@ -345,7 +345,7 @@ def _chosen(problem: Problem) -> tuple[Method, str]:
     evaluation = 0
     for name in (*EXPLICIT, *_exponentials(problem.model)):
         kind, steps = scheme_kind(name), max(FIRST, seen)
-        if kind.make.limited(kind.options()):
+        if kind.make.limited():
             span = problem.t_end - problem.t0
             scheme = kind.build(name, problem.model, span / FIRST, None, {})
             steps = max(steps, _stable_steps(scheme, slopes, span))
@@ -387,7 +387,7 @@ def _price(name: str, evaluation: int, n: int) -> float:
 
 def _stable_steps(scheme: Scheme, slopes: tuple[np.ndarray, np.ndarray] | None, span: float) -> int:
     """Steps of a first rung: within the stability limit at the start."""
-    limit = scheme.step_limit(*slopes) if slopes is not None and scheme.limited(scheme.options) else None
+    limit = scheme.step_limit(*slopes) if slopes is not None and scheme.limited() else None
     if limit is None:
         return FIRST
     sub_steps = scheme.grid.h[0] / scheme.grid.h[-1]

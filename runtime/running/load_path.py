@@ -68,7 +68,7 @@ def short_loads(run: Run, steps: float) -> list[ShortLoad]:
     if function.n_nodes() > MOST_NODES:
         return []
     times = np.linspace(t[0], t[-1], PLACES + 1)
-    forces = ManyPoints(function)(np.zeros(0), np.column_stack([_path(t, moved, times), times])).T
+    forces = ManyPoints(function)(np.column_stack([_path(t, moved, times), times])).T
     if not (np.abs(forces) < LARGEST_LOAD).all():
         return []
     ends = np.array([one.time for one in run.segment.switches])

@@ -174,7 +174,7 @@ class Monitor:
     @cached_property
     def step_limit(self) -> float | None:
         """Of the fastest group's step at the start [s]; None where nothing limits it, or its modes are not known."""
-        slopes = self.slopes(self._begun) if self.scheme.limited(self.scheme.options) else None
+        slopes = self.slopes(self._begun) if self.scheme.limited() else None
         limit = None if slopes is None else self.scheme.step_limit(*slopes)
         return None if limit is None else limit.h
 

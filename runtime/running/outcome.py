@@ -145,9 +145,7 @@ def statistics(segment: SteppedModel, z: np.ndarray, setup: float, wall: float) 
     if taken:
         del taken["reached"]
         steps, full_evaluations = int(taken["steps"]), int(taken.pop("evaluations"))
-    cost = {} if stepper.sub_step_cost is None else {"sub_step_cost": stepper.sub_step_cost}
     return {
-        **cost,
         "steps": steps,
         "sub_steps": sub_steps,
         "full_evaluations": full_evaluations,

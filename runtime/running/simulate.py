@@ -145,7 +145,7 @@ def _made_once(problem: Problem, wanted: str) -> str:
     Raises SchemeError where that scheme cannot tell its own steps' lengths.
     """
     name = str(opened("runtime.running.ladder:chosen_method")(problem)[0].scheme if wanted == AUTO else wanted)
-    if scheme_kind(name).varying:
+    if "error_of" in scheme_kind(name).options.names():
         return name
     if wanted == AUTO:
         return "dopri5"

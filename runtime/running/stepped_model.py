@@ -82,7 +82,7 @@ class SteppedModel:
         """Make so many major steps in place, in one native call where nothing jumps."""
         if self.plan.scheme.adaptive:
             around = self.with_inputs(z), self.plan.grid.dt_L, self.switches, self.given
-            opened("runtime.schemes.adaptive.impulses:run_across")(self.stepper, z, steps, self.ready, *around)
+            opened("runtime.schemes.adaptive_steps:run_across")(self.stepper, z, steps, self.ready, *around)
         elif self.broken is None:
             self.stepper.run(z, self.ready, steps)
         else:

@@ -116,7 +116,7 @@ def _with_time_left(model: Model, c: np.ndarray, state: ConsistentState, name: s
     if not ca.depends_on(found, t):
         return None
     points = ManyPoints(ca.Function("of_time", [t], [found]))
-    return lambda times: points(np.zeros(0), times[:, None]).T
+    return lambda times: points(times[:, None]).T
 
 
 def force_of_time(model: Model, c: np.ndarray, state: ConsistentState) -> OfTime | None:

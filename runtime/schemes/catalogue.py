@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
-from typing import Any, Literal, cast
+from typing import Any, Literal, cast, get_type_hints
 
 from runtime.contract.doors import opened
 from runtime.contract.model import Model
-from runtime.schemes.options import HALVES, Options, SchemeError, make_grid
+from runtime.schemes.options import Options, SchemeError, make_grid
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.watched import watch_events
 
@@ -22,16 +22,13 @@ class SchemeKind:
 
     ratios: what m is. `groups`: one ratio between each two groups of the partition; `sub_steps`: one number of
     sub-steps for all coordinates; `none`: no m. default_m: m where neither the user nor the scene gives one that fits.
-    By their places, `file:name` of this folder: the class and the record of its options. varying: may steps be as long
-    as its estimate of their error asks for?
+    class_at: `file:name` of this folder.
     """
 
     class_at: str
     title: str
     ratios: Ratios
-    options_at: str
     default_m: int = 1
-    varying: bool = False
 
     @property
     def make(self) -> type[Scheme]:
@@ -40,8 +37,8 @@ class SchemeKind:
 
     @property
     def options(self) -> type[Options]:
-        """The record of its options, defaults in it."""
-        return cast(type[Options], opened(f"runtime.schemes.{self.options_at}"))
+        """The record of its options, defaults in it: what the class says of its `options`."""
+        return cast(type[Options], get_type_hints(self.make)["options"])
 
     @property
     def multirate(self) -> bool:
@@ -58,9 +55,8 @@ class SchemeKind:
             raise SchemeError(
                 f"{name} takes one step for all coordinates; leave m = {m!r} out, or choose another scheme"
             )
-        adaptive = self.varying and getattr(options, "tolerance", 0.0) > 0
         if m is None:
-            m = self._usual_m(model, options) if not adaptive or self.ratios == "none" else [HALVES]
+            m = self._usual_m(model, options)
         groups = [list(group.positions) for group in model.groups]
         if self.ratios != "groups":
             groups = [list(range(len(model.q_i)))]
@@ -71,8 +67,8 @@ class SchemeKind:
         key = (name, repr(groups), repr(grid.m), repr(options))
         if key not in model.schemes:
             built: Scheme = self.make(model, grid, options)
-            if adaptive:
-                built = opened("runtime.schemes.adaptive.adaptive_steps:AdaptiveSteps")(built)
+            if getattr(options, "tolerance", 0.0) > 0:
+                built = opened("runtime.schemes.adaptive_steps:AdaptiveSteps")(built)
             watch_events(built)
             model.schemes[key] = built
         found: Scheme = model.schemes[key]
@@ -99,58 +95,25 @@ class SchemeKind:
 
 SCHEMES: dict[str, SchemeKind] = {
     "single_rate": SchemeKind(
-        "central_difference:SingleRate",
-        "central difference, one step for all coordinates",
-        "none",
-        "central_difference:CentralDifferenceOptions",
+        "central_difference:SingleRate", "central difference, one step for all coordinates", "none"
     ),
-    "printed": SchemeKind("printed:Printed", "the paper's sub-cycling", "groups", "printed:PrintedOptions"),
-    "coupled": SchemeKind(
-        "coupled:Coupled", "sub-steps that solve the coupled system", "groups", "options:ClosureOptions"
-    ),
+    "printed": SchemeKind("printed:Printed", "the paper's sub-cycling", "groups"),
+    "coupled": SchemeKind("coupled:Coupled", "sub-steps that solve the coupled system", "groups"),
     "exponential": SchemeKind(
-        "exponential:Exponential",
-        "exponential Rosenbrock, order 4 or 5",
-        "sub_steps",
-        "exponential:ExponentialOptions",
-        default_m=4,
-        varying=True,
+        "exponential:Exponential", "exponential Rosenbrock, order 4 or 5", "sub_steps", default_m=4
     ),
     "exponential_rk4": SchemeKind(
-        "exponential_rk4:ExponentialRungeKutta",
-        "exponential Runge-Kutta on the stiff deflections, order 4",
-        "none",
-        "exponential_rk4:ExponentialRungeKuttaOptions",
-        varying=True,
+        "exponential_rk4:ExponentialRungeKutta", "exponential Runge-Kutta on the stiff deflections, order 4", "none"
     ),
     "exponential_adams": SchemeKind(
         "exponential_adams:ExponentialAdams",
         "exponential Adams on the stiff deflections with a point inside the step, order 4",
         "none",
-        "exponential_adams:ExponentialAdamsOptions",
     ),
-    "rk4": SchemeKind(
-        "baselines.runge_kutta:ClassicalRungeKutta",
-        "classical Runge-Kutta, order 4",
-        "none",
-        "options:SingleClosureOptions",
-    ),
-    "dopri5": SchemeKind(
-        "baselines.runge_kutta:DormandPrince5",
-        "Dormand-Prince, order 5(4)",
-        "none",
-        "options:AdaptiveOptions",
-        varying=True,
-    ),
-    "dop853": SchemeKind(
-        "baselines.runge_kutta:DormandPrince8",
-        "Dormand-Prince, order 8, fixed step",
-        "none",
-        "options:SingleClosureOptions",
-    ),
-    "radau": SchemeKind(
-        "baselines.radau:Radau", "Radau IIA, order 5, fixed step", "none", "baselines.radau:RadauOptions"
-    ),
+    "rk4": SchemeKind("runge_kutta:ClassicalRungeKutta", "classical Runge-Kutta, order 4", "none"),
+    "dopri5": SchemeKind("runge_kutta:DormandPrince5", "Dormand-Prince, order 5(4)", "none"),
+    "dop853": SchemeKind("runge_kutta:DormandPrince8", "Dormand-Prince, order 8, fixed step", "none"),
+    "radau": SchemeKind("radau:Radau", "Radau IIA, order 5, fixed step", "none"),
 }
 
 

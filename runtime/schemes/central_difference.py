@@ -13,7 +13,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.engine.program import Fields, Program
-from runtime.schemes.options import LARGE_SYSTEM, MOST_UNROLLED, ClosureOptions, Options, one_of, whole_number
+from runtime.schemes.options import LARGE_SYSTEM, MOST_UNROLLED, ClosureOptions, one_of, whole_number
 from runtime.schemes.scheme import ROUNDING, Scheme, StateField, history, state
 from runtime.schemes.sparse_lu import solve_general, solve_symmetric
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, velocity_dependent
@@ -44,11 +44,6 @@ class CentralDifference(Scheme):
         """See the module's text."""
         n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
         return {"d": history(n), "a": history(n), "loop_old": state(loops), "loop_dot": state(loops)}
-
-    @classmethod
-    def limited(cls, options: Options) -> bool:
-        """Yes: explicit."""
-        return True
 
     def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
         """Of central difference, with or without predicted velocities."""
@@ -129,13 +124,10 @@ class CentralDifference(Scheme):
 
     # ---- start-up and observation ---------------------------------------------------------------------------
 
-    def start(self) -> ca.Function:
-        """(t0, q_i, q_i_dot, loop unknowns, c) -> z (Eqs. 68-71)."""
-        return self.start_function(self._started)
-
-    def _started(
+    def started(
         self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, equations: StageEquations
     ) -> dict[str, ca.SX]:
+        """Eqs. (68)-(71)."""
         motion, h = equations.close_well(q_i, loop, t0), self.steps(equations)
         if self.by_tree:
             a = equations.tree_accelerations(motion, q_i_dot)
@@ -145,11 +137,8 @@ class CentralDifference(Scheme):
         before = now - equations.h[-1] * equations.loop_part(equations.rates(motion, q_i_dot))
         return {"a": a, "d": initial_increment(q_i_dot, a, h), "loop": before, "loop_old": now}
 
-    def observe(self) -> ca.Function:
-        """(z, c) -> OBSERVED between two major steps."""
-        return self.observe_function(self._observed)
-
-    def _observed(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, ca.SX]:
+    def observed(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, ca.SX]:
+        """Velocities and accelerations of (39)-(43) at the last position."""
         h, a = self.steps(equations), z["a"]
         motion, half = self.motion(z, equations, z["x"], self.now(z, equations)), z["d"] / h
         for _ in range(OBSERVE_ITERATIONS if velocity_dependent(self.model) else 1):

@@ -26,36 +26,30 @@ import casadi as ca
 import numpy as np
 
 from runtime.engine.program import Fields, Program, Repeat, Sequence
-from runtime.schemes.one_step import OneStep
-from runtime.schemes.options import ClosureOptions, Options
-from runtime.schemes.scheme import StateField, history, state, work
+from runtime.schemes.options import ClosureOptions
+from runtime.schemes.scheme import Scheme, StateField, history, state, work
 from runtime.schemes.sparse_lu import solve_symmetric
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.step_limit import StepLimit, central_difference_limit
 
 
-class Coupled(OneStep):
+class Coupled(Scheme):
     """Any number of nested groups: each is held over the sub-steps of the next faster one."""
 
     options: ClosureOptions
 
-    def further_fields(self) -> dict[str, StateField]:
+    def fields(self) -> dict[str, StateField]:
         """Held positions, ends of the secants (of one group nothing is held), s: time in the running major step.
 
         What no step would ever write again must not be called state: it would be a mode of the step that neither grows
         nor decays.
         """
         n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
-        found = {"s": work(1), "a": history(n)}
+        found = {**super().fields(), "s": work(1), "a": history(n)}
         if len(self.grid.groups) > 1:
             found |= {"hold_q": work(n), "x_last": history(n), "v_last": history(n)}
             found |= {"loop_old": state(loops), "loop_dot": state(loops)}
         return found
-
-    @classmethod
-    def limited(cls, options: Options) -> bool:
-        """Yes: its sub-steps are central differences."""
-        return True
 
     def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
         """Of central difference with predicted velocities."""

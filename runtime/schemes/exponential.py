@@ -30,23 +30,11 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Repeat, Sequence
-from runtime.schemes.linear_propagation import LinearSystem, StoredSystem, factors_of, polynomial, propagate
-from runtime.schemes.one_step import Attempt, Method
-from runtime.schemes.options import (
-    HALVES,
-    LARGEST_TOLERANCE,
-    MOST_UNROLLED,
-    ClosureOptions,
-    Grid,
-    Options,
-    SchemeError,
-    one_of,
-    share,
-    whole_number,
-)
+from runtime.schemes.linear_propagation import StoredSystem, factors_of, polynomial, propagate
+from runtime.schemes.options import MOST_UNROLLED, ClosureOptions, Grid, SchemeError, one_of, whole_number
 from runtime.schemes.partial_fractions import poles
-from runtime.schemes.scheme import StateField, state, work
-from runtime.schemes.stage_equations import LONG_TREE, ClosedConfiguration, LinearisedEquations, StageEquations
+from runtime.schemes.scheme import Scheme, StateField, work
+from runtime.schemes.stage_equations import LONG_TREE, StageEquations
 
 NODES = {4: (0.75,), 5: (0.5, 0.9)}
 ECHO = 1.08  # the echo is the motion from rest, up to the first node, under this many times G2
@@ -56,9 +44,7 @@ Body = Callable[[Fields, StageEquations], Mapping[str, ca.SX]]
 
 @dataclass(frozen=True)
 class ExponentialOptions(ClosureOptions):
-    """tolerance, error_of: see AdaptiveOptions.
-
-    closure_iterations: Newton steps on the loop unknowns in each evaluation, from a guess that is right to h^3.
+    """closure_iterations: Newton steps on the loop unknowns in each evaluation, from a guess that is right to h^3.
 
     propagation: the sub-steps of the linear system: `rational` (of order 6, stable for any stiffness) or `decaying` (of
         order 5; decays that are much faster than a sub-step die out in it).
@@ -69,8 +55,6 @@ class ExponentialOptions(ClosureOptions):
 
     closure_iterations: int = whole_number(1, most=MOST_UNROLLED)
 
-    tolerance: float = share(0.0, LARGEST_TOLERANCE)
-    error_of: str = one_of("motion", "step")
     order: int = whole_number(4, least=4, most=5)
 
     @property
@@ -79,7 +63,7 @@ class ExponentialOptions(ClosureOptions):
         return AT_ONCE if self.order == 5 else super().most_sub_steps
 
 
-class Exponential(Method):
+class Exponential(Scheme):
     """exprb42 or exprb53s3 with m sub-steps; inner stages end inside of sub-steps, on the same factors.
 
     grid.h is (major step, sub-step). Fields: w = q_i - x and u = q_i_dot since the start of the major step, tau the
@@ -87,7 +71,6 @@ class Exponential(Method):
     """
 
     options: ExponentialOptions
-    error_order, counted_evaluations, strictness = 4, (1, 1), 6.0
 
     def __init__(self, model: Model, grid: Grid, options: ExponentialOptions) -> None:
         options, m = options.checked(len(grid.groups)), grid.m[0]
@@ -101,13 +84,14 @@ class Exponential(Method):
         self.at_once = m <= AT_ONCE and len(model.q_i) <= LONG_TREE
         super().__init__(model, grid, options)
 
-    def further_fields(self) -> dict[str, StateField]:
+    def fields(self) -> dict[str, StateField]:
         """What stages pass on, with how the loop unknowns move: rates, and second rates (loop_bend)."""
         if self.at_once:
-            return {}
+            return super().fields()
         n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
         sizes = {"w": n, "u": n, "tau": 1, **dict.fromkeys(self.forces, n), **self.stored.sizes()}
-        return {name: work(size) for name, size in {**sizes, "loop_dot": loops, "loop_bend": loops}.items()}
+        own = {name: work(size) for name, size in {**sizes, "loop_dot": loops, "loop_bend": loops}.items()}
+        return {**super().fields(), **own}
 
     def program(self) -> Program:
         """Linearise; run to each node and evaluate there; run to the end. Short steps of few coordinates at once."""
@@ -122,11 +106,11 @@ class Exponential(Method):
         for k, node in enumerate(self.nodes):
             whole, name = int(node * m), "part_of_sub_step"
             if whole:
-                bodies.append(("sub_step", self._whole, whole))
+                bodies.append(("sub_step", self._sub_step, whole))
             if node * m > whole:
-                bodies.append((f"{name}_{k + 1}", partial(self._part, part=node * m - whole, echoing=k > 0), 1))
+                bodies.append((f"{name}_{k + 1}", partial(self._sub_step, part=node * m - whole, echoing=k > 0), 1))
             bodies.append((f"correct_{k + 1}", partial(self._correct, k=k), 1))
-        return [*bodies, ("sub_step", self._whole, m), ("finish", self._finish, 1)]
+        return [*bodies, ("sub_step", self._sub_step, m), ("finish", self._finish, 1)]
 
     def _at_once(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """All of it: what is zero at the start of the step costs nothing, and nothing is passed on through z."""
@@ -141,20 +125,11 @@ class Exponential(Method):
         m = self.grid.m[0]
         return 1 + len(self.nodes), sum(ceil(node * m) for node in self.nodes) + m
 
-    def _linear_system(
-        self, z: Fields, equations: StageEquations, found: LinearisedEquations, G0: ca.SX, G1: ca.SX
-    ) -> dict[str, ca.SX]:
-        """The linear system at the start of a major step."""
-        system = LinearSystem(found.M_hat, found.J_q, found.J_v)
-        zero = ca.SX.zeros(len(self.model.q_i))
-        forces = {**dict.fromkeys(self.forces, zero), "G0": G0, "G1": G1}
-        out = {**self.stored.pack(system), "w": zero, "u": z["v"], "tau": ca.SX(0), **forces}
-        return out | self.stored.pack_factors(factors_of(system, equations.h[1], self.shifts))
-
     def _sub_step(
-        self, z: Fields, equations: StageEquations, part: float, echo: tuple[float, ca.SX] | None = None
+        self, z: Fields, equations: StageEquations, part: float = 1.0, echoing: bool = False
     ) -> Mapping[str, ca.SX]:
         """A part of a sub-step of w and u on the linear system."""
+        echo = (self.nodes[0] * self.grid.m[0], ECHO * z["G2"]) if echoing else None
         system, factors, h = self.stored.unpack(z), self.stored.unpack_factors(z), equations.h[1]
         G = [z[name] for name in self.forces]
         w, u = propagate(
@@ -162,41 +137,23 @@ class Exponential(Method):
         )
         return {"w": w, "u": u, "tau": z["tau"] + part * h}
 
-    def _whole(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        return self._sub_step(z, equations, 1.0)
-
-    def _part(self, z: Fields, equations: StageEquations, part: float, echoing: bool) -> Mapping[str, ca.SX]:
-        echo = (self.nodes[0] * self.grid.m[0], ECHO * z["G2"]) if echoing else None
-        return self._sub_step(z, equations, part, echo)
-
     def _linearise(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        t = self.now(z, equations)
-        motion = equations.close(z["x"], z["loop"], t, self.options.closure_iterations)
-        found, forces, loops = self._about(motion, z["v"], equations)
-        return {**self._linear_system(z, equations, found, **forces), **loops, **self.closed(z, motion)}
-
-    @staticmethod
-    def _about(
-        motion: ClosedConfiguration, v: ca.SX, equations: StageEquations
-    ) -> tuple[LinearisedEquations, dict[str, ca.SX], dict[str, ca.SX]]:
-        """(equations to first order about a start, the forces G0, G1, how the loop unknowns move)."""
+        v, zero = z["v"], ca.SX.zeros(len(self.model.q_i))
+        motion = equations.close(z["x"], z["loop"], self.now(z, equations), self.options.closure_iterations)
         found = equations.linearised(motion, v)
-        forces = {
+        return {
+            **self.stored.pack(found),
+            **self.stored.pack_factors(factors_of(found, equations.h[1], self.shifts)),
+            **{"w": zero, "u": v, "tau": ca.SX(0), **dict.fromkeys(self.forces, zero)},
             "G0": found.Q_hat - ca.mtimes(found.J_v, v),
             "G1": equations.force_rate(motion, v, found.a),
-        }
-        loops = {
             "loop": equations.loop_part(motion.q_d),
             "loop_dot": equations.loop_part(equations.rates(motion, v)),
             "loop_bend": equations.loop_accelerations(motion, v, found.a),
+            **self.closed(z, motion),
         }
-        return found, forces, loops
 
     def _correct(self, z: Fields, equations: StageEquations, k: int) -> Mapping[str, ca.SX]:
-        motion, found = self._at_node(z, equations, k)
-        return {**found, **self.closed(z, motion)}
-
-    def _at_node(self, z: Fields, equations: StageEquations, k: int) -> tuple[ClosedConfiguration, dict[str, ca.SX]]:
         """D at node k, and forces and loop unknowns on their way through it; the motion begins anew."""
         h, system, tau = equations.h[0], self.stored.unpack(z), self.nodes[k] * equations.h[0]
         ahead, guess = (polynomial([z["loop"], z["loop_dot"], *bend], tau) for bend in ([], [z["loop_bend"]]))
@@ -204,7 +161,7 @@ class Exponential(Method):
         motion = equations.close(z["x"] + z["w"], guess, t, self.options.closure_iterations)
         a = equations.chart_accelerations(motion, z["u"])
         linear = z["G0"] + tau * z["G1"] + ca.mtimes(system.J_q, z["w"]) + ca.mtimes(system.J_v, z["u"])
-        forces = self._through(z["G2"], ca.mtimes(system.M, a) - linear, h, k)
+        forces = self._through(z["G2"], ca.mtimes(system.M_hat, a) - linear, h, k)
         bends = self._through(z["loop_bend"], equations.loop_part(motion.q_d) - ahead, h, k)
         out = {
             **dict(zip(self.forces[2:], forces, strict=False)),
@@ -212,10 +169,11 @@ class Exponential(Method):
             "w": ca.SX.zeros(len(self.model.q_i)),
             "u": z["v"],
             "tau": ca.SX(0),
+            **self.closed(z, motion),
         }
         if k == len(self.nodes) - 1:
             out["loop"] = polynomial([z["loop"], z["loop_dot"], *bends], h)
-        return motion, out
+        return out
 
     def _through(self, before: ca.SX, value: ca.SX, h: ca.SX, k: int) -> list[ca.SX]:
         """G2, G3 of the polynomial that takes a value at node k, and its earlier one where `before` tau^2 / 2 did."""
@@ -232,67 +190,3 @@ class Exponential(Method):
         t = self.now(z, equations) + equations.h[0]
         end = self.arrived(equations, z["x"] + z["w"], z["loop"], t)
         return {**self.rebased(z, end, z["loop"]), "v": equations.velocities(end, z["u"]), "n": z["n"] + 1}
-
-    # ---- steps that follow the estimate ---------------------------------------------------------------------
-
-    @classmethod
-    def refuse_varying(cls, grid: Grid, options: Options) -> None:
-        """Only two sub-steps, of order 4."""
-        assert isinstance(options, ExponentialOptions)
-        if list(grid.m) != [HALVES]:
-            raise SchemeError("tolerance", f"takes {HALVES} sub-steps, not m = {list(grid.m)}", "leave m out")
-        if options.order != 4:
-            raise SchemeError("tolerance", "has an estimate of the error for order 4 only", "leave order out")
-
-    def method_fields(self) -> dict[str, StateField]:
-        """The linear system, its forces, and rates of the loop unknowns."""
-        n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
-        sizes = {**self.stored.matrix_sizes(), "G0": n, "G1": n, "G2": n, "loop_dot": loops, "loop_bend": loops}
-        return {name: state(size) for name, size in sizes.items()}
-
-    def begun(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, Mapping[str, ca.SX]]:
-        """The equations to first order about the start, which a rejected step keeps."""
-        t = self.time_in_step(z, ca.SX(0), 0)
-        start = equations.close(z["q_from"], z["loop_from"], t, self.options.closure_iterations)
-        found, forces, loops = self._about(start, z["v_from"], equations)
-        system = self.stored.pack(LinearSystem(found.M_hat, found.J_q, found.J_v))
-        return start, found.a, {**system, **forces, "loop_dot": loops["loop_dot"], "loop_bend": loops["loop_bend"]}
-
-    def attempted(self, z: Fields, equations: StageEquations, h: ca.SX) -> Attempt:
-        """To 3/4 of the step, and through all of it with the force found there.
-
-        The estimate is the end less the inner stage run on to the end (Rosenbrock-Euler, order 2), which takes one
-        sub-step that damps, so that it sees modes that are not resolved.
-        """
-        at, halves = self._set_out(z, equations, h)
-        at |= self._whole(at, halves)
-        at |= self._part(at, halves, part=self.nodes[0] * HALVES - 1, echoing=False)
-        node, found = self._at_node(at, halves, 0)
-        at = self._through_all({**at, **found}, halves)
-        system, none = self.stored.unpack(z), ca.SX.zeros(z["q_from"].numel())
-        factors = factors_of(system, h, tuple(pole.r for pole in poles(decaying=True)))
-        rough = propagate(system, factors, none, z["v_from"], (z["G0"], z["G1"], none), ca.SX(0), h, decaying=True)
-        end, kept = z["q_from"] + at["w"], {"G2": at["G2"]}
-        return Attempt(end, at["u"], at["loop"], at["w"] - rough[0], at["u"] - rough[1], kept, (node,))
-
-    def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
-        """The linear motion with the force that leads to the end, ended sooner."""
-        at, halves = self._set_out(z, equations, tau)
-        at = self._through_all({**at, "G2": z["G2"]}, halves)
-        q = z["q_from"] + at["w"]
-        return q, self.velocities_at(z, equations, tau, q, at["u"])
-
-    def _through_all(self, z: Fields, halves: StageEquations) -> dict[str, ca.SX]:
-        at = dict(z)
-        for _ in range(HALVES):
-            at |= self._whole(at, halves)
-        return at
-
-    def _set_out(self, z: Fields, equations: StageEquations, h: ca.SX) -> tuple[dict[str, ca.SX], StageEquations]:
-        """(fields at the start of a step of h, equations with its steps)."""
-        zero, system = ca.SX.zeros(z["q_from"].numel()), self.stored.unpack(z)
-        names = {"x": "q_from", "v": "v_from", "u": "v_from", "loop": "loop_from", "t0": "t_from"}
-        names |= {name: name for name in (*self.stored.matrix_sizes(), "G0", "G1", "loop_dot", "loop_bend")}
-        at = {name: z[own] for name, own in names.items()} | {"n": ca.SX(0), "tau": ca.SX(0), "w": zero, "G2": zero}
-        at |= self.stored.pack_factors(factors_of(system, h / HALVES, self.shifts))
-        return at, StageEquations(self.model, ca.vertcat(equations.c, h, h / HALVES))

@@ -25,9 +25,8 @@ import numpy as np
 from runtime.engine.program import Fields, Program
 from runtime.schemes.exponential_rk4 import krogstad
 from runtime.schemes.linear_propagation import polynomial
-from runtime.schemes.one_step import OneStep
-from runtime.schemes.options import MOST_UNROLLED, ClosureOptions, Options, whole_number
-from runtime.schemes.scheme import StateField, state
+from runtime.schemes.options import MOST_UNROLLED, ClosureOptions, whole_number
+from runtime.schemes.scheme import Scheme, StateField, state
 from runtime.schemes.stage_equations import StageEquations, stiff_directions
 from runtime.schemes.step_limit import StepLimit, limit_beside_deflections
 from runtime.schemes.stiff_motion import Along, MotionStage, StiffMotion
@@ -57,7 +56,7 @@ def through(nodes: Sequence[float], values: Sequence[Along], h: ca.SX) -> list[A
     return found
 
 
-class ExponentialAdams(OneStep):
+class ExponentialAdams(Scheme):
     """Two evaluations a step in one stage. a_middle, a_before: accelerations seen in the middle and at the start of the
     last step, those of turns as second rates in the charts at its end; s_*, s_*_dot: the deflections there and their
     rates; loop_third: third rate of the loop unknowns.
@@ -70,16 +69,11 @@ class ExponentialAdams(OneStep):
         """Two."""
         return 2, 0
 
-    @classmethod
-    def limited(cls, options: Options) -> bool:
-        """Yes, by what is not a stiff deflection."""
-        return True
-
     def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
         """Of the explicit part, for the motion in which the stiff deflections follow as in equilibrium."""
         return limit_beside_deflections(A_q, A_v, stiff_directions(self.model), IMAGINARY_REACH, REAL_REACH)
 
-    def further_fields(self) -> dict[str, StateField]:
+    def fields(self) -> dict[str, StateField]:
         """See above."""
         n, n_s = stiff_directions(self.model).shape
         sizes = {
@@ -88,7 +82,7 @@ class ExponentialAdams(OneStep):
             **dict.fromkeys(("s_middle", "s_middle_dot", "s_before", "s_before_dot"), n_s),
             "loop_third": len(self.model.loop_unknowns),
         }
-        return {name: state(size) for name, size in sizes.items()}
+        return {**super().fields(), **{name: state(size) for name, size in sizes.items()}}
 
     def program(self) -> Program:
         """One stage."""

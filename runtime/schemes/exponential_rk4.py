@@ -32,7 +32,7 @@ from runtime.contract.model import Model
 from runtime.engine.program import Fields
 from runtime.schemes.linear_propagation import polynomial
 from runtime.schemes.one_step import Attempt, Method
-from runtime.schemes.options import MOST_UNROLLED, AdaptiveOptions, Options, whole_number
+from runtime.schemes.options import MOST_UNROLLED, AdaptiveOptions, whole_number
 from runtime.schemes.scheme import StateField, state
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, StiffResponse, stiff_directions
 from runtime.schemes.step_limit import StepLimit, limit_beside_deflections
@@ -100,11 +100,6 @@ class ExponentialRungeKutta(Method):
     order, error_order, counted_evaluations = 4, 4, (1, 3)
     strictness = 1.5
     stage_name = "exponential_rk4"
-
-    @classmethod
-    def limited(cls, options: Options) -> bool:
-        """Yes, by what is not a stiff deflection."""
-        return True
 
     def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
         """Of the explicit part, for the motion in which the stiff deflections follow as in equilibrium."""

@@ -20,26 +20,16 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
 
 import casadi as ca
 
 from runtime.contract.model import Model
+from runtime.engine.kept_programs import kept_function, key_of
 from runtime.engine.program import Fields
 from runtime.schemes.options import SchemeError
 from runtime.schemes.partial_fractions import DEGREE, Pole, poles
 from runtime.schemes.sparse_lu import Cells, Number, factor, filled, pattern, solve
-from runtime.schemes.stage_equations import StageEquations
-
-
-@dataclass(frozen=True)
-class LinearSystem:
-    """M, J_q and J_v as expressions."""
-
-    M: ca.SX
-    J_q: ca.SX
-    J_v: ca.SX
-
+from runtime.schemes.stage_equations import LinearSystem, StageEquations
 
 Factors = tuple[Number, ...]
 
@@ -51,7 +41,7 @@ def factors_of(system: LinearSystem, h: ca.SX, shifts: tuple[complex, ...] | Non
 
 
 def _shifted(system: LinearSystem, h: ca.SX, r: complex) -> Number:
-    m, k, d = ca.sparsify(system.M), h * h * ca.sparsify(system.J_q), h * ca.sparsify(system.J_v)
+    m, k, d = ca.sparsify(system.M_hat), h * h * ca.sparsify(system.J_q), h * ca.sparsify(system.J_v)
     square = r * r
     return Number(square.real * m - r.real * d - k, square.imag * m - r.imag * d if r.imag else None)
 
@@ -76,26 +66,31 @@ def propagate(
     grow with the number of steps: turns of bodies. What is stiff is much smaller than an even motion, and is not.
     """
     slopes = [polynomial(G[k:], tau) for k in range(len(G))]
-    slopes[0] = slopes[0] + ca.mtimes(system.J_q, w)  # and J_v u, which _solved takes off again
+    slopes[0] = slopes[0] + ca.mtimes(system.J_q, w)  # M a less J_v rest
     even, rest = (ca.vertcat(*(u[k] if (k in free) == own else 0 for k in range(u.numel()))) for own in (True, False))
     slopes[0] = slopes[0] + ca.mtimes(system.J_v, even)
-    start = _Start(rest, ca.mtimes(system.M, rest), ca.mtimes(system.J_q, even))
+    Mu, pull = ca.mtimes(system.M_hat, rest), ca.mtimes(system.J_q, even)
     new_w, new_u = w + part * h * even, u
     echoes = poles(DEGREE, 1.0 if echo is None else echo[0], decaying)
     for pole, echoing, entries in zip(poles(DEGREE, part, decaying), echoes, factors, strict=True):
-        extra = None if echo is None else (echoing.weights[2], echo[1])
-        x, y = _solved(pole, entries, slopes, start, h, extra)
-        new_w, new_u = new_w + pole.share * x, new_u + pole.share * y
+        r, w1 = pole.r, pole.weights[0]
+
+        def side(part: str, pole: Pole = pole, echoing: Pole = echoing) -> ca.SX:
+            def of(value: complex) -> float:
+                return float(getattr(value, part))
+
+            found, power = of(pole.r * pole.weights[0]) * h * Mu + of(pole.weights[0] / pole.r) * h**3 * pull, h
+            for weight, slope in zip(pole.weights, slopes, strict=False):
+                power = power * h
+                found = found + of(weight) * power * slope
+            return found if echo is None else found + of(echoing.weights[2]) * h**4 * echo[1]
+
+        # (r - h A)^-1 (p, s) with p = h w1 u and M s = h w1 M a + h^2 w2 G' + h^3 w3 G'' + ..., of the even part less
+        # p / r in x, which of all poles together is part h u, and nothing in y; powers of h are made once a run
+        x, turned = solve_shifted(entries, r, side("real"), side("imag") if r.imag else None)
+        turned = r.real * x - r.imag * turned if r.imag else r.real * x
+        new_w, new_u = new_w + pole.share * x, new_u + pole.share * (turned / h - w1.real * rest)
     return new_w, new_u
-
-
-@dataclass(frozen=True)
-class _Start:
-    """w' that is not summed apart, M times it, and J_q times the even part."""
-
-    u: ca.SX
-    Mu: ca.SX
-    pull: ca.SX
 
 
 def polynomial(G: Sequence[ca.SX], tau: ca.SX) -> ca.SX:
@@ -105,36 +100,6 @@ def polynomial(G: Sequence[ca.SX], tau: ca.SX) -> ca.SX:
         power = power * tau / k
         value = value + power * term
     return value
-
-
-def _solved(
-    pole: Pole,
-    factors: Number,
-    slopes: Sequence[ca.SX],
-    start: _Start,
-    h: ca.SX,
-    extra: tuple[complex, ca.SX] | None,
-) -> tuple[ca.SX, ca.SX]:
-    """Real parts of (r - h A)^-1 (p, s) with p = h w1 u and M s = h w1 M a + h^2 w2 G' + h^3 w3 G'' + ..., of the even
-    part less p / r in x, which of all poles together is part h u, and nothing in y.
-
-    slopes: M a less J_v rest, G', G'', ...; extra: a weight beside w3 with its G''. Powers of h are made once a run.
-    """
-    r, w1 = pole.r, pole.weights[0]
-
-    def real_or_imaginary(part: str) -> ca.SX:
-        def of(value: complex) -> float:
-            return float(getattr(value, part))
-
-        side, power = of(r * w1) * h * start.Mu + of(w1 / r) * h**3 * start.pull, h
-        for weight, slope in zip(pole.weights, slopes, strict=False):
-            power = power * h
-            side = side + of(weight) * power * slope
-        return side if extra is None else side + of(extra[0]) * h**4 * extra[1]
-
-    X, Y = solve_shifted(factors, r, real_or_imaginary("real"), real_or_imaginary("imag") if r.imag else None)
-    turned = r.real * X - r.imag * Y if r.imag else r.real * X
-    return X, turned / h - w1.real * start.u
 
 
 def solve_shifted(factors: Number, r: complex, re: ca.SX, im: ca.SX | None) -> tuple[ca.SX, ca.SX]:
@@ -149,7 +114,7 @@ def solve_shifted(factors: Number, r: complex, re: ca.SX, im: ca.SX | None) -> t
 # A linear system kept in fields of z between the stages of a major step: sparse, so that zeros cost nothing.
 
 MOST_OPERATIONS = 2_000_000  # of the factors: some minutes to compile, and gigabytes
-MATRICES = ("M", "J_q", "J_v")
+MATRICES = {"M": "M_hat", "J_q": "J_q", "J_v": "J_v"}  # names in z and of a LinearSystem
 
 
 class StoredSystem:
@@ -159,37 +124,12 @@ class StoredSystem:
     """
 
     def __init__(
-        self, model: Model, shifts: tuple[complex, ...] | None = None, matrices: tuple[str, ...] = MATRICES
+        self, model: Model, shifts: tuple[complex, ...] | None = None, matrices: Collection[str] = tuple(MATRICES)
     ) -> None:
-        self.n = len(model.q_i)
-        chosen = tuple(pole.r for pole in poles()) if shifts is None else shifts
-        self._complex = [bool(r.imag) for r in chosen]
-        q, v, t = ca.SX.sym("q", self.n), ca.SX.sym("v", self.n), ca.SX.sym("t")
-        equations = StageEquations(model, ca.SX.sym("c", model.c_size + 1))
-        motion = equations.close(q, ca.SX.sym("loop", len(model.loop_unknowns)), t, 1)
-        if 4 * self.n**3 > MOST_OPERATIONS:  # else even dense factors are short
-            self._require_short(model, pattern(equations.condensed(motion, v)[0]))
-        found = equations.linearised(motion, v)
-        patterns = dict(zip(MATRICES, map(pattern, (found.M_hat, found.J_q, found.J_v)), strict=True))
-        self._sparsity = {name: self._of_cells(patterns[name]) for name in matrices}
-        self._factors = self._of_cells(filled(set().union(*patterns.values()), self.n))
-
-    def _require_short(self, model: Model, cells: Cells) -> None:
-        """Raises SchemeError where the factors of a matrix with these cells take too many operations."""
-        factors = filled(cells, self.n)
-        below, right = Counter(j for i, j in factors if i < j), Counter(i for i, j in factors if j < i)
-        count = sum(below[k] * right[k] for k in range(self.n)) * sum(8 if one else 2 for one in self._complex)
-        if count > MOST_OPERATIONS:
-            raise SchemeError(
-                f"{model.name}: {self.n} independent coordinates",
-                f"a scheme that factorises their mass matrix and Jacobians takes {count / 1e6:.0f} million operations "
-                f"a step, more than the {MOST_OPERATIONS / 1e6:.0f} that are written out",
-                f"take {', '.join(_others(model))}",
-            )
-
-    def _of_cells(self, cells: Cells) -> ca.Sparsity:
-        ordered = sorted(cells)
-        return ca.Sparsity.triplet(self.n, self.n, [i for i, _ in ordered], [j for _, j in ordered])
+        self._complex = [bool(r.imag) for r in (shifts if shifts is not None else (pole.r for pole in poles()))]
+        found = kept_function(key_of(model, "patterns"), lambda: _patterns(model))
+        patterns = {name: found.sparsity_out(k) for k, name in enumerate((*MATRICES, "factors"))}
+        self._sparsity, self._factors = {name: patterns[name] for name in matrices}, patterns["factors"]
 
     def sizes(self) -> dict[str, int]:
         """Sizes of the fields of z."""
@@ -204,7 +144,7 @@ class StoredSystem:
 
     def pack(self, system: LinearSystem) -> dict[str, ca.SX]:
         """Fields of the matrices."""
-        return {name: _entries(getattr(system, name), sparsity) for name, sparsity in self._sparsity.items()}
+        return {name: _entries(getattr(system, MATRICES[name]), sparsity) for name, sparsity in self._sparsity.items()}
 
     def pack_factors(self, factors: Factors) -> dict[str, ca.SX]:
         """Fields of the factors."""
@@ -215,7 +155,7 @@ class StoredSystem:
 
     def unpack(self, z: Fields) -> LinearSystem:
         """All three matrices."""
-        return LinearSystem(**self.unpack_matrices(z))
+        return LinearSystem(*self.unpack_matrices(z).values())
 
     def unpack_matrices(self, z: Fields) -> dict[str, ca.SX]:
         """The matrices that are kept."""
@@ -230,6 +170,36 @@ class StoredSystem:
                 Number(ca.SX(self._factors, values[:size]), ca.SX(self._factors, values[size:]) if is_complex else None)
             )
         return tuple(found)
+
+
+def _patterns(model: Model) -> ca.Function:
+    """() -> M_hat, J_q, J_v and the factors, 1 where they are not zero. Raises SchemeError where factors are long."""
+    n = len(model.q_i)
+    q, v, t = ca.SX.sym("q", n), ca.SX.sym("v", n), ca.SX.sym("t")
+    equations = StageEquations(model, ca.SX.sym("c", model.c_size + 1))
+    motion = equations.close(q, ca.SX.sym("loop", len(model.loop_unknowns)), t, 1)
+    if 4 * n**3 > MOST_OPERATIONS:  # else even dense factors are short
+        _require_short(model, pattern(equations.condensed(motion, v)[0]))
+    found = equations.linearised(motion, v)
+    cells = [pattern(one) for one in (found.M_hat, found.J_q, found.J_v)]
+    places = (sorted(one) for one in (*cells, filled(set().union(*cells), n)))
+    shapes = [ca.Sparsity.triplet(n, n, [i for i, _ in own], [j for _, j in own]) for own in places]
+    return ca.Function("patterns", [], [ca.SX(shape, 1) for shape in shapes])
+
+
+def _require_short(model: Model, cells: Cells) -> None:
+    """Raises SchemeError where the factors of a matrix with these cells take too many operations."""
+    n = len(model.q_i)
+    factors = filled(cells, n)
+    below, right = Counter(j for i, j in factors if i < j), Counter(i for i, j in factors if j < i)
+    count = sum(below[k] * right[k] for k in range(n)) * sum(8 if pole.r.imag else 2 for pole in poles())
+    if count > MOST_OPERATIONS:
+        raise SchemeError(
+            f"{model.name}: {n} independent coordinates",
+            f"a scheme that factorises their mass matrix and Jacobians takes {count / 1e6:.0f} million operations "
+            f"a step, more than the {MOST_OPERATIONS / 1e6:.0f} that are written out",
+            f"take {', '.join(_others(model))}",
+        )
 
 
 def _others(model: Model) -> list[str]:

@@ -1,6 +1,8 @@
-"""One-step schemes on z = (q_i, q_i_dot, loop unknowns): what Runge-Kutta and linearised schemes share.
+"""A one-step method, written once: what it evaluates at the start of a step, the step itself, and its dense output.
 
-The loop unknowns are integrated like coordinates; that only gives the guess from which each evaluation closes them.
+How long steps are is not its concern. Its own program is a step of the grid in one stage; adaptive_steps.py wraps the
+same method in steps that follow its estimate of the error. Fields of the start of a step: q_from, v_from, loop_from,
+t_from, a_from, and what `begun` gives; beside [s]: how near to its ends time is looked at, where forces may jump.
 """
 
 from __future__ import annotations
@@ -10,54 +12,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import casadi as ca
-import numpy as np
 
 from runtime.engine.program import Fields, Program
-from runtime.schemes.options import Grid, Options
-from runtime.schemes.scheme import Scheme, StateField, state
+from runtime.schemes.scheme import Scheme, StateField
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
-
-
-class OneStep(Scheme):
-    """Start, observation and evaluation of one-step schemes. Field v holds q_i_dot."""
-
-    def fields(self) -> dict[str, StateField]:
-        """The velocities, and what a scheme adds."""
-        return {"v": state(len(self.model.q_i)), **self.further_fields()}
-
-    def further_fields(self) -> dict[str, StateField]:
-        """Fields besides x, v and loop."""
-        return {}
-
-    def rates(self, z: np.ndarray) -> np.ndarray:
-        """The velocities."""
-        return np.asarray(z[self.layout.slice("v")])
-
-    def start(self) -> ca.Function:
-        """(t0, q_i, q_i_dot, loop unknowns, c) -> z."""
-        return self.start_function(self.started)
-
-    def started(
-        self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, equations: StageEquations
-    ) -> Mapping[str, ca.SX]:
-        """Fields of z at the start."""
-        motion = equations.close_well(q_i, loop, t0)
-        return {"v": q_i_dot, "loop": equations.loop_part(motion.q_d)}
-
-    def observe(self) -> ca.Function:
-        """(z, c) -> OBSERVED between two major steps."""
-        return self.observe_function(self._observed)
-
-    def _observed(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, ca.SX]:
-        motion = equations.close_well(z["x"], z["loop"], self.now(z, equations))
-        return motion, z["v"], equations.accelerations(motion, z["v"])
-
-
-# A one-step method, written once: what it evaluates at the start of a step, the step itself, and its dense output.
-#
-# How long steps are is not its concern. Its own program is a step of the grid in one stage; adaptive/ wraps the same
-# method in steps that follow its estimate of the error. Fields of the start of a step: q_from, v_from, loop_from,
-# t_from, a_from, and what `begun` gives; beside [s]: how near to its ends time is looked at, where forces may jump.
 
 
 @dataclass(frozen=True)
@@ -79,7 +37,7 @@ class Attempt:
     end: ClosedConfiguration | None = None
 
 
-class Method(OneStep):
+class Method(Scheme):
     """Steps of the grid. A subclass gives `begun` and `attempted`; where steps may follow its estimate, `between`."""
 
     stage_name = "step"
@@ -88,10 +46,6 @@ class Method(OneStep):
     strictness: float = 1.0  # what the estimate is multiplied by, so that all methods deliver about the same
     counted_evaluations: tuple[int, int]  # at the start of a step, and in an attempt
     first_same_as_last = False  # is the end of an attempt evaluated, so that the next step need not evaluate its start?
-
-    @classmethod
-    def refuse_varying(cls, grid: Grid, options: Options) -> None:
-        """Raises SchemeError where steps of these options cannot follow an estimate."""
 
     @abstractmethod
     def begun(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, Mapping[str, ca.SX]]:

@@ -16,8 +16,6 @@ LARGE_SYSTEM = 12  # independent coordinates beyond which the Jacobian by veloci
 
 Check = Callable[[str, Any, int], Any]  # (name, given value, groups) -> the value to use; raises SchemeError
 
-HALVES = 2  # sub-steps of a step that follows an estimate
-
 
 class SchemeError(SymgenError, ValueError):
     """A scheme, step or option that cannot be used."""

@@ -16,7 +16,7 @@ from itertools import zip_longest
 from math import factorial
 
 import casadi as ca
-from numpy.polynomial import Polynomial
+import numpy as np
 
 from runtime.schemes.sparse_lu import Number, factor, inverse, solve
 
@@ -55,7 +55,7 @@ def poles(degree: int = DEGREE, part: float = 1.0, decaying: bool = False) -> tu
         numerators.append(current)
     slope = [k * one for k, one in enumerate(below)][1:]
     found = []
-    for root in map(complex, Polynomial([float(one) for one in below]).roots()):
+    for root in map(complex, np.sort(np.roots([float(one) for one in reversed(below)]))):
         if root.imag >= -1e-9:
             r = _sharpened(root if root.imag > 1e-9 else complex(root.real), below, slope)
             weights = tuple(-_rounded(_over(_value(p, r), _value(slope, r))) for p in numerators)

@@ -39,7 +39,7 @@ from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations,
 RUN_AWAY = 1e6  # increments [m or rad] of a step that were out of hand before the sweep
 
 
-NAMES_OF_INTERPOLATIONS = ("end_point_sum", "constant_acceleration", "chord_ahead", "chord", "held_at_the_middle")
+NAMES_OF_INTERPOLATIONS = ("end_point_sum", "constant_acceleration", "chord_ahead", "chord")
 
 
 @dataclass(frozen=True)
@@ -297,17 +297,6 @@ def chord(q: ca.SX, v: ca.SX, a: ca.SX, s: ca.SX, h: ca.SX, H: ca.SX, q_next: ca
     return (1 - weight) * q + weight * q_next, (q_next - q) / H
 
 
-def held_at_the_middle(
-    q: ca.SX, v: ca.SX, a: ca.SX, s: ca.SX, h: ca.SX, H: ca.SX, q_next: ca.SX
-) -> tuple[ca.SX, ca.SX]:
-    """At the middle of the slow step: what depends on slow variables only is then the same in all sub-steps."""
-    return q + H / 2 * v + H * H / 8 * a, v + H / 2 * a
-
-
 INTERPOLATIONS: dict[str, Interpolation] = dict(
-    zip(
-        NAMES_OF_INTERPOLATIONS,
-        (end_point_sum, constant_acceleration, chord_ahead, chord, held_at_the_middle),
-        strict=True,
-    )
+    zip(NAMES_OF_INTERPOLATIONS, (end_point_sum, constant_acceleration, chord_ahead, chord), strict=True)
 )

@@ -79,35 +79,42 @@ class Scheme(ABC):
     # ---- what a scheme says ---------------------------------------------------------------------------------
 
     @abstractmethod
-    def fields(self) -> dict[str, StateField]:
-        """The fields of z beyond the common ones."""
-
-    @abstractmethod
     def program(self) -> Program:
         """One major step."""
-
-    @abstractmethod
-    def start(self) -> ca.Function:
-        """(t0, q_i, q_i_dot, loop unknowns, c) -> z."""
-
-    @abstractmethod
-    def observe(self) -> ca.Function:
-        """(z, c) -> OBSERVED between two major steps."""
-
-    @abstractmethod
-    def rates(self, z: np.ndarray) -> np.ndarray:
-        """q_i_dot as z holds it, without evaluating anything."""
 
     @abstractmethod
     def evaluations(self) -> tuple[int, int]:
         """(full evaluations of M_hat and Q_hat, partial ones) in a major step, sweeps not counted."""
 
+    # What a one-step scheme on z = (q_i, q_i_dot, loop unknowns) need not say. The loop unknowns are integrated like
+    # coordinates; that only gives the guess from which each evaluation closes them.
+
+    def fields(self) -> dict[str, StateField]:
+        """The fields of z beyond the common ones: v, q_i_dot."""
+        return {"v": state(len(self.model.q_i))}
+
+    def rates(self, z: np.ndarray) -> np.ndarray:
+        """q_i_dot as z holds it, without evaluating anything."""
+        return np.asarray(z[self.layout.slice("v")])
+
+    def started(
+        self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, equations: StageEquations
+    ) -> Mapping[str, ca.SX]:
+        """Fields of z at the start; the others are zero."""
+        motion = equations.close_well(q_i, loop, t0)
+        return {"v": q_i_dot, "loop": equations.loop_part(motion.q_d)}
+
+    def observed(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, ca.SX]:
+        """(configuration, q_i_dot, q_i_ddot) between two major steps."""
+        motion = equations.close_well(z["x"], z["loop"], self.now(z, equations))
+        return motion, z["v"], equations.accelerations(motion, z["v"])
+
     # ---- what they share ------------------------------------------------------------------------------------
 
     @classmethod
-    def limited(cls, options: Options) -> bool:
+    def limited(cls) -> bool:
         """Is the step limited by how fast the mechanism oscillates or decays?"""
-        return False
+        return cls.step_limit is not Scheme.step_limit
 
     def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
         """What limits the step of the fastest group for w'' = A_q w + A_v w'; None: nothing. See step_limit.py."""
@@ -210,9 +217,8 @@ class Scheme(ABC):
         return self._derived[name]
 
     def key(self, name: str) -> str:
-        """Of what is kept on disk of it, "" where nothing is: a folder's text is what its digest says."""
-        kept = bool(self.model.folder) and not self.model.sources
-        return key_of(self.model.digest, *self.alike, name) if kept else ""
+        """Of what is kept on disk of it, "" where nothing is."""
+        return key_of(self.model, *self.alike, name)
 
     @property
     def starter(self) -> ca.Function:
@@ -293,12 +299,8 @@ class Scheme(ABC):
         """1 where all of x is finite: whose x is lost has nothing to iterate for. Tested once a step."""
         return ca.sum1(ca.fabs(z["x"])) < LARGEST
 
-    def zeros(self) -> dict[str, ca.SX]:
-        """All fields of z, zero."""
-        return {name: ca.SX.zeros(size) for name, size in self.layout.sizes.items()}
-
-    def start_function(self, body: Callable[..., Mapping[str, ca.SX]]) -> ca.Function:
-        """start() from a body (t0, q_i, q_i_dot, loop, equations) -> fields of z; the others are zero."""
+    def start(self) -> ca.Function:
+        """(t0, q_i, q_i_dot, loop unknowns, c) -> z."""
         t0, c = ca.SX.sym("t0"), ca.SX.sym("c", self.c_size)
         q_i, q_i_dot = ca.SX.sym("q_i", len(self.model.q_i)), ca.SX.sym("q_i_dot", len(self.model.q_i))
         loop = ca.SX.sym("loop", len(self.model.loop_unknowns))
@@ -310,20 +312,21 @@ class Scheme(ABC):
             q_i_there, equations = self.charts.zeroed(q_i), self.equations(c_there)
         else:
             q_i_there, guess = q_i, loop
-        fields = body(t0, q_i_there, q_i_dot, guess, equations)
+        fields = self.started(t0, q_i_there, q_i_dot, guess, equations)
         if self.model.signals.size:
             fields = {**fields, "inputs": equations.c[self.model.c_size - self.model.signals.size :]}
         if "chart" in self.layout.sizes:
             fields = {**fields, "chart": equations.c[charts_in(self.model)]}
-        z = self.layout.pack({**self.zeros(), "t0": t0, "x": q_i_there, **fields})
+        zeros = {name: ca.SX.zeros(size) for name, size in self.layout.sizes.items()}
+        z = self.layout.pack({**zeros, "t0": t0, "x": q_i_there, **fields})
         return ca.Function("start", [t0, q_i, q_i_dot, loop, c], [z])
 
-    def observe_function(self, body: Callable[..., tuple[ClosedConfiguration, ca.SX, ca.SX]]) -> ca.Function:
-        """observe() from a body (fields, equations) -> (motion, q_i_dot, q_i_ddot)."""
+    def observe(self) -> ca.Function:
+        """(z, c) -> OBSERVED between two major steps."""
         z, c = ca.SX.sym("z", self.layout.size), ca.SX.sym("c", self.c_size)
         fields = self.layout.unpack(z)
         equations = self.equations(c, fields)
-        motion, v, a = body(fields, equations)
+        motion, v, a = self.observed(fields, equations)
         v_d = equations.rates(motion, v)
         a_d = ca.SX(0, 1)
         if self.model.q_d:
@@ -339,14 +342,20 @@ class Scheme(ABC):
 
 
 class Lasting(Enum):
-    """How long a field of z matters."""
+    """How long a field of z matters; called with a size it is such a field."""
 
-    STEP = "within a major step"
+    STEP = "within a major step: it passes values between its stages"
     STATE = "one major step acts on the next through it"
     HISTORY = "state, too: what each coordinate of q_i remembers of earlier steps"
     CONTROL = "steers an iteration; what it converges to does not depend on it"
     GIVEN = "from outside: steps read it and leave it as it is"
     ACCOUNT = "for whoever runs the scheme; no step reads it"
+
+    def __call__(self, size: int) -> StateField:
+        return StateField(size, self)
+
+
+work, state, history, control, given, account = Lasting
 
 
 @dataclass(frozen=True)
@@ -355,36 +364,6 @@ class StateField:
 
     size: int
     lasting: Lasting
-
-
-def state(size: int) -> StateField:
-    """A field through which one major step acts on the next."""
-    return StateField(size, Lasting.STATE)
-
-
-def history(size: int) -> StateField:
-    """A field of what each coordinate of q_i remembers of earlier steps."""
-    return StateField(size, Lasting.HISTORY)
-
-
-def work(size: int) -> StateField:
-    """A field that passes values between the stages of one major step."""
-    return StateField(size, Lasting.STEP)
-
-
-def account(size: int) -> StateField:
-    """A field for whoever runs the scheme."""
-    return StateField(size, Lasting.ACCOUNT)
-
-
-def given(size: int) -> StateField:
-    """A field of numbers from outside."""
-    return StateField(size, Lasting.GIVEN)
-
-
-def control(size: int) -> StateField:
-    """A field that steers an iteration."""
-    return StateField(size, Lasting.CONTROL)
 
 
 # What a state z says by itself about how its steps went: one answer for runs, studies and references.

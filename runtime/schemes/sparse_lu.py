@@ -103,26 +103,14 @@ def solve(factors: Number, b: Number) -> Number:
 
 
 def inverse(matrix: Number) -> Number:
-    """The inverse of a small matrix: up to three rows by cofactors, beyond by blocks of halves.
+    """The inverse of a matrix of up to three rows, by cofactors.
 
-    More operations than factors, but short of waiting: one reciprocal for three rows, and a solution is one product.
+    More operations than factors, but short of waiting: one reciprocal, and a solution is one product.
     """
     n = matrix.re.shape[0]
     if n == 1:
         return matrix.reciprocal()
-    if n <= 3:
-        return _by_cofactors(matrix, n)
-    k = n // 2
-    P, Q, R, S = matrix[:k, :k], matrix[:k, k:], matrix[k:, :k], matrix[k:, k:]
-    last = inverse(S)
-    left, right = Q @ last, last @ R
-    first = inverse(P - left @ R)
-    upper, lower = -(first @ left), -(right @ first)
-    rest = last - lower @ left
-    return joined([joined([first, upper], ca.horzcat), joined([lower, rest], ca.horzcat)], ca.vertcat)
 
-
-def _by_cofactors(matrix: Number, n: int) -> Number:
     def minor(i: int, j: int) -> Number:
         rows, columns = ([(one + k) % n for k in range(1, n)] for one in (i, j))
         if n == 2:

@@ -9,14 +9,44 @@ import numpy as np
 
 from runtime.contract.coordinates import joined
 from runtime.contract.model import Model
-from runtime.schemes.charts import Charts
-from runtime.schemes.sparse_lu import Number, factor, solve, solve_symmetric
-from runtime.schemes.turned_axes import ClosedConfiguration as ClosedConfiguration
-from runtime.schemes.turned_axes import LinearisedEquations as LinearisedEquations
-from runtime.schemes.turned_axes import in_chart, rates_of, second_rates_from, second_rates_of, velocities_of
+from runtime.schemes.charts import Charts, chart_rate
+from runtime.schemes.sparse_lu import Number, factor, solve, solve_general, solve_symmetric
 
 START_CLOSURE_ITERATIONS = 4  # Newton steps on the loop unknowns where a scheme starts or is observed
 LONG_TREE = 12  # independent coordinates beyond which M_hat and the Jacobians of a tree are left alone
+
+
+@dataclass(frozen=True)
+class ClosedConfiguration:
+    """A configuration with consistent q_d; C_loop is the largest error before the last Newton step, det_loop the
+    determinants of the loop blocks there.
+    """
+
+    q_i: ca.SX
+    q_d: ca.SX
+    t: ca.SX
+    C_loop: ca.SX
+    det_loop: ca.SX
+
+
+@dataclass(frozen=True)
+class LinearSystem:
+    """M_hat w'' = forces + J_q w + J_v w'."""
+
+    M_hat: ca.SX
+    J_q: ca.SX
+    J_v: ca.SX
+
+
+@dataclass(frozen=True)
+class LinearisedEquations(LinearSystem):
+    """M_hat dv' = Q_hat - M_hat a + J_q dq + J_v dv about a state with q_i_ddot = a; J_q is d(Q_hat - M_hat a)/dq_i.
+
+    Turns are at theta = 0 of their charts, and dq, dv of them rotation vectors there and their rates.
+    """
+
+    Q_hat: ca.SX
+    a: ca.SX
 
 
 class StageEquations:
@@ -100,17 +130,44 @@ class StageEquations:
         at = self._arguments(motion, q_i_dot)
         return self.call("accelerations", **at, q_i_ddot=q_i_ddot)["q_d_ddot"]
 
+    # ---- turns: rotation vectors in charts, whose rates go with angular velocities ----------------------------
+    #
+    # Where a closed loop splits an orientation some turns are independent, the others follow: omega_d = B q_i' + b. In
+    # a chart theta_i' = (T^-1(theta) omega)_i takes all of omega, so that velocities follow from rates by a small
+    # linear system.
+
+    def _at_turns(self, motion: ClosedConfiguration, v: ca.SX, a: ca.SX | None = None) -> tuple[ca.SX, ca.SX, ca.SX]:
+        """Positions, velocities and accelerations: of q_i, and of q_d where an orientation is split."""
+        if not self.charts.split:
+            return motion.q_i, v, ca.SX(0, 1) if a is None else a
+        b = ca.SX(0, 1) if a is None else ca.vertcat(a, self.dependent_accelerations(motion, v, a))
+        return ca.vertcat(motion.q_i, motion.q_d), ca.vertcat(v, self.rates(motion, v)), b
+
     def turning(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> ca.SX:
         """Rates of q_i (with those of rotation vectors) of the velocities q_i_dot (with angular velocities)."""
-        return rates_of(self, motion, q_i_dot)
+        x, w, _ = self._at_turns(motion, q_i_dot)
+        return self.charts.rates(x, w)[: self.charts.n]
 
     def velocities(self, motion: ClosedConfiguration, rate: ca.SX) -> ca.SX:
         """Velocities (with angular velocities) of rates of q_i (with those of rotation vectors)."""
-        return velocities_of(self, motion, rate)
+        found, parts = self.charts.velocities(motion.q_i, rate), self.charts.parts
+        if not parts:
+            return found
+        v, known = ca.SX.sym("v", rate.numel()), ca.SX(found)
+        turning = self.turning(motion, v)[parts]
+        for k in parts:
+            known[k] = 0
+        P, turned = ca.substitute([ca.jacobian(turning, v)[:, parts], turning], [v], [known])
+        solved = solve_general(P, rate[parts] - turned)
+        for position, k in enumerate(parts):
+            found[k] = solved[position]
+        return found
 
     def bent(self, motion: ClosedConfiguration, rate: ca.SX, v: ca.SX, a: ca.SX) -> ca.SX:
         """Second rates of q_i of its rates, its velocities v and accelerations a."""
-        return second_rates_of(self, motion, rate, v, a)
+        x, w, b = self._at_turns(motion, v, a)
+        rates = self.charts.rates(x, w) if self.charts.split else rate
+        return self.charts.accelerations(x, rates, w, b)[: self.charts.n]
 
     def chart_accelerations(self, motion: ClosedConfiguration, rate: ca.SX) -> ca.SX:
         """Second rates of q_i at rates of q_i: with rotation vectors and not angular velocities for the turns."""
@@ -121,7 +178,8 @@ class StageEquations:
 
     def accelerations_from(self, end: ClosedConfiguration, motion: ClosedConfiguration, v: ca.SX, a: ca.SX) -> ca.SX:
         """Second rates of q_i of the velocities v and accelerations a of a motion, in the charts at an end."""
-        return second_rates_from(self, end, motion, v, a)
+        there, (x, w, b) = ca.vertcat(end.q_i, end.q_d), self._at_turns(motion, v, a)
+        return self.charts.accelerations_from(there[: x.numel()], x, w, b)[: self.charts.n]
 
     def deflections(self) -> StiffDeflections:
         """The stiff deflections; n_s is zero where the model has none."""
@@ -161,8 +219,7 @@ class StageEquations:
     def linearised(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> LinearisedEquations:
         """The equations to first order about a state: M_hat a + (Q_hat, and its total derivatives less M_hat's)."""
         found = self.along_rotations(motion, q_i_dot)
-        J_q = in_chart(self, motion, q_i_dot, found.a, (found.M_hat, found.J_q, found.J_v))
-        return replace(found, J_q=J_q)
+        return replace(found, J_q=in_chart(self, motion, q_i_dot, found))
 
     def along_rotations(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> LinearisedEquations:
         """The same with derivatives along rotations and by angular velocities for turns, at any theta."""
@@ -170,7 +227,7 @@ class StageEquations:
         a = solve_symmetric(M_hat, Q_hat)
         arguments = {**self._arguments(motion, q_i_dot), "q_i_ddot": a}
         found = self.call("residual_jacobian", **arguments)
-        return LinearisedEquations(M_hat, Q_hat, a, found["J_q"], found["J_v"])
+        return LinearisedEquations(M_hat, found["J_q"], found["J_v"], Q_hat, a)
 
     def force_rate(self, motion: ClosedConfiguration, q_i_dot: ca.SX, q_i_ddot: ca.SX) -> ca.SX:
         """d(Q_hat - M_hat q_i_ddot)/dt at fixed q_i and q_i_dot, q_d = f(q_i, t) included."""
@@ -268,3 +325,105 @@ def stiff_directions(model: Model) -> np.ndarray:
         return np.array(ca.DM(StageEquations(model, ca.SX.zeros(model.c_size + 1)).deflections().B))
 
     return model.derived("stiff_directions", found)
+
+
+# Derivatives by turns: along rotations in the axes of their bodies, in a chart, and in axes that move.
+#
+# With dphi = S dq_i the rotation of a body in its axes (S: rows of dq/dq_i along angular velocities; unit rows for
+# turns that are independent), to first order about theta = 0
+#
+#     omega = theta' - theta x theta'/2,   theta'' = omega' + theta x omega'/2 - w x (theta x w)/6,   w = omega there,
+#
+# and in axes that move with the body d omega = dphi' + omega x dphi: the rates of q_i change by W dq_i, where the rows
+# of W are those of omega~ S that belong to independent turns.
+
+
+@dataclass(frozen=True)
+class Turned:
+    """An orientation with independent turns: axes among x, y, z, their positions in q_i, all positions, and S."""
+
+    axes: list[int]
+    positions: list[int]
+    own: list[int]
+    S: ca.SX
+
+
+def turned_bodies(equations: StageEquations, motion: ClosedConfiguration) -> list[Turned]:
+    """The orientations of a model that have independent turns."""
+    charts, n = equations.charts, equations.charts.n
+    S = ca.SX.eye(n)
+    if not charts.all_independent:
+        v = ca.SX.sym("v", n)
+        S = ca.vertcat(S, ca.jacobian(equations.rates(motion, v), v))
+    found = []
+    for own in charts.turns:
+        axes = [axis for axis, k in enumerate(own) if k < n]
+        if axes:
+            found.append(Turned(axes, [own[axis] for axis in axes], own, S[own, :]))
+    return found
+
+
+def _all(equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> ca.SX:
+    """q_i_dot, and q_d_dot where turns stand there."""
+    return v if equations.charts.all_independent else ca.vertcat(v, equations.rates(motion, v))
+
+
+def turning(equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> ca.SX:
+    """W (n_i x n_i)."""
+    W, rates = ca.SX(equations.charts.n, equations.charts.n), _all(equations, motion, v)
+    for body in turned_bodies(equations, motion):
+        W[body.positions, :] = ca.mtimes(ca.skew(rates[body.own]), body.S)[body.axes, :]
+    return W
+
+
+def turning_and_rate(equations: StageEquations, motion: ClosedConfiguration, v: ca.SX, a: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """(W, W') at the accelerations q_i_ddot = a."""
+    v_d = equations.rates(motion, v)
+    q_i, q_d, t = ca.SX.sym("q_i", motion.q_i.numel()), ca.SX.sym("q_d", motion.q_d.numel()), ca.SX.sym("t")
+    at = ClosedConfiguration(q_i, q_d, t, motion.C_loop, motion.det_loop)
+    W, rate = turning(equations, at, v), ca.SX(equations.charts.n, equations.charts.n)
+    rates, accelerations = ca.vertcat(v, v_d), ca.vertcat(a, equations.dependent_accelerations(motion, v, a))
+    old, new = ca.vertcat(q_i, q_d, t), ca.vertcat(motion.q_i, motion.q_d, motion.t)
+    for body in turned_bodies(equations, at):
+        S_dot = ca.jtimes(body.S, ca.vertcat(q_i, q_d), rates) + ca.jtimes(body.S, t, ca.SX(1))
+        bent = ca.mtimes(ca.skew(accelerations[body.own]), body.S) + ca.mtimes(ca.skew(rates[body.own]), S_dot)
+        rate[body.positions, :] = bent[body.axes, :]
+    W, rate = ca.substitute([W, rate], [old], [new])
+    return W, rate
+
+
+def in_chart(
+    equations: StageEquations,
+    motion: ClosedConfiguration,
+    v: ca.SX,
+    found: LinearisedEquations,
+) -> ca.SX:
+    """J_q of M x'' = ... + J_q dx + J_v dx' at theta = 0, of matrices along rotations."""
+    M_hat, J_q, J_v, a = found.M_hat, found.J_q, found.J_v, found.a
+    bodies = turned_bodies(equations, motion)
+    if not bodies:
+        return J_q
+    rates, accelerations = _all(equations, motion, v), a
+    if not equations.charts.all_independent:
+        accelerations = ca.vertcat(a, equations.dependent_accelerations(motion, v, a))
+    changed = ca.SX(J_q)
+    for body in bodies:
+        w = rates[body.own]
+        bend = -ca.skew(accelerations[body.own]) / 2 - (ca.dot(w, w) * ca.SX.eye(3) - ca.mtimes(w, w.T)) / 6
+        change = ca.mtimes(J_v[:, body.positions], (ca.skew(w) / 2)[body.axes, :])
+        change = change + ca.mtimes(M_hat[:, body.positions], bend[body.axes, :])
+        changed = changed + ca.mtimes(change, body.S)
+    return ca.densify(changed)
+
+
+def along_rotations(equations: StageEquations, motion: ClosedConfiguration, slope: ca.SX) -> ca.SX:
+    """Derivatives by q_i (any x n_i), those by turns along rotations in the axes of their bodies."""
+    bodies = turned_bodies(equations, motion)
+    if not bodies:
+        return slope
+    theta = motion.q_i if equations.charts.all_independent else ca.vertcat(motion.q_i, motion.q_d)
+    P = ca.SX.eye(equations.charts.n)
+    for body in bodies:
+        rates = ca.horzcat(*(chart_rate(theta[body.own], column) for column in ca.horzsplit(ca.densify(body.S))))
+        P[body.positions, :] = rates[body.axes, :]
+    return ca.mtimes(slope, P)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from copy import copy
-from dataclasses import replace
 from functools import cached_property
 from threading import Lock
 from typing import Any
@@ -12,10 +11,11 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.coordinates import charts_in, independent, loop_part
-from runtime.engine.choose import choose_engine, operations_per_step, sub_step_operations
 from runtime.engine.kept_programs import are_short, read_prepared, write_prepared
+from runtime.engine.native import choose_engine
 from runtime.engine.prepare import Prepared, prepare
-from runtime.schemes.scheme import Scheme, direct, evaluation_operations
+from runtime.engine.program import operations_per_step
+from runtime.schemes.scheme import Scheme, direct
 from runtime.schemes.switching.watched import with_events
 
 
@@ -49,7 +49,6 @@ def prepared_step(scheme: Scheme) -> Prepared:
         found = prepare(with_events(scheme, scheme.program()), scheme.layout.size, scheme.c_size)
         if key and are_short([*found.program.stages(), found.constants]):
             write_prepared(key, found)
-            found = replace(found, tapes={})  # compiled by its Functions, as when it is read again
     return found
 
 
@@ -62,23 +61,15 @@ class Stepper:
 
     def __init__(self, scheme: Scheme, engine: str = "auto", wait: bool = False) -> None:
         self.scheme, self.requested, self.waits = scheme, engine, wait
-        prepared = prepared_step(scheme)
-        self.program, c_size = prepared.program, int(prepared.constants.size1_out(0))
-        self.engine = choose_engine(engine, self.program, prepared.z_size, c_size, wait, prepared.tapes)
-        self.prepared = replace(prepared, tapes={})
+        self.prepared = prepared_step(scheme)
+        self.program, c_size = self.prepared.program, int(self.prepared.constants.size1_out(0))
+        self.engine = choose_engine(engine, self.program, self.prepared.z_size, c_size, wait)
         self.across: dict[Any, Any] = {}  # programs that are made of the step's, of steppers with other steps, too
 
     @cached_property
     def operations(self) -> int:
         """Of a major step."""
         return operations_per_step(self.program)
-
-    @cached_property
-    def sub_step_cost(self) -> float | None:
-        """Operations of a sub-step over those of a full evaluation; None where there are none, or all is constant."""
-        repeated = sub_step_operations(self.program) if self.scheme.evaluations()[1] else None
-        whole = evaluation_operations(self.scheme) if repeated is not None else 0
-        return repeated / whole if repeated is not None and whole else None
 
     def ready(self, c: np.ndarray, dt: float) -> np.ndarray:
         """What the program reads, for constants and a step."""
@@ -124,7 +115,6 @@ def kept_stepper(scheme: Scheme, engine: str = "auto", wait: bool = False) -> St
             found.scheme = scheme
             return found
     stepper = Stepper(scheme, engine, wait)
-    _ = stepper.sub_step_cost  # counted once: copies with other steps take it along
     if stepper.operations <= MOST_OPERATIONS:
         with _LOCK:
             known[key] = stepper

@@ -226,8 +226,6 @@ def summary(solution: Solution) -> list[str]:
     lines += [str(event) for event in solution.events]
     if stats.get("initial_changes", "none") != "none":
         lines.append(f"the initial state was corrected: {stats['initial_changes']}")
-    if "sub_step_cost" in stats:
-        lines.append(f"a sub-step costs {float(stats['sub_step_cost']):.2g} of a full evaluation (operations)")
     if "engine_note" in stats:
         lines.append(str(stats["engine_note"]))
     names = followed(model)[0]

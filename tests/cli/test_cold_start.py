@@ -64,7 +64,6 @@ def test_a_run_imports_the_method_that_it_takes(tmp_path: Path, monkeypatch) -> 
     found = all_imported_by(words, tmp_path)
     assert "runtime.schemes.exponential" in found
     assert not {f"runtime.schemes.{name}" for name in METHODS} & found
-    assert not [name for name in found if name.startswith("runtime.schemes.baselines")]
     assert not SELDOM & found
     own = {name for name in found if name.split(".")[0] in ("runtime", "symgen")}
     assert len(own) <= MOST, len(own)

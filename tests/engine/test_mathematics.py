@@ -9,7 +9,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from runtime.contract.tape import UNUSED, Node, Tape, as_function, read_tape
+from runtime.contract.tape import UNUSED, Node, Tape, as_function
 from runtime.engine.llvm_code import BEST, FIRST
 from runtime.engine.llvm_ir import program_ir, side_by_side
 from runtime.engine.native import NativeProgram
@@ -81,7 +81,7 @@ def test_angles_together_have_the_bits_of_angles_alone(count: int) -> None:
     z = [ca.SX.sym("z", count), ca.SX.sym("c", 1)]
     stage = ca.Function("f", z, [ca.vertcat(*chained(*ca.vertsplit(z[0])))[:count]], ["z", "c"], ["z_next"])
     width = {2: 2, 3: 4, 5: 8, 8: 8, 9: 8, 20: 8}[count]
-    assert f"@own_sincos_{width}(<{width} x double> %" in program_ir(Call(stage), {"f": read_tape(stage)}, Form())[0]
+    assert f"@own_sincos_{width}(<{width} x double> %" in program_ir(Call(stage), Form())[0]
 
 
 @pytest.mark.every_push("30.0")
@@ -150,6 +150,6 @@ def test_angles_side_by_side_that_stand_twice_have_both_their_values() -> None:
     assert set(groups) == {2, 3, 4} and sorted(order) == list(range(2, 7))
     stage = as_function("twice", tape)
     z = np.array([0.7, -1.3, 0.0, 0.0, 0.0])
-    NativeProgram(Call(stage), tapes={"twice": tape}, wait=True).run(z, np.zeros(1), 1)
+    NativeProgram(Call(stage), wait=True).run(z, np.zeros(1), 1)
     sine, cosine = evaluated(lambda a: [ca.sin(a), ca.cos(a)], np.array([[0.7], [-1.3]]), Form())[[0, 1], [0, 1]]
     np.testing.assert_array_equal(z[2:], [sine, sine, sine * (sine + cosine)])

@@ -17,13 +17,12 @@ from runtime import DifferentiableRun, ensemble, load_model, resume, simulate
 from runtime.contract.model import Model
 from runtime.contract.tape import Table, as_function, mark, read_tape, shared
 from runtime.engine.c_source import find_compiler
-from runtime.engine.choose import choose_engine, operations_per_step
-from runtime.engine.ensemble_code import LaneCode, blocks_of
 from runtime.engine.llvm_code import BEST, FIRST
-from runtime.engine.program import Call, Form
+from runtime.engine.native import LaneCode, blocks_of, choose_engine
+from runtime.engine.program import Call, Form, operations_per_step
 from runtime.engine.rows import ManyPoints
 from runtime.gradients.objectives import End
-from runtime.schemes.switching.table_bounds import TableBounds
+from runtime.schemes.switching.enclosure import TableBounds
 from symgen.generate import generate
 from symgen.scene import CurveTable, Scene, SceneRecord
 from tests.support.complex_step import derivatives
@@ -84,7 +83,7 @@ def test_engines_and_lanes_give_the_same_bits(grid: str, interpolation: str) -> 
         found = blocks[:, 1:4].transpose(0, 2, 1).reshape(-1, 3)[: len(x)]
         np.testing.assert_array_equal(found, expected, err_msg=f"{width} lanes")
     many = ManyPoints(_of_x(program))
-    np.testing.assert_array_equal(many(np.zeros(0), x[:, None]), expected)
+    np.testing.assert_array_equal(many(x[:, None]), expected)
 
 
 def _of_x(program: Call) -> ca.Function:

@@ -51,7 +51,7 @@ def fields_of_z(model: Model) -> set[str]:
         choices = [{}]
         if "order" in kind.options.names():
             choices.append({"order": 5})
-        if kind.varying:
+        if "tolerance" in kind.options.names():
             choices.append({"tolerance": 1e-3})
         for options in choices:
             scheme = kind.build(name, model, 1.0, None, options)

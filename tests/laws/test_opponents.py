@@ -13,8 +13,8 @@ from runtime import Solution, reference_solution, simulate
 from runtime.contract.model import Model
 from runtime.engine.c_source import find_compiler
 from runtime.engine.llvm_code import find_llvm
-from runtime.schemes.baselines.radau import NODES, SHIFTS, A
 from runtime.schemes.options import SchemeError
+from runtime.schemes.radau import NODES, SHIFTS, A
 
 pytestmark = pytest.mark.long
 

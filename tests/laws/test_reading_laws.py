@@ -49,13 +49,6 @@ def test_chord() -> None:
         assert v == pytest.approx((Q_NEXT - Q) / H, rel=1e-14)
 
 
-@pytest.mark.parametrize("s", [0.0, 3 * h, H])
-def test_held_at_the_middle(s: float) -> None:
-    """Constant acceleration at H/2, wherever the sub-step is."""
-    q, v = INTERPOLATIONS["held_at_the_middle"](Q, V, A, s, h, H, Q_NEXT)
-    assert (q, v) == INTERPOLATIONS["constant_acceleration"](Q, V, A, H / 2, h, H, Q_NEXT)
-
-
 @pytest.mark.parametrize("name", INTERPOLATIONS)
 def test_all_agree_at_rest(name: str) -> None:
     q, v = INTERPOLATIONS[name](Q, 0.0, 0.0, 3 * h, h, H, Q)

@@ -12,7 +12,7 @@ import pytest
 from runtime import simulate
 from runtime.contract.model import Model
 from runtime.operating.mode_solver import ModeSolver
-from runtime.schemes.baselines.runge_kutta import ClassicalRungeKutta, DormandPrince8, ExplicitRungeKutta
+from runtime.schemes.runge_kutta import ClassicalRungeKutta, DormandPrince8, ExplicitRungeKutta
 from runtime.schemes.step_limit import central_difference_limit, limit_between_the_axes
 
 Load = Callable[[str], Model]

@@ -9,7 +9,7 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
-from runtime.schemes.baselines.radau import lagrange
+from runtime.schemes.radau import lagrange
 from symgen.scene import SceneRecord
 from tests.support.scenes import on_rail
 

@@ -13,7 +13,7 @@ from runtime import SchemeError, ensemble, load_model, output_jacobian, referenc
 from runtime.contract.model import Model
 from runtime.running.simulate import make_plan
 from runtime.running.stepped_model import SteppedModel
-from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
+from runtime.schemes.adaptive_steps import AdaptiveSteps
 from runtime.schemes.scheme import LARGEST
 from runtime.schemes.switching.times import SwitchTime
 from symgen.scene import SceneRecord
@@ -26,7 +26,7 @@ pytestmark = pytest.mark.long
 
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
-METHODS = ("dopri5", "exponential_rk4", "exponential")
+METHODS = ("dopri5", "exponential_rk4")
 LOCAL = {"error_of": "step"}
 
 
@@ -40,7 +40,7 @@ def rotor(torque: str, **simulation: object) -> SceneRecord:
     )
 
 
-@pytest.mark.parametrize("scheme", (*METHODS, "rk4", "exponential_adams", "single_rate", "radau"))
+@pytest.mark.parametrize("scheme", (*METHODS, "exponential", "rk4", "exponential_adams", "single_rate", "radau"))
 def test_what_is_asked_is_delivered_and_told(built_in: Load, scheme: str) -> None:
     """A pendulum against order 8 in SciPy, RMS over the motion."""
     model = built_in("pendulum")
@@ -108,7 +108,7 @@ def seen_inside_a_step(model: Model, scheme: str, h: float, share: float) -> tup
 
 @pytest.mark.parametrize(
     ("scheme", "order"),
-    [("dopri5", 5), ("exponential_rk4", 4), ("exponential", 4)],
+    [("dopri5", 5), ("exponential_rk4", 4)],
 )
 def test_between_the_ends_of_a_step_the_order_is_kept(built_in: Load, scheme: str, order: int) -> None:
     """Local errors of q_i and q_i_dot inside a step fall as h^(order + 1) and h^order at least, with a loop."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from runtime.contract.model import Model
-from runtime.engine.llvm_code import Compiler, Effort, Processor
+from runtime.engine.llvm_code import Effort, Processor, ProgramCompiler
 from runtime.engine.prepare import prepare
 from runtime.engine.program import Form, Program
 from runtime.schemes.catalogue import scheme_kind
@@ -27,7 +27,7 @@ class StepProgram:
         self, steps: int, form: Form, effort: Effort, processor: Processor | None = None, scatter: float = 0.0
     ) -> Array:
         """z (width, size) after so many steps; lane k starts from z with scatter k of its independent part added."""
-        code = Compiler(self.program).build(form, effort, processor)
+        code = ProgramCompiler(self.program).build(form, effort, processor)
         z = aligned(np.array([self.lane(k, scatter) for k in range(form.width)]).T)
         c = aligned(np.repeat(self.ready[:, None], form.width, axis=1))
         work = aligned(np.zeros((code.work + 1, form.width)))

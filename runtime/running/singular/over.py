@@ -24,8 +24,7 @@ from runtime.running.singular.crossing import (
 from runtime.running.singular.exchange import COUNTERS, OF_TOLERANCE, RANGES
 from runtime.running.singular.guard import NEAR
 from runtime.running.stepped_model import SteppedModel
-from runtime.schemes.switching.dips import first_bracket
-from runtime.schemes.switching.event_search import first_passage
+from runtime.schemes.switching.event_search import first_bracket, first_passage
 from runtime.schemes.switching.watched import NEVER, are_kinks, passed, quiet_until
 
 NEAREST = CLOSEST[-1]  # determinant, of the largest, down to which a change of forces is followed before the position

@@ -13,8 +13,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from runtime.schemes.switching.small_systems import solved, times
-
 HOLDS = 0
 MOST = 20  # solutions beyond two for each direction
 SINGULAR = 1e-11  # of the largest of the diagonal: what is left of that of a row that follows from others
@@ -86,3 +84,30 @@ def _least(A: np.ndarray, side: np.ndarray) -> np.ndarray:
         chosen.append(k)
         left[chosen, chosen] = -1.0
     return solved(A, side)
+
+
+# Sums and eliminations of a few unknowns in an order that is written down: exported C has it, and so the same bits.
+
+
+def times(A: np.ndarray, x: np.ndarray) -> np.ndarray:
+    """(n,) or (n, k) of A (n, m) and x (m,) or (m, k), summed from the first column on."""
+    found = np.zeros((len(A), *x.shape[1:]))
+    for k in range(A.shape[1]):
+        found = found + np.multiply.outer(A[:, k], x[k])
+    return found
+
+
+def solved(A: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """x (n,) of A (n, n) x = b, by elimination with the largest pivot of each column."""
+    A, x, n = A.copy(), b.copy(), len(b)
+    for k in range(n):
+        p = k + int(np.argmax(np.abs(A[k:, k])))
+        A[[k, p]], x[[k, p]] = A[[p, k]], x[[p, k]]
+        factors = A[k + 1 :, k] / A[k, k]
+        A[k + 1 :, k:] -= factors[:, None] * A[k, k:]
+        x[k + 1 :] -= factors * x[k]
+    for k in reversed(range(n)):
+        for i in range(k + 1, n):
+            x[k] -= A[k, i] * x[i]
+        x[k] /= A[k, k]
+    return x

@@ -7,12 +7,13 @@ jump there, which is said beside its bounds. An operation that is not listed may
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
+from math import comb
 
 import casadi as ca
 import numpy as np
 
-from runtime.contract.tape import UNUSED, Tape, read_tape
-from runtime.schemes.switching.table_bounds import bounds_of
+from runtime.contract.tape import UNUSED, Tape, marked, read_tape
 
 Interval = tuple[np.ndarray, np.ndarray]
 SLACK = 8 * np.finfo(float).eps  # relative: rounding of one operation, several times
@@ -177,3 +178,68 @@ BINARY_BOUNDS: dict[int, Callable[[Interval, Interval], Interval]] = {
     ca.OP_IF_ELSE_ZERO: _where,
 }
 EXACT = {*COMPARISONS, ca.OP_NOT, ca.OP_AND, ca.OP_OR, ca.OP_FMIN, ca.OP_FMAX, ca.OP_NEG, ca.OP_FABS}
+
+
+# Bounds of a table over intervals: of part of a row by Bernstein's coefficients, of whole rows by their extremes.
+
+TABLE_SLACK = 32 * np.finfo(float).eps  # relative: rounding of a polynomial
+CONTINUOUS = 1e-10  # relative: what two rows may differ by at their knot
+
+
+class TableBounds:
+    """What a table, by its mark, may be over intervals."""
+
+    def __init__(self, value: float) -> None:
+        table, order = marked(value)
+        self._powers = table.coefficients(order)
+        rows = self._powers.shape[1]
+        self._knots = table.knots[:rows]
+        inner = np.arange(1, rows - 1)
+        width = np.diff(self._knots)[1:]
+        low, high = self._over(inner, np.zeros(rows - 2), width)
+        self._least, self._most = np.append(low, np.inf), np.append(high, -np.inf)
+        ends = self._at(np.arange(1, rows - 1), width) - self._powers[0, 2:]
+        begin = self._powers[0, 1] - self._powers[0, 0]
+        size = np.abs(self._powers[0]).max()
+        self.jumps = bool(max(np.abs(ends).max(initial=0.0), abs(begin)) > CONTINUOUS * size)
+
+    def __call__(self, low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """(least, most, does it jump there?) over [low, high], each (N,)."""
+        first, last = (np.searchsorted(self._knots[1:], x, side="right") for x in (low, high))
+        several = last > first
+        ends = np.where(several, self._knots[np.minimum(first + 1, len(self._knots) - 1)], high)
+        least, most = self._over(first, low - self._knots[first], ends - self._knots[first])
+        begin, end = self._over(last, 0.0 * high, high - self._knots[last])
+        least, most = np.where(several, np.minimum(least, begin), least), np.where(several, np.maximum(most, end), most)
+        whole = last > first + 1  # rows between
+        rows = np.minimum(np.column_stack([first, last - 1]), len(self._least) - 1)[whole].ravel()
+        if len(rows):
+            least[whole] = np.minimum(least[whole], np.minimum.reduceat(self._least, rows)[::2])
+            most[whole] = np.maximum(most[whole], np.maximum.reduceat(self._most, rows)[::2])
+        return least, most, several & self.jumps
+
+    def _at(self, rows: np.ndarray, s: np.ndarray) -> np.ndarray:
+        y = self._powers[-1, rows]
+        for power in self._powers[-2::-1]:
+            y = power[rows] + s * y
+        return np.asarray(y)
+
+    def _over(self, rows: np.ndarray, begin: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(least, most) of rows from `begin` to `end` behind their knots: those of the Bernstein coefficients."""
+        powers, degree = self._powers[:, rows], len(self._powers) - 1
+        with np.errstate(all="ignore"):
+            shifted = [
+                sum(comb(j, k) * powers[j] * begin ** (j - k) for j in range(k, degree + 1)) for k in range(degree + 1)
+            ]
+            terms = [shifted[k] * (end - begin) ** k if k else shifted[0] for k in range(degree + 1)]
+            found = [sum(comb(i, j) / comb(degree, j) * terms[j] for j in range(i + 1)) for i in range(degree + 1)]
+            slack = TABLE_SLACK * sum(
+                np.abs(powers[k]) * np.maximum(np.abs(begin), np.abs(end)) ** k for k in range(degree + 1)
+            )
+        return np.min(found, axis=0) - slack, np.max(found, axis=0) + slack
+
+
+@cache
+def bounds_of(value: float) -> TableBounds:
+    """Of the table with this mark."""
+    return TableBounds(value)

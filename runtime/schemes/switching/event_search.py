@@ -8,7 +8,10 @@ event, so that the value is past zero from there on and one passage counts once.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
 
+import casadi as ca
 import numpy as np
 
 LOCATED = 1e-12  # s
@@ -59,3 +62,167 @@ def _zero(k: int, low: Looked, high: Looked, looks: list[Looked]) -> float:
         + s * e_a * e_b / ((e - e_a) * (e - e_b))
     )
     return found if a < found < b else secant
+
+
+# Events that happen and end within one step: what says that one may have, and where it has.
+#
+# Values at the ends of a step tell nothing of a dip through zero between them. While stepping, two signs of one are
+# looked at, each of which costs a few operations and errs on the safe side, since a polynomial lies within the hull of
+# its Bernstein coefficients:
+#
+#     a dip            of steps of one length: the slopes at both ends lead into it, and the cubic through values and
+#                      slopes may reach zero
+#     room for zero    of steps of a tolerance, which may be long: the polynomial through the values at the ends and at
+#                      NODES on the step's interpolant, less what it does not resolve, may reach zero between them
+#
+# Then the step is looked at closely: intervals are halved until second differences leave no room for a zero in any
+# before the first change of sign.
+
+# of a step: no share of its length is a whole number of others, so that turns are not missed
+NODES = (0.17, 0.53, 0.83)
+SAFE = 3.0  # times the second difference of a step that is looked at closely
+NEAR = 0.05  # of the range of four looks: a fifth one that cubics through them foretell
+ROUNDED = 1e-13  # of the largest of them: what is constant, as the force of what rests, is not looked at for ever
+FINEST = 1e-6  # of a step: intervals are halved no further
+LEAST = 1e-3  # of the time between states that are seen
+AT_ONCE = 16  # intervals that are halved, from the left
+# of a range: a quartic part of a step that must be looked at, and that next ones have
+UNRESOLVED, RESOLVED = 0.05, 0.01
+REACH = 0.25  # of the way to zero: what is so small beside it does not matter
+MOST_PLACES = 20_000
+
+Pair = Callable[[np.ndarray, np.ndarray], bool]  # does an event happen between two sets of values (n_e,)?
+
+
+def _to_bernstein() -> np.ndarray:
+    """(5, 5): Bernstein coefficients on [0, 1] of the polynomial of degree 4 through values at 0, NODES and 1."""
+    x = np.array([0.0, *NODES, 1.0])
+    return np.linalg.inv(np.array([[_choose(k) * s**k * (1 - s) ** (4 - k) for k in range(5)] for s in x]))
+
+
+def _choose(k: int) -> int:
+    return (1, 4, 6, 4, 1)[k]
+
+
+BERNSTEIN = _to_bernstein()
+CUBIC = 1 / 128  # of the coefficient of degree 4: how far the nearest cubic is away on [0, 1]
+
+
+def dips(old: Any, old_slope: Any, new: Any, new_slope: Any, h: Any) -> Any:
+    """(n_e,) 1 where a cubic with these values and slopes (SX or DM) at the ends of h [s] dips, and may reach zero."""
+    side = ca.sign(old)
+    into = (side * old_slope < 0) * (side * new_slope > 0) * (side * new > 0)
+    lowest = ca.fmin(side * (old + h / 3 * old_slope), side * (new - h / 3 * new_slope))
+    return into * (lowest <= 0)
+
+
+def unsure(old: Any, old_slope: Any, new: Any, new_slope: Any, h: Any) -> Any:
+    """(n_e,) 1 where the same cubic may reach zero between ends of one sign, or may turn between those of two.
+
+    More than `dips` sees, for steps in which something happens: what passes zero once may do so again soon.
+    """
+    side, way = ca.sign(old), ca.sign(new - old)
+    first, last = old + h / 3 * old_slope, new - h / 3 * new_slope
+    reaches = ca.fmin(side * first, side * last) <= 0
+    turns = ca.fmin(ca.fmin(way * (first - old), way * (last - first)), way * (new - last)) < 0
+    return ca.if_else(side * new > 0, reaches, turns)
+
+
+@dataclass(frozen=True)
+class ValuesInStep:
+    """Of events at 0, NODES and 1 of a step (n_e each), by Bernstein coefficients of the polynomial through them."""
+
+    values: list[ca.SX]
+
+    @property
+    def _bernstein(self) -> list[ca.SX]:
+        return [sum((float(w) * e for w, e in zip(row, self.values, strict=True)), ca.SX(0)) for row in BERNSTEIN]
+
+    @property
+    def _rest(self) -> ca.SX:
+        """(n_e,) how far the nearest cubic is away."""
+        return CUBIC * ca.fabs(sum(((-1) ** k * _choose(k) * b for k, b in enumerate(self._bernstein)), ca.SX(0)))
+
+    @property
+    def unresolved(self) -> ca.SX:
+        """(n_e,) the same over the range of the values, or over the way to zero where that is far."""
+        low = high = self.values[0]
+        for e in self.values[1:]:
+            low, high = ca.fmin(low, e), ca.fmax(high, e)
+        nearest = ca.fmax(ca.fmax(low, -high), 0)
+        return self._rest / ca.fmax(ca.fmax(high - low, REACH * nearest), 1e-300)
+
+    def room_for_zero(self) -> ca.SX:
+        """(n_e,) 1 where more may happen within the step than its two ends tell."""
+        b, rest = self._bernstein, self._rest
+        start, way = ca.sign(b[0]), ca.sign(b[4] - b[0])
+        side = start + (1 - ca.fabs(start)) * ca.sign(b[4])  # an end at zero has none
+        lowest, rising = side * b[1], way * (b[1] - b[0])
+        for k in (2, 3):
+            lowest = ca.fmin(lowest, side * b[k])
+        for k in (2, 3, 4):
+            rising = ca.fmin(rising, way * (b[k] - b[k - 1]))
+        return ca.fmax(ca.if_else(side * b[4] > 0, lowest <= rest, rising < 0), self.unresolved > UNRESOLVED)
+
+    def resolved(self) -> ca.SX:
+        """1 where steps of this length tell how all values change."""
+        return ca.mmax(self.unresolved) <= RESOLVED
+
+    def longest(self, h: ca.SX, dt: ca.SX) -> ca.SX:
+        """The longest step [s] after one of h [s] in which values would still be resolved.
+
+        Not shorter than h, nor than LEAST of dt [s]: what is there is rounding.
+        """
+        worst = ca.mmax(self.unresolved)
+        return ca.fmax(LEAST * dt, h * ca.fmax(1.0, (RESOLVED / ca.fmax(worst, 1e-12)) ** 0.25))
+
+
+def first_bracket(
+    happens: Pair, values: Callable[[np.ndarray], np.ndarray], start: float, end: float, seen: int = 2
+) -> tuple[float, float] | None:
+    """The first interval [s] of a step, from start to end, between whose ends an event happens; None: there is none.
+
+    values(s (N,)): (N, n_e) at places on the step. seen: so many halvings in a row must be as neighbours foretell.
+    """
+    s = np.linspace(start, end, 4 * seen + 1)
+    e, known = values(s), np.zeros(4 * seen, dtype=int)
+    while True:
+        first = next((k for k in range(len(s) - 1) if happens(e[k], e[k + 1])), None)
+        open_ = ((known < seen) | _unsettled(s, e)) & (np.diff(s) > FINEST * (end - start))
+        k = np.flatnonzero(open_[: None if first is None else first + 1])[:AT_ONCE]
+        if not len(k) or len(s) > MOST_PLACES:
+            return None if first is None else (float(s[first]), float(s[first + 1]))
+        middles = (s[k] + s[k + 1]) / 2
+        new = values(middles)
+        known[k] = np.where(_foretold(s, e, k, middles, new), known[k] + 1, 0)
+        s, e, known = np.insert(s, k + 1, middles), np.insert(e, k + 1, new, axis=0), np.insert(known, k + 1, known[k])
+
+
+def _foretold(s: np.ndarray, e: np.ndarray, k: np.ndarray, x: np.ndarray, new: np.ndarray) -> np.ndarray:
+    """Are values (m, n_e) at x in intervals k about those of the cubic through the four looks around each?"""
+    near = np.clip(k - 1, 0, len(s) - 4)[:, None] + np.arange(4)
+    at, seen = s[near], e[near]
+    cubic = np.zeros_like(new)
+    for j in range(4):
+        others = [i for i in range(4) if i != j]
+        weight = np.prod([(x - at[:, i]) / (at[:, j] - at[:, i]) for i in others], axis=0)
+        cubic += weight[:, None] * seen[:, j]
+    allowed = NEAR * np.ptp(seen, axis=1) + ROUNDED * np.abs(seen).max(axis=1)
+    return np.asarray((np.abs(new - cubic) <= allowed).all(axis=1))
+
+
+def _unsettled(s: np.ndarray, e: np.ndarray) -> np.ndarray:
+    """(N - 1,) intervals in which some value (N, n_e) may reach zero and turn back."""
+    width = np.diff(s)[:, None]
+    slope = np.diff(e, axis=0) / width
+    bend = np.abs(np.diff(slope, axis=0) / (s[2:] - s[:-2])[:, None])  # half the second derivative
+    most = np.maximum(np.vstack([bend[:1], bend]), np.vstack([bend, bend[-1:]]))
+    a, b = e[:-1], e[1:]
+    dip = SAFE * most * width**2 / 4 > np.minimum(np.abs(a), np.abs(b))
+    turn = SAFE * most * width > np.abs(slope)
+    return np.asarray(np.where(a * b > 0, dip, turn).any(axis=1))
+
+
+def looked_at(function: ca.Function, *fixed: Any) -> Callable[[np.ndarray], np.ndarray]:
+    """(N,) -> (N, n_e) of a Function whose last argument is a number, the others fixed."""
+    return lambda s: np.asarray(function(*fixed, s[None, :])).T

@@ -16,9 +16,8 @@ import numpy as np
 from runtime.contract.model import Model
 from runtime.contract.tape import shared
 from runtime.schemes.sparse_lu import Number, factor, solve
-from runtime.schemes.switching.complementarity import balancing, complementary
+from runtime.schemes.switching.complementarity import balancing, complementary, times
 from runtime.schemes.switching.impulse import moves_in_time
-from runtime.schemes.switching.small_systems import times
 from runtime.schemes.switching.stops import AT_REST, Hit, Stops
 
 PIVOT = 1e-9
@@ -224,14 +223,15 @@ def _at_rest(G: np.ndarray, rate: np.ndarray) -> np.ndarray:
 
 def elements(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
     """The function `elements` at a state with constants c; vectors are flat."""
-    found = model.evaluate("elements", **at, c=c)
-    shaped = {name: np.asarray(value, dtype=float) for name, value in found.items()}
-    return {name: value if name in MATRICES else value.ravel() for name, value in shaped.items()}
+    return _arrays(model.evaluate("elements", **at, c=c))
 
 
 def weighed(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
     """What `weights` gives at a state with constants c; vectors are flat."""
-    found = weights(model)(**at, c=c)
+    return _arrays(weights(model)(**at, c=c))
+
+
+def _arrays(found: Mapping[str, ca.DM]) -> dict[str, np.ndarray]:
     shaped = {name: np.asarray(value, dtype=float) for name, value in found.items()}
     return {name: value if name in MATRICES else value.ravel() for name, value in shaped.items()}
 

@@ -13,16 +13,13 @@ from typing import NamedTuple
 import casadi as ca
 import numpy as np
 
-from runtime.engine.choose import Engine, choose_engine
+from runtime.engine.native import Engine, choose_engine
 from runtime.schemes.scheme import direct
 from runtime.schemes.stepper import Stepper
-from runtime.schemes.switching.breaks import ON_THE_GRID, Breaks, within
-from runtime.schemes.switching.dips import first_bracket, unsure
-from runtime.schemes.switching.event_search import first_passage
+from runtime.schemes.switching.event_search import first_bracket, first_passage, unsure
 from runtime.schemes.switching.impulse import Impulse, may_give_impulses
-from runtime.schemes.switching.restart import Restart
-from runtime.schemes.switching.stop_program import KNOWN, StopProgram, impulse_there
-from runtime.schemes.switching.times import SwitchTime
+from runtime.schemes.switching.stop_program import KNOWN, Restart, StopProgram, impulse_there
+from runtime.schemes.switching.times import ON_THE_GRID, Breaks, SwitchTime, within
 from runtime.schemes.switching.watched import NEVER, Acted, are_kinks, event_slopes, event_values, passed, quiet_until
 
 FAR = 128  # whole steps that are worth a call of the step program alone
@@ -275,9 +272,9 @@ class _EventStep:
     def _set_out(self, z: np.ndarray, dt: float, clock: float) -> tuple[np.ndarray, np.ndarray]:
         """The same behind a restart."""
         made, scheme = self.steps._made, self.steps.stepper.scheme
-        state, push = z[: scheme.layout.size], z[self._at("push")] if "push" in made.program.layout.sizes else 0.0
-        inputs = z[self._at("inputs")]
-        seen = float(z[self._at("dt_seen")][0])
+        state, seen, inputs = z[: scheme.layout.size], float(z[self._at("dt_seen")][0]), z[self._at("inputs")]
+        pushed = "push" in made.program.layout.sizes
+        push = z[self._at("push")] if pushed else np.zeros(len(scheme.model.q_i))
         found = made.restart(state, scheme.constants(self.c), seen, dt, clock, push, inputs)
         return found, scheme.constants(self.c, dt)
 

@@ -18,8 +18,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from runtime.contract.model import Model
-from runtime.schemes.switching.complementarity import balancing, complementary
-from runtime.schemes.switching.small_systems import times
+from runtime.schemes.switching.complementarity import balancing, complementary, times
 
 AT_REST = 1e-9  # m/s or rad/s, and of the largest rate: what is slower has come to rest
 TOUCH = 1e-9  # m or rad: the gap of what lies on a stop

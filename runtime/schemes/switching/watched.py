@@ -2,7 +2,7 @@
 
 An event with a cool-down is not looked for until `event_quiet`, the time at which that of its last happening is over.
 Where a load kinks by the motion is watched as events are, behind those that the scene declares: steps end there. Kinks
-are seen by the ends of steps alone; what events do between them is looked at, see dips.py.
+are seen by the ends of steps alone; what events do between them is looked at, see event_search.py.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from runtime.contract.records import EventRecord
 from runtime.engine.program import Fields, Program, Sequence, Until
 from runtime.schemes.scheme import Scheme, direct
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
-from runtime.schemes.switching.dips import dips
+from runtime.schemes.switching.event_search import dips
 
 
 class Acted(NamedTuple):
@@ -185,7 +185,7 @@ def next_values(scheme: Scheme, z: Fields, new: ca.SX) -> dict[str, ca.SX]:
 def flagged(scheme: Scheme, z: Fields, old: ca.SX, new: ca.SX, t: ca.SX, between: ca.SX | None = None) -> ca.SX:
     """Does an event whose cool-down is over by t pass zero between two sets of values (n_e,)?
 
-    between: may it there and back?, of those that the scene declares; see dips.py.
+    between: may it there and back?, of those that the scene declares; see event_search.py.
     """
     found = ca.SX(0)
     for k, event in enumerate(watched_events(scheme)):

@@ -13,7 +13,7 @@ import numpy as np
 from runtime.contract.consistent_state import MAX_ITERATIONS
 from runtime.contract.coordinates import mechanism_length
 from runtime.contract.model import Model
-from runtime.engine.ensemble_code import LaneCode, lane_form, lane_width, once_form, program_size
+from runtime.engine.native import LaneCode, lane_form, lane_width, once_form, program_size
 from runtime.engine.prepare import Prepared, prepare
 from runtime.engine.program import Call, Fields, Layout, Program, Repeat, Sequence, Until, make_stage
 from runtime.operating.given_state import closable, closing, fitting

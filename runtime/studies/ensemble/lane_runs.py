@@ -14,15 +14,14 @@ from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.doors import opened
 from runtime.contract.model import Model
 from runtime.contract.tape import read_tape
-from runtime.engine.ensemble_code import blocks_of
+from runtime.engine.native import blocks_of
 from runtime.running.events import state_of
 from runtime.running.problem import Plan
 from runtime.running.time_functions import all_stops
-from runtime.schemes.switching.breaks import Breaks
 from runtime.schemes.switching.impulse import may_give_impulses
 from runtime.schemes.switching.steps_with_stops import parts_of
 from runtime.schemes.switching.stop_program import KNOWN
-from runtime.schemes.switching.times import switching_times
+from runtime.schemes.switching.times import Breaks, switching_times
 from runtime.studies.ensemble.account import ALONE, FOUND, NAME, cause_of, judged
 from runtime.studies.ensemble.lane_programs import LanePrograms, programs_of
 from runtime.studies.ensemble.question import Question

@@ -28,10 +28,9 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Sequence, Until
-from runtime.schemes.linear_propagation import LinearSystem, StoredSystem, factors_of, solve_shifted
-from runtime.schemes.one_step import OneStep
+from runtime.schemes.linear_propagation import StoredSystem, factors_of, solve_shifted
 from runtime.schemes.options import MOST_ITERATIONS, Grid, SingleClosureOptions, tolerances, whole_number
-from runtime.schemes.scheme import ROUNDING, StateField, control, work
+from runtime.schemes.scheme import ROUNDING, Scheme, StateField, control, work
 from runtime.schemes.stage_equations import StageEquations
 
 S = np.sqrt(6.0)
@@ -87,7 +86,7 @@ class RadauOptions(SingleClosureOptions):
     max_iterations: int = whole_number(50, most=MOST_ITERATIONS)
 
 
-class Radau(OneStep):
+class Radau(Scheme):
     """Field K: the stage accelerations; loop_stages: the stages' loop unknowns; loop_last: those at the last start."""
 
     order = 5
@@ -105,12 +104,13 @@ class Radau(OneStep):
         self.stored = StoredSystem(model, SHIFTS, ("M",))
         super().__init__(model, grid, options)
 
-    def further_fields(self) -> dict[str, StateField]:
+    def fields(self) -> dict[str, StateField]:
         """See above, and the factors. What the iteration starts from does not act on the step it converges to."""
         n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
         values = {"K": STAGES * n, "loop_stages": STAGES * loops, "loop_last": loops, **self.stored.sizes()}
         steering = ("unconverged", "stage_error", "eta", "correction")
-        return {name: work(size) for name, size in values.items()} | {name: control(1) for name in steering}
+        own = {name: work(size) for name, size in values.items()} | {name: control(1) for name in steering}
+        return {**super().fields(), **own}
 
     @property
     def iteration_limit(self) -> int:
@@ -152,10 +152,9 @@ class Radau(OneStep):
         h, K, loops = equations.h[0], self._columns(z["K"]), self._columns(z["loop_stages"])
         motion = equations.close(z["x"], z["loop"], self.now(z, equations), 1)
         found = equations.linearised(motion, z["v"])
-        system = LinearSystem(found.M_hat, found.J_q, found.J_v)
         return {
-            **self.stored.pack(system),
-            **self.stored.pack_factors(factors_of(system, h, SHIFTS)),
+            **self.stored.pack(found),
+            **self.stored.pack_factors(factors_of(found, h, SHIFTS)),
             "K": _stacked(AHEAD, K),
             "loop_stages": _stacked(LOOP_AHEAD, [z["loop_last"], *loops]),
             "loop_last": equations.loop_part(motion.q_d),

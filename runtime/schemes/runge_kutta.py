@@ -13,7 +13,7 @@ import numpy as np
 
 from runtime.engine.program import Fields
 from runtime.schemes.one_step import Attempt, Method
-from runtime.schemes.options import AdaptiveOptions, ClosureOptions, Options
+from runtime.schemes.options import AdaptiveOptions, ClosureOptions, SingleClosureOptions
 from runtime.schemes.scheme import StateField, state
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.step_limit import StepLimit, limit_between_the_axes
@@ -32,11 +32,6 @@ class ExplicitRungeKutta(Method):
     @abstractmethod
     def tableau() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """A (s, s), b (s,) and the nodes (s,) of s stages."""
-
-    @classmethod
-    def limited(cls, options: Options) -> bool:
-        """Yes: explicit."""
-        return True
 
     def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
         """Of the tableau's stability region."""
@@ -86,6 +81,7 @@ class ExplicitRungeKutta(Method):
 class ClassicalRungeKutta(ExplicitRungeKutta):
     """Order 4, four evaluations; an undamped mode is stable to h w = 2 sqrt(2), a decay to h d = 2.785."""
 
+    options: SingleClosureOptions
     reach, decay_reach, order = 2.8284, 2.7853, 4
 
     @staticmethod
@@ -98,6 +94,7 @@ class ClassicalRungeKutta(ExplicitRungeKutta):
 class DormandPrince8(ExplicitRungeKutta):
     """Order 8, twelve evaluations; an undamped mode is stable to h w = 5.96, a decay to h d = 6.39."""
 
+    options: SingleClosureOptions
     reach, decay_reach, order = 5.9604, 6.3936, 8
 
     @staticmethod

@@ -16,22 +16,31 @@ No step crosses a time of `stops`; the controller begins anew there.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import casadi as ca
 import numpy as np
 
+from runtime.contract.coordinates import whole
 from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Until
 from runtime.engine.program import Sequence as InTurn
-from runtime.schemes.one_step import Attempt, Method, OneStep
-from runtime.schemes.options import Options
-from runtime.schemes.scheme import LARGEST, StateField, account, given, state
+from runtime.schemes.one_step import Attempt, Method
+from runtime.schemes.scheme import LARGEST, Scheme, StateField, account, given, state
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, loop_blocks
-from runtime.schemes.step_limit import StepLimit
-from runtime.schemes.switching.dips import NODES, ValuesInStep
-from runtime.schemes.switching.times import SwitchTime
-from runtime.schemes.switching.watched import NEVER, event_outputs, flagged, next_values
+from runtime.schemes.stepper import Stepper
+from runtime.schemes.switching.event_search import NODES, ValuesInStep, first_bracket, first_passage, looked_at
+from runtime.schemes.switching.impulse import Impulse, impulse_at, moves_in_time
+from runtime.schemes.switching.times import ON_THE_GRID, SwitchTime
+from runtime.schemes.switching.watched import (
+    NEVER,
+    are_kinks,
+    event_outputs,
+    flagged,
+    next_values,
+    passed,
+    quiet_until,
+)
 
 # The length of the next step: kept while the estimated error stays in a band, set anew where it leaves it.
 #
@@ -139,25 +148,15 @@ ATTEMPTS = 1 << 13  # in one application of the program; the next one goes on
 RESTORED = ("closure_error", "det_now", "det_low", "det_high")
 
 
-class AdaptiveSteps(OneStep):
-    """Steps of a method as long as its estimate asks for, and its state: see `further_fields`."""
+class AdaptiveSteps(Scheme):
+    """Steps of a method as long as its estimate asks for, and its state: see `fields`."""
 
     adaptive = True
 
     def __init__(self, method: Method) -> None:
-        method.refuse_varying(method.grid, method.options)
         self.method, self.order, self.damps = method, method.order, method.damps
         super().__init__(method.model, method.grid, method.options)
         self.c_size += 1
-
-    @classmethod
-    def limited(cls, options: Options) -> bool:
-        """No: where a step is too long its estimate tells."""
-        return False
-
-    def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
-        """None."""
-        return None
 
     @property
     def tolerance(self) -> float:
@@ -168,48 +167,25 @@ class AdaptiveSteps(OneStep):
         """The model's c, the time between states that are seen [s], and the tolerance."""
         return np.append(super().constants(c, dt), self.tolerance if tolerance is None else tolerance)
 
-    def further_fields(self) -> dict[str, StateField]:
+    def fields(self) -> dict[str, StateField]:
         """Start and end of the running step, its method's fields, the controller's, and what is counted."""
         n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
         return {
-            "q_from": state(n),
-            "v_from": state(n),
-            "loop_from": state(loops),
-            "t_from": state(1),
-            "q_to": state(n),
-            "v_to": state(n),
-            "loop_to": state(loops),
-            "t_to": state(1),
+            **super().fields(),
+            **dict.fromkeys(("q_from", "v_from", "q_to", "v_to"), state(n)),
+            **dict.fromkeys(("loop_from", "loop_to"), state(loops)),
+            **dict.fromkeys(("t_from", "t_to"), state(1)),
             "a_from": state(n),
             **self.method.method_fields(),
             "q_seen": state(n if self.model.description.orientations else 0),
-            "q_error": state(n),
-            "v_error": state(n),
-            "q_low": state(n),
-            "q_high": state(n),
-            "weight": state(n),
-            "width": state(1),
-            "wider": state(1),
-            "h_next": state(1),
-            "h_try": state(1),
-            "t_try": state(1),
-            "end": state(1),
-            "peak": state(1),
-            "odd": state(1),
-            "fresh": state(1),
-            "cold": state(1),
+            **dict.fromkeys(("q_error", "v_error", "q_low", "q_high", "weight"), state(n)),
+            **dict.fromkeys(("width", "wider", "h_next", "h_try", "t_try", "end", "peak"), state(1)),
+            **dict.fromkeys(("odd", "fresh", "cold"), state(1)),
             "det_now": account(loop_blocks(self.model)),
             "before": account(1 + 3 * loop_blocks(self.model)),
-            "going": account(1),
             "stops": given(STOPS),
-            "beside": given(1),
-            "lands": given(1),
-            "stuck": account(1),
-            "accepted": account(1),
-            "counted": account(1),
-            "rejected": account(1),
-            "h_least": account(1),
-            "h_largest": account(1),
+            **dict.fromkeys(("beside", "lands"), given(1)),
+            **dict.fromkeys(("going", "stuck", "accepted", "counted", "rejected", "h_least", "h_largest"), account(1)),
         }
 
     def started(
@@ -553,3 +529,168 @@ class AdaptiveSteps(OneStep):
         out = {"x": q, "v": v, "loop": loop, "n": z["n"] + 1}
         shown = {name: ca.if_else(arrived, new, z[name]) for name, new in out.items()}
         return {**shown, **self._lengths(z, z["accepted"])}
+
+
+# ---- Across jumps: where steps may go next, and impulses of motions whose velocity jumps.
+
+
+def run_across(
+    stepper: Stepper,
+    z: np.ndarray,
+    steps: int,
+    ready: np.ndarray,
+    c: np.ndarray,
+    dt: float,
+    jumps: Sequence[SwitchTime],
+    given: dict[float, Impulse],
+) -> None:
+    """Advance z (whole, flat) in place by so many states dt [s] apart; fewer up to an event or the least step.
+
+    ready: what the program reads; c (c_size,): the model's constants with the inputs that hold. given: impulses of
+    prescribed motions are entered here by their time.
+    """
+    scheme = stepper.scheme
+    assert isinstance(scheme, AdaptiveSteps)
+    end, moves = z[1] + steps, bool(jumps) and moves_in_time(scheme.model)
+    event = scheme.layout.slice("event_step") if "event_step" in scheme.layout.sizes else slice(0, 0)
+
+    def look_ahead() -> None:
+        """Where no step crosses next; it halts there for impulses."""
+        if moves and scheme.has_halted(z):
+            if scheme.next_seen(z, dt) <= scheme.reached(z):
+                return  # what lies before it is seen first
+            given.update(give_impulse(scheme, z, c, jumps, dt))
+        scheme.look_ahead(z, jumps, halts=moves)
+
+    while z[1] < end and not scheme.is_stuck(z) and not (z[event] < NEVER).any():
+        look_ahead()
+        stepper.run(z, ready, int(end - z[1]))
+    if moves:
+        look_ahead()
+
+
+def give_impulse(
+    scheme: AdaptiveSteps, z: np.ndarray, c: np.ndarray, jumps: Sequence[SwitchTime], dt: float
+) -> dict[float, Impulse]:
+    """Of the jump at the end of the last step of z (n_z,), in place: rates just after it; {} where none jumps.
+
+    c (c_size,): the model's constants; dt [s]: from one state that is seen to the next.
+    """
+    own, model, reached = scheme.layout.slice, scheme.model, scheme.reached(z)
+    there = next((one for one in jumps if one.time == reached), None)
+    if there is None:
+        return {}
+    constants = scheme.constants(c)
+    shown = scheme.observer(z=scheme.at_end(z)[: scheme.layout.size], c=constants)
+    parts = {name: np.asarray(value).ravel() for name, value in shown.items()}
+    q = whole(model, parts["q_i"], parts["q_d"])
+    found = impulse_at(model, c, q, parts["q_i_dot"], there.before, there.after)
+    if found is None:
+        return {}
+    z[own("v_to")] += found[0]
+    seen_at = float(z[own("t0")][0] + z[own("n")][0] * dt)
+    if abs(seen_at - reached) <= ON_THE_GRID * dt:  # what is seen there is after the jump
+        z[own("t0")] += max(0.0, there.after - seen_at)
+        z[own("v")] = z[own("v_to")]
+    return {there.time: found[1]}
+
+
+# ---- Steps that end at an event: the step in which one is flagged is made again, as long as it takes.
+#
+# The step that runs across an event has seen what is beyond it: a force that kinks there, an input that changes. So it
+# is not cut, but made anew from its start to the event, which is located on such steps: see event_search.py. The next
+# step begins there anew, as behind a jump in time.
+
+Runs = Callable[[np.ndarray], None]  # one application of the program, in place
+FAR = 1e15  # steps
+MOST_PARTS = 100  # steps that one step becomes when its end is rejected
+
+
+def ended_at_event(scheme: AdaptiveSteps, z: np.ndarray, constants: np.ndarray, run: Runs) -> list[int]:
+    """End the last step of z (whole, flat) in place where an event has just happened; which ones do.
+
+    None may: then the step has only come near to one, and z goes on from its end. constants: as stages read them.
+    """
+    own = scheme.layout.slice
+    start, end = float(z[own("t_from")][0]), float(z[own("t_to")][0])
+    asleep = quiet_until(scheme, z) > start
+    found: dict[float, np.ndarray] = {end - start: z.copy()}
+    values = {0.0: z[own("event_before")].copy(), end - start: z[own("event_values")].copy()}
+
+    def ask(old: np.ndarray, new: np.ndarray) -> list[int]:
+        return passed(scheme, old, new, asleep)
+
+    def at(s: float) -> np.ndarray:
+        if s not in values:
+            found[s] = _made_again(scheme, z, start + s, run)
+            values[s] = found[s][own("event_values")]
+        return values[s]
+
+    reached = 0.0
+    for _ in range(MOST_PARTS):
+        bracket = _bracket(scheme, z, constants, asleep, reached)
+        if bracket is None:
+            break
+        low, high = ((s, at(s)) for s in bracket)
+        if ask(low[1], high[1]):  # on steps that end there, too
+            s, before = first_passage(ask, at, low, high, end - start)
+            z[:] = found[s]
+            z[own("event_step")], z[own("cold")] = NEVER, 1.0
+            return ask(before, z[own("event_values")])
+        reached = bracket[1]
+    z[own("event_step")] = NEVER
+    return []
+
+
+def _bracket(
+    scheme: AdaptiveSteps, z: np.ndarray, constants: np.ndarray, asleep: np.ndarray, reached: float
+) -> tuple[float, float] | None:
+    """Where on the last step of z, from `reached` [s] on, an event happens first."""
+    own = scheme.layout.slice
+    before, after = z[own("event_before")], z[own("event_values")]
+    length = float(z[own("t_to")][0] - z[own("t_from")][0])
+    between = looked_at(scheme.events_between, z[: scheme.layout.size], constants)
+    kinks = are_kinks(scheme)
+
+    def values(s: np.ndarray) -> np.ndarray:
+        e = between(s / length)
+        e[s == 0], e[s == length] = before, after  # as they were seen while stepping
+        return e
+
+    found = None
+    if not kinks.all():
+        found = first_bracket(lambda a, b: bool(passed(scheme, a, b, asleep | kinks)), values, reached, length)
+    if passed(scheme, values(np.array([reached]))[0], after, asleep | ~kinks):
+        return reached, length if found is None else found[1]
+    return found
+
+
+def _made_again(scheme: AdaptiveSteps, z: np.ndarray, end: float, run: Runs) -> np.ndarray:
+    """A copy of z with its last step ended there [s]."""
+    own, z = scheme.layout.slice, z.copy()
+    z[own("h_next")] = z[own("t_to")] - z[own("t_from")]
+    z[own("fresh")] = z[own("cold")] = 0.0
+    for name in ("t", "q", "v", "loop"):
+        z[own(f"{name}_to")] = z[own(f"{name}_from")]
+    z[own("accepted")] -= 1
+    z[own("stops")], z[own("event_values")] = end, z[own("event_before")]
+    kept = {name: z[own(name)].copy() for name in ("beside", "n")}
+    z[own("beside")], z[own("n")] = 0.0, FAR  # no state on the way is seen
+    for _ in range(MOST_PARTS):
+        z[own("event_step")] = NEVER
+        run(z)
+        if z[own("t_to")][0] >= end or scheme.is_stuck(z):
+            break
+    for name, value in kept.items():
+        z[own(name)] = value
+    return z
+
+
+def shown_at_end(scheme: AdaptiveSteps, z: np.ndarray, dt: float, run: Runs) -> None:
+    """Let z (whole, flat) be seen at the end of its last step: one state of dt [s] more."""
+    own = scheme.layout.slice
+    t, n = float(z[own("t_to")][0]), float(z[own("n")][0]) + 1
+    z[own("t0")] = t - n * dt
+    while float(z[own("t0")][0]) + n * dt > t:
+        z[own("t0")] = np.nextafter(z[own("t0")], -np.inf)
+    run(z)

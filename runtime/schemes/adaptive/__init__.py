@@ -1,1 +1,0 @@
-"""Steps whose length follows from a tolerance: one loop, and the methods that it drives."""
