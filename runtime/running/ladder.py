@@ -52,6 +52,7 @@ SHOWN = 0.8  # of the order of a method: where three rungs show that much, the e
 SEEN = 1000  # samples of a rung that is kept
 MOST_STEPS = 10**8
 MOST_OPERATIONS = 10**12  # of all rungs: some minutes
+RESOLVED, MOST_RESOLVING = 0.5, 10**10  # rad of the fastest mode a step; operations of a rung that does so: seconds
 STAGNANT = 0.5  # of a difference: rungs that do not come below it any more will not
 SOON, LATE = 6, 11  # rungs before that is said, and where the motion is not resolved yet
 RICHARDSON = 3.0  # times the error by extrapolation where the order shows: on the safe side
@@ -271,16 +272,32 @@ class Ladder:
             return ceil(AFTER_LOST * count)
         if len(rungs) >= 3 and last.error <= self.tolerance:
             return None
-        before = np.nanmin([inf, *(one.differs for one in rungs[-6:-3])])
-        enough = len(rungs) >= (SOON if max([last.differs, *last.told.judged.values()]) < LARGEST else LATE)
-        if enough and not last.differs < STAGNANT * before:
-            return None
+        if _stagnant(rungs):
+            dear = self.resolving * self.unit * last.run.segment.stepper.operations > MOST_RESOLVING
+            if count < self.resolving and not dear:
+                return self.resolving
+            if dear or _stagnant([one for one in rungs if one.steps >= self.resolving * self.unit]):
+                return None
         least = 2 ** (1 / order)
         factor = MOST if not np.isfinite(last.error) else (last.error / (SAFETY * self.tolerance)) ** (1 / order)
         if len(rungs) < 3:
             factor = min(factor, MOST)
         wanted = max(count + 1, ceil(count * min(max(factor, least), MOST)))
         return next(one for one in range(wanted, 2 * wanted + 2) if gcd(one, count) == 1 or one > wanted + 3)
+
+    @cached_property
+    def resolving(self) -> int:
+        """Steps, in units, that resolve the fastest mode at the start, 0 where it is not known.
+
+        Rungs that leave it out agree no better with each other than by what it moves.
+        """
+        slopes = _slopes(self.problem)
+        if slopes is None:
+            return 0
+        A_q, A_v = slopes
+        n = len(A_q)
+        fastest = np.abs(np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [A_q, A_v]]))).max()
+        return ceil(self.span * float(fastest) / RESOLVED / self.unit)
 
     def solution(self, rungs: list[Rung], total: float) -> Solution:
         """What the last whole rung is, with its error, and how the ladder ended."""
@@ -314,6 +331,15 @@ class Ladder:
                 "more steps do not bring it down"
             )
         return found.but(stats=stats, status=status)
+
+
+def _stagnant(rungs: list[Rung]) -> bool:
+    """Do rungs, of which there are enough, come no nearer to each other?"""
+    if not rungs:
+        return False
+    last, before = rungs[-1], np.nanmin([inf, *(one.differs for one in rungs[-6:-3])])
+    enough = len(rungs) >= (SOON if max([last.differs, *last.told.judged.values()]) < LARGEST else LATE)
+    return enough and not bool(last.differs < STAGNANT * before)
 
 
 def _doubted(answer: Rung, rungs: list[Rung]) -> MotionError:

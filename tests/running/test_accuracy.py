@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.linalg import eigh
 
 from runtime import Model, ModelError, Sampled, Solution, reference_solution, simulate
 from runtime.contract.coordinates import followed
@@ -231,8 +232,19 @@ def test_a_controller_with_a_memory_is_set_back(model_of: Build) -> None:
 # ---- what belongs to the measurement -----------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("steps", [1, 2, 3, 7, 20, 39, 100, 1000, 99_991])
+def test_a_tolerance_resolves_a_fast_mode_that_nothing_damps(built_in: Load) -> None:
+    """Rungs that leave it out agree to what it moves, 7e-3: the ladder goes on where steps resolve it."""
+    w, asked = 10000.0, 1e-5
+    parameters, initial = {"c": 0.5, "k_L": 1.0, "w": w, "zeta": 0.0}, {"x_L": 1.0, "x_S": 0.0}
+    run = simulate(built_in("two_oscillators"), t_end=4.0, parameters=parameters, initial=initial, tolerance=asked)
+    frequencies, shapes = eigh(np.diag([1.0, w**2]), np.array([[1.0, 0.5], [0.5, 1.0]]))
+    size = shapes.T @ np.array([[1.0, 0.5], [0.5, 1.0]]) @ [1.0, 0.0]
+    exact = (shapes @ (size[:, None] * np.cos(np.outer(np.sqrt(frequencies), run.t)))).T
+    assert run.status.ok and run.error.largest < asked and relative_error(run, exact) < asked
+
+
 @pytest.mark.parametrize("order", [2, 4, 5, 8])
+@pytest.mark.parametrize("steps", [1, 2, 3, 7, 20, 39, 100, 1000, 99_991])
 def test_numbers_of_steps_without_a_common_divisor(steps: int, order: int) -> None:
     """From some ten steps on the companion's steps are 2^(1/p) as long, to a tenth, and most of the run is compared."""
     ratio = 2 ** (1 / order)
