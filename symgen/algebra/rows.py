@@ -22,12 +22,12 @@ def add_scaled(target: Row, factor: ca.SX, source: Row) -> None:
         add_to(target, column, mul(factor, value))
 
 
-def to_matrix(rows: list[Row]) -> ca.SX:
-    """Square SX matrix of sparse rows."""
-    matrix = ca.SX(len(rows), len(rows))
-    for row, entries in enumerate(rows):
-        for column, value in entries.items():
-            matrix[row, column] = value
+def to_matrix(rows: list[Row], columns: list[int] | range) -> ca.SX:
+    """SX matrix of sparse rows that have entries in these columns only."""
+    matrix, place = ca.SX(len(rows), len(columns)), {column: k for k, column in enumerate(columns)}
+    for k, row in enumerate(rows):
+        for column, value in row.items():
+            matrix[k, place[column]] = value
     return matrix
 
 

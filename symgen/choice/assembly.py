@@ -19,7 +19,6 @@ from runtime.contract.consistent_state import (
 )
 from runtime.contract.orientations import angle_names, parameter_rates
 from symgen.algebra.parameters import ParameterTable
-from symgen.choice.elimination import constraint_jacobian
 from symgen.system.build import System
 from symgen.system.constraint import DerivationError
 from symgen.system.equations import Equations
@@ -36,7 +35,7 @@ class ConstraintNumbers:
         rows, self._equations = equations.constraints, equations
         outputs = [
             ca.densify(ca.vertcat(*(row.C for row in rows))),
-            ca.sparsify(constraint_jacobian(equations)),
+            ca.sparsify(equations.C_q),
             ca.densify(ca.vertcat(*(row.C_t for row in rows))),
         ]
         known = self._known = ca.vertcat(table.vector(), *equations.u.values())

@@ -17,7 +17,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-import casadi as ca
 import numpy as np
 
 from symgen.system.build import System
@@ -240,15 +239,6 @@ def _refuse_choice(equations: Equations, keep: set[int], independent: list[int])
         f"the scene has {len(independent)} degrees of freedom: "
         f"for instance {', '.join(equations.names[c] for c in independent)}",
     )
-
-
-def constraint_jacobian(equations: Equations) -> ca.SX:
-    """C_q as a dense-shaped SX matrix (rows x coordinates)."""
-    matrix = ca.SX(len(equations.constraints), len(equations.names))
-    for row, constraint in enumerate(equations.constraints):
-        for column, value in constraint.C_q.items():
-            matrix[row, column] = value
-    return matrix
 
 
 MOVE, MOVE_ELASTIC = 0.05, 1e-3  # rad or m: far enough to see a singular position, near enough to assemble again

@@ -273,12 +273,3 @@ class TakenOut:
                 if column in rows:
                     add_scaled(rows[column], factor, own)
         congruence(self.M, d, one.e)
-
-    def matrix(self, rows: dict[int, Row], columns: list[int]) -> ca.SX:
-        """Those of some columns."""
-        place = {column: k for k, column in enumerate(columns)}
-        found = ca.SX(len(columns), len(columns))
-        for row, entries in rows.items():
-            for column, value in entries.items():
-                found[place[row], place[column]] = value
-        return found

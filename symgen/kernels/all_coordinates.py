@@ -9,7 +9,6 @@ import casadi as ca
 from runtime.contract.doors import opened
 from symgen.algebra.rows import Row, to_matrix
 from symgen.algebra.scalar import ZERO, div, mul, sub
-from symgen.choice.elimination import constraint_jacobian
 from symgen.condensed.condensation import Condensed
 from symgen.condensed.loops import solve_transposed
 from symgen.kernels.kernel import Kernel
@@ -21,7 +20,7 @@ def constraints(system: Condensed) -> Kernel:
     eq = system.equations
     outputs = {
         "C": ca.vertcat(*(row.C for row in eq.constraints)),
-        "C_q": constraint_jacobian(eq),
+        "C_q": eq.C_q,
         "C_t": ca.vertcat(*(row.C_t for row in eq.constraints)),
         "nu": ca.vertcat(*(-row.C_t for row in eq.constraints)),
         "gamma": ca.vertcat(*(row.gamma for row in eq.constraints)),
@@ -33,14 +32,14 @@ def augmented(system: Condensed) -> Kernel:
     """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and the constraints' right-hand side of Eq. (28), all coordinates."""
     eq = system.equations
     outputs = {
-        "M": to_matrix(eq.M),
-        "K": to_matrix(eq.K),
+        "M": to_matrix(eq.M, range(len(eq.q))),
+        "K": to_matrix(eq.K, range(len(eq.q))),
         "Q_v": ca.vertcat(*eq.Q_v),
         "Q_F": ca.vertcat(*eq.Q_F),
         "Q_star": ca.vertcat(*eq.Q_star),
     }
     if eq.constraints:
-        outputs["C_q"] = constraint_jacobian(eq)
+        outputs["C_q"] = eq.C_q
         outputs["gamma"] = ca.vertcat(*(row.gamma for row in eq.constraints))
     return Kernel(eq.state, outputs)
 

@@ -27,7 +27,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from symgen.algebra.rows import Row, add_scaled
+from symgen.algebra.rows import Row, add_scaled, to_matrix
 from symgen.algebra.scalar import ONE, ZERO, add, div, mul, neg, total, vector
 from symgen.condensed.condensation import Condensed
 from symgen.condensed.loops import solve_transposed
@@ -106,7 +106,8 @@ def _eliminated(held: _Held) -> list[ca.SX]:
     left = TakenOut([{} if held.massless else dict(row) for row in eq.M], K, D)
     for one in reversed(variations(system, held.accelerations)):
         left.take_out(one)
-    return [left.matrix(matrix, system.choice.independent) for matrix in (left.K, left.D)]
+    kept = system.choice.independent
+    return [to_matrix([rows[column] for column in kept], kept) for rows in (left.K, left.D)]
 
 
 def _derivatives(held: _Held, columns: list[int]) -> list[list[Row]]:
@@ -149,7 +150,7 @@ def _along_loops(held: _Held, ways: Sequence[Direction]) -> list[ca.SX] | None:
         return None
     columns = sorted(held.rho)
     S, S_dot = _columns([one.S for one in ways], columns), _columns([one.S_dot for one in ways], columns)
-    K, D = (_matrix(rows, columns) for rows in _outer(held, columns, frozenset(eq.loop_rates)))
+    K, D = (to_matrix(rows, columns) for rows in _outer(held, columns, frozenset(eq.loop_rates)))
     F_q, F_v = (change[columns, :] for change in inertia)
     return [_product(S.T, _product(K, S) + _product(D, S_dot) - F_q), _product(S.T, _product(D, S) - F_v)]
 
@@ -172,14 +173,6 @@ def _directed(held: _Held, ways: Sequence[Direction]) -> list[ca.SX]:
 def _columns(rows: Sequence[Row], columns: list[int]) -> ca.SX:
     """Each as a column of a matrix."""
     return ca.horzcat(*(ca.vertcat(*(row.get(c, ZERO) for c in columns)) for row in rows))
-
-
-def _matrix(rows: list[Row], columns: list[int]) -> ca.SX:
-    found, place = ca.SX(len(rows), len(columns)), {column: k for k, column in enumerate(columns)}
-    for k, row in enumerate(rows):
-        for column, value in row.items():
-            found[k, place[column]] = value
-    return found
 
 
 def _product(left: ca.SX, right: ca.SX) -> ca.SX:

@@ -13,7 +13,7 @@ from typing import Protocol
 import casadi as ca
 
 from runtime.contract.records import Coordinate, EventRecord, InputRecord, ModeSetRecord
-from symgen.algebra.rows import Row, add_scaled, add_to
+from symgen.algebra.rows import Row, add_scaled, add_to, to_matrix
 from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, sub, total
 from symgen.algebra.vectors import Vector
 from symgen.bodies.outlines import Picture
@@ -248,6 +248,11 @@ class Equations:
     def Q_v(self) -> list[ca.SX]:
         """Forces quadratic in velocities, by column."""
         return self.velocity_forces()
+
+    @property
+    def C_q(self) -> ca.SX:
+        """Constraint Jacobian, rows x coordinates."""
+        return to_matrix([row.C_q for row in self.constraints], range(len(self.names)))
 
     @cached_property
     def names(self) -> list[str]:

@@ -48,7 +48,7 @@ def test_planar_bodies_are_those_of_lagrange() -> None:
     for row, column, value in body.mass_entries():
         found[row][column] = found[column][row] = value
     force = body.quadratic_velocity_force()
-    mine = [to_matrix(found), ca.vertcat(*(force[column] for column in columns))]
+    mine = [to_matrix(found, range(len(found))), ca.vertcat(*(force[column] for column in columns))]
     shape = PointShape(*(ca.SX(ca.DM(value)) for value in (rho[0], 0.0, phi[0], np.zeros(MODES))), ca.SX(MODES, MODES))
     point = body.marker(shape)
     by_q = [[row.get(column, ca.SX(0)) for column in columns] for row in point.r_columns]
