@@ -111,7 +111,8 @@ class Rung:
     def seen(self) -> tuple[np.ndarray, np.ndarray]:
         """(numbers of its marks (N,), what tells the motion and its rates at them (2, N, n_told))."""
         steps = [step for step in self.marks.steps() if step % self.marks.every == 0]
-        return np.array(steps, dtype=int) // self.marks.every, self.marks.told(self.run.problem.model, steps)
+        told = self.marks.told(self.run.problem.model, steps if self.marks.early else None)
+        return np.array(steps, dtype=int) // self.marks.every, told
 
     @property
     def lost(self) -> bool:
