@@ -1,6 +1,6 @@
 """The command line as a table: each command with the function that it calls and the options that it takes.
 
-Help, suggestions and the reading of words come from this table; what a command does is said by its
+Help, completion, suggestions and the reading of words come from this table; what a command does is said by its
 function. The functions import what they need when they are called, so that `symgen --help` answers at once.
 """
 
@@ -14,7 +14,7 @@ from typing import Any
 
 from symgen.cli import demo, exchange, pictures, runs, scenes, states, studies, words
 from symgen.cli.outcome import EXIT_CODES, Outcome
-from symgen.cli.words import Gather, Parser, assignment, names, number, positive
+from symgen.cli.words import Gather, Parser, UsageError, assignment, names, number, positive
 
 FROM_THE_SCENE = "What is not given comes from the scene's [simulation]."
 
@@ -160,6 +160,19 @@ class Version(argparse.Action):
         except PackageNotFoundError:
             print("symgen (not installed)")
         parser.exit()
+
+
+def completion(arguments: argparse.Namespace) -> Outcome:
+    """Write a script that completes commands and options.
+
+    For bash: eval "$(symgen completion bash)"; for zsh the same with zsh. Needs the extra `completion`.
+    """
+    try:
+        import shtab
+    except ImportError as error:
+        raise UsageError("shtab is not installed; install it with: pip install 'symgen[completion]'") from error
+    script = shtab.complete(parser(), arguments.shell)
+    return Outcome({"shell": arguments.shell, "script": script}, [script])
 
 
 COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
@@ -390,6 +403,7 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
             *RUN,
         ),
     ),
+    "completion": (completion, (opt("shell", "the shell that it is for", choices=("bash", "zsh")),)),
     "cache": (runs.cache, (opt("--clear", "remove all of it"),)),
 }
 

@@ -1,4 +1,4 @@
-"""Words on the command line: what was probably meant, in one line; quiet, verbose; a quick answer."""
+"""Words on the command line: what was probably meant, in one line; quiet, verbose, completion; a quick answer."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from runtime import simulate
 from runtime.contract.errors import ModelError
 from runtime.schemes.options import SchemeError
 from symgen.cli import main
+from symgen.cli.table import parser
 from symgen.scene import SceneError, SceneRecord
 
 SPRING = '[[loads]]\ntype = "force"\nname = "push"\nmarker = "box.origin"\ncomponents = [1.0, 0.0]\n'
@@ -94,3 +95,12 @@ def test_a_missing_ratio_is_explained_without_the_words_of_the_code(built_in) ->
         SchemeError, match="m must hold one number, how many sub-steps exponential takes in one step dt"
     ):
         simulate(built_in("pendulum"), scheme="exponential", m=[], t_end=0.01)
+
+
+def test_completion_knows_every_command(capsys) -> None:
+    pytest.importorskip("shtab")
+    for shell in ("bash", "zsh"):
+        assert main(["completion", shell]) == 0
+        script = capsys.readouterr().out
+        commands = next(action.choices for action in parser()._actions if action.dest == "command")
+        assert all(command in script for command in commands) and "--t-end" in script
