@@ -125,7 +125,7 @@ def test_thin_coupler(said) -> None:
     assert "terminated successfully" in text and numbers(text.splitlines()[-1])[-1] < 1e-9
 
 
-@pytest.mark.filterwarnings("ignore:The .* feature is not available")
+@pytest.mark.filterwarnings("ignore::UserWarning")
 @pytest.mark.skipif(find_spec("do_mpc") is None, reason="needs the extra mpc: pip install 'symgen[mpc]'")
 def test_crane_mpc(said) -> None:
     """The load rests at the goal, and no force is above its bound."""
