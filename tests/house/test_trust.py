@@ -6,7 +6,6 @@ import os
 import threading
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from runtime import load_model, simulate
@@ -188,19 +187,3 @@ def test_a_long_name_is_shortened_in_a_message(given: dict[str, object]) -> None
         simulate(load_model(generated_folder("pendulum")), **given)
     message = str(caught.value)
     assert len(message) < 1.1 * LONGEST_MESSAGE and "characters left out" in message
-
-
-@pytest.mark.parametrize("content", [b"PK\x03\x04rubbish", b"", b"hello", "array", None], ids=repr)
-def test_a_surface_file_that_is_none_is_the_users_mistake(content: object, tmp_path: Path, capsys) -> None:
-    """Cut, empty, text, an array alone (.npy), or not there: exit code 2 and the file's name, never a fault of ours."""
-    path = tmp_path / "surface.npz"
-    if isinstance(content, bytes):
-        path.write_bytes(content)
-    elif content is not None:
-        with open(path, "wb") as file:
-            np.save(file, np.zeros(3))
-    out = tmp_path / "page.html"
-    arguments = ["view", "pendulum", "--t-end", "0.01", "--surface", f"rod={path}", "--out", str(out)]
-    assert main(arguments) == ERRORS
-    assert "surface.npz" in capsys.readouterr().err
-    assert not out.exists()

@@ -50,15 +50,17 @@ class Point:
         value, rate = self.course(t)
         return -value / rate if value * rate < 0 else np.inf
 
-    def run(self, t: float, y: np.ndarray, t_end: float) -> tuple[float, np.ndarray]:
-        return t_end, np.array([y[0] + (t_end - t) * y[1], y[1]])
+    def solved(self, t: float, y: np.ndarray, t_end: float) -> Any:
+        return SimpleNamespace(y=np.array([[y[0] + (t_end - t) * y[1]], [y[1]]]))
 
-    def descend(self, t: float, y: np.ndarray, t_end: float, block: int, height: float) -> tuple[float, np.ndarray]:
+    def until(
+        self, t: float, y: np.ndarray, t_end: float, block: int, height: float, sign: int
+    ) -> tuple[float, np.ndarray]:
         low, high = t, 1.0
         for _ in range(60):
             middle = (low + high) / 2
             low, high = (middle, high) if self.course(middle)[0] > height else (low, middle)
-        return self.run(t, y, low)
+        return low, self.solved(t, y, low).y[:, -1]
 
     def slope(self, t: float, y: np.ndarray) -> np.ndarray:
         return np.array([y[1], self.force(t)])
@@ -180,9 +182,9 @@ def test_ways_near_a_singular_position_are_followed_tightly(built_in: Callable[[
     p = model.parameter_vector()
     integrator = TightIntegrator(model, p, model.constants(p))
     y = integrator.pack(model.initial_q, model.initial_q_dot)
-    there = integrator.run(0.0, y, 0.1)
-    back = integrator.run(*there, 0.0)[1]
-    assert np.abs(there[1] - y).max() > 0.1 and np.abs(back - y).max() < 1e-9 * np.abs(there[1] - y).max()
+    there = integrator.solved(0.0, y, 0.1).y[:, -1]
+    back = integrator.solved(0.1, there, 0.0).y[:, -1]
+    assert np.abs(there - y).max() > 0.1 and np.abs(back - y).max() < 1e-9 * np.abs(there - y).max()
 
 
 def test_a_motion_that_turns_before_a_singular_position_is_no_passage(built_in: Callable[[str], Model]) -> None:

@@ -114,7 +114,7 @@ def test_a_mesh_file_beside_the_scene(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("shape", "problem"),
     [
-        ({"type": "box", "size": [0.1, 0.0, 0.1]}, "not positive"),
+        ({"type": "box", "size": [0.1, 0.0, 0.1]}, "greater than 0"),
         ({"type": "sphere"}, "radius"),
         ({"type": "cylinder", "radius": 1.0, "length": 1.0, "axis": [0, 0, 0]}, "axis is zero"),
         ({"type": "box", "size": [1, 1, 1], "x_axis": [0, 0, 2]}, "along it"),
