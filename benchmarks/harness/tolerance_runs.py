@@ -93,12 +93,12 @@ class Case:
 
     def error_of(self, rung: Rung) -> float:
         """True error of a rung at its marks: RMS of the worst coordinate, over its amplitude."""
-        steps = rung.marks.steps()
+        steps = [step for step in rung.marks.steps() if step % rung.marks.every == 0]
         if rung.lost or not steps:
             return np.inf
         exact = self.reference[[round(step * KEPT / rung.steps) for step in steps]]
         with np.errstate(all="ignore"):
-            rms = np.sqrt(np.mean((rung.marks.told(self.model)[0] - exact) ** 2, axis=0))
+            rms = np.sqrt(np.mean((rung.marks.told(self.model, steps)[0] - exact) ** 2, axis=0))
         found = float((rms / floored(self.model, self.reference.std(axis=0))).max())
         return found if np.isfinite(found) else np.inf
 

@@ -27,7 +27,7 @@ def given(result: Result) -> str:
 
 
 def _percent(share: float) -> str:
-    return f"{100 * share:.2g} %"
+    return f"{100 * share:.3g} %"
 
 
 FIGURES: dict[str, Callable[[Result], str]] = {"tolerance": given}
