@@ -180,3 +180,46 @@ def _smooth(links: Links, phi: np.ndarray, eps: float, t: np.ndarray) -> np.ndar
     start = np.concatenate([phi, np.zeros(len(phi))])
     found = solve_ivp(rates_of, (t[0], t[-1]), start, "Radau", t, rtol=1e-7, atol=1e-9)
     return np.asarray(found.y)
+
+
+ARM_LENGTH, CRANK_LENGTH, FEET = 0.7, 0.4, 0.6
+RAISED = {"crank1.theta": 1.9, "crank2.theta": 1.2}
+
+
+def cranks(name: str) -> Scene:
+    """Two cranks on the ground, that fall."""
+    builder = Scene(name).gravity(0.0, -GRAVITY).ground(markers={"right": {"position": [FEET, 0.0]}})
+    for k, foot in ((1, "origin"), (2, "right")):
+        tip = {"tip": {"position": [CRANK_LENGTH, 0.0]}}
+        half = [CRANK_LENGTH / 2, 0.0]
+        builder.rigid(f"crank{k}", mass=1.0, inertia=CRANK_LENGTH**2 / 12, center_of_mass=half, markers=tip)
+        builder.revolute(f"shoulder{k}", f"ground.{foot}", f"crank{k}.origin")
+    return builder.simulation(t_end=0.5, dt=1e-3, scheme="rk4")
+
+
+def test_a_five_bar_whose_arms_stick_together_is_a_four_bar(model_of: Build) -> None:
+    """What sticks has a row whose coefficients change with the motion that is left: its bias acts on the others."""
+    builder = cranks("sticking_five_bar")
+    for k in (1, 2):
+        tip = {"tip": {"position": [ARM_LENGTH, 0.0]}}
+        half = [ARM_LENGTH / 2, 0.0]
+        builder.rigid(f"arm{k}", mass=1.0, inertia=ARM_LENGTH**2 / 12, center_of_mass=half, markers=tip)
+        builder.revolute(f"elbow{k}", f"crank{k}.tip", f"arm{k}.origin")
+    builder.revolute("middle", "arm1.tip", "arm2.tip", friction={"coulomb": 1e4})
+    held = {name: {"value": value, "fixed": True} for name, value in RAISED.items()}
+    run = simulate(model_of(builder.initial({**held, "arm1.theta": 0.6, "arm2.theta": 2.4}).build()))
+
+    angle = float(run["arm2.theta"][0] - run["arm1.theta"][0])  # both arms in the axes of the first, as one body
+    along, first = np.array([np.cos(angle), np.sin(angle)]), np.array([ARM_LENGTH, 0.0])
+    middles = np.array([first / 2, first - along * ARM_LENGTH / 2])
+    inertia = 2 * ARM_LENGTH**2 / 12 + np.sum((middles - middles.mean(axis=0)) ** 2)
+    end = {"end": {"position": list(first - along * ARM_LENGTH)}}
+    builder = cranks("four_bar_of_them")
+    builder.rigid("arm1", mass=2.0, inertia=inertia, center_of_mass=list(middles.mean(axis=0)), markers=end)
+    builder.revolute("elbow1", "crank1.tip", "arm1.origin").revolute("elbow2", "crank2.tip", "arm1.end")
+    at = {name: float(run[name][0]) for name in ("crank2.theta", "arm1.theta")}
+    other = simulate(model_of(builder.initial({"crank1.theta": held["crank1.theta"], **at}).build()))
+
+    assert run.status.ok and other.status.ok and np.ptp(run["crank1.theta"]) > 0.05
+    for name in ("crank1.theta", "crank2.theta", "arm1.theta"):
+        np.testing.assert_allclose(run[name], other[name], rtol=0, atol=1e-11)
