@@ -49,7 +49,7 @@ SECTIONS = {
 }
 HEAD = """# Gallery
 
-A script of at most 70 lines draws each picture (`python examples/crane.py crane.png`) and prints
+A short script draws each picture (`python examples/crane.py crane.png`) and prints
 figures that only right physics gives: a closed form, a conservation law, a published value. A test
 runs every script and checks the figures. A click on a picture opens the script.
 """

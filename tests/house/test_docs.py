@@ -64,9 +64,8 @@ def test_python_runs(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     runpy.run_path(str(script), run_name="__main__")
 
 
-def test_the_readme_example_is_short_and_draws() -> None:
+def test_the_readme_example_draws_with_defaults_only() -> None:
     (block,) = blocks(README, "python")
-    assert len(block.splitlines()) <= 20
     assert ".plot(" in block and not re.search(r"scheme|dt=|m=", block), "defaults only"
 
 
@@ -93,28 +92,12 @@ def test_commands_run(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatc
         assert main(shlex.split(line, comments=True)[1:]) == 0, (line, capsys.readouterr().err)
 
 
-MOST_LINES, MOST_CHARACTERS = 150, 100  # of a guide
-
-
 @pytest.mark.parametrize("page", sorted(GUIDE.glob("*.md")), ids=page_id)
-def test_guides_are_short_and_begin_with_what_one_types(page: Path) -> None:
+def test_guides_begin_with_what_one_types(page: Path) -> None:
     lines = read(page).splitlines()
-    assert len(lines) <= MOST_LINES
-    assert not [line for line in lines if len(line) > MOST_CHARACTERS]
     assert not re.findall(r"`test_\w+`", read(page)), "names of tests belong to other shelves"
     if page.stem not in ("coming-from", "trust"):
         assert any(line.startswith(("```", "|")) for line in lines[:22]), "it begins with what one types"
-
-
-WRITTEN_BY_PROGRAMS = ("benchmarks", "hard-suite", "long-runs", "CHANGELOG")
-
-
-@pytest.mark.parametrize("page", [page for page in PAGES if page.stem not in WRITTEN_BY_PROGRAMS], ids=page_id)
-def test_prose_has_short_lines(page: Path) -> None:
-    """Tables, formulas, pictures and programs are as wide as they must be."""
-    text = re.sub(r"^```.*?^```", "", read(page), flags=re.DOTALL | re.MULTILINE)
-    prose = [line for line in text.splitlines() if not line.startswith(("|", "!", "$", "<", "    "))]
-    assert not [line for line in prose if len(line) > MOST_CHARACTERS]
 
 
 def test_the_readme_has_the_two_commands() -> None:

@@ -1,4 +1,4 @@
-"""Every script in examples/ runs, stays short, draws its picture, and says figures that only right physics gives."""
+"""Every script in examples/ runs, draws its picture, and says figures that only right physics gives."""
 
 from __future__ import annotations
 
@@ -16,7 +16,6 @@ from tests.support.printed_numbers import line, numbers
 pytestmark = pytest.mark.long
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
-LONGEST = 70  # lines
 LAST_LINES = ['if __name__ == "__main__":', "    main(*map(Path, sys.argv[1:]))"]
 
 
@@ -32,21 +31,14 @@ def test_every_example_is_tested_and_in_the_gallery() -> None:
 
 
 @pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.py")), ids=lambda path: path.stem)
-def test_examples_are_short_and_alike(path: Path) -> None:
-    lines = path.read_text(encoding="utf-8").splitlines()
-    assert len(lines) <= LONGEST and lines[-2:] == LAST_LINES
+def test_examples_end_alike(path: Path) -> None:
+    assert path.read_text(encoding="utf-8").splitlines()[-2:] == LAST_LINES
 
 
 def test_build_slider_crank(said) -> None:
     text = said("build_slider_crank")
     assert text.startswith("completed at t = 0.2 s")
     assert numbers(text)[-1] < 0.05  # J, of an energy of about 20 J
-
-
-def test_the_slider_crank_takes_25_lines_to_build() -> None:
-    source = (EXAMPLES / "build_slider_crank.py").read_text(encoding="utf-8")
-    body = source.split("    return (\n")[1].split("\n    )\n")[0]
-    assert len(body.splitlines()) <= 25
 
 
 def test_speed_loop(said) -> None:
