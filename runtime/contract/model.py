@@ -13,7 +13,7 @@ from typing import Any, NamedTuple, TypeVar
 import casadi as ca
 import numpy as np
 
-from runtime.contract.doors import Door, opened
+from runtime.contract.doors import Door
 from runtime.contract.errors import ModelError
 from runtime.contract.orientations import Places, places_of
 from runtime.contract.records import (
@@ -414,7 +414,9 @@ class Model:
         )
 
     def _repr_html_(self) -> str:
-        return model_card(self.description, opened("runtime.views.film:model_sketch")(self))
+        from runtime.views.film import model_sketch
+
+        return model_card(self.description, model_sketch(self))
 
     def kernel(self, name: str) -> ca.Function:
         """The Function `name` as runs call it, with c as its last argument. Raises ModelError if there is none."""
@@ -491,7 +493,9 @@ class Model:
         return output in self._zero_outputs[name]
 
     def _dynamics(self) -> Any:
-        return opened("runtime.operating.dynamics:Dynamics")(self)
+        from runtime.operating.dynamics import Dynamics
+
+        return Dynamics(self)
 
     def inverse_dynamics(self, q: Any, v: Any, a: Any, motors: Sequence[str] = (), **where: Any) -> np.ndarray:
         """Generalised forces tau (n_i,) [N, N m] for the motion q, v, a (n_i,); motors: inputs to solve for instead.

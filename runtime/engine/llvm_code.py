@@ -14,7 +14,6 @@ from typing import Any, Generic, NamedTuple, TypeVar
 
 import casadi as ca
 
-from runtime.contract.doors import opened
 from runtime.contract.errors import CompilerError
 from runtime.contract.tape import code_length, no_collection, read_tape
 from runtime.engine.object_cache import ObjectCache
@@ -136,7 +135,9 @@ class ProgramCompiler(Compiler[Code]):
     def printed(self, form: Form) -> tuple[str, int]:
         """See llvm_ir.py."""
         with no_collection():
-            found: tuple[str, int] = opened("runtime.engine.llvm_ir:program_ir")(self._program, form)
+            from runtime.engine.llvm_ir import program_ir
+
+            found: tuple[str, int] = program_ir(self._program, form)
             return found
 
     def loaded(self, engine: Any, work: int) -> Code:

@@ -9,7 +9,6 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from runtime.contract.doors import opened
 from runtime.contract.errors import ArgumentError
 from runtime.contract.tape import arithmetic
 from runtime.engine.llvm_code import (
@@ -127,7 +126,9 @@ def choose_engine(requested: str, program: Program, z_size: int, c_size: int, wa
         raise ArgumentError(f"engine must be one of {', '.join(ENGINES)}, not {requested!r}")
     missing = find_llvm() if requested == "auto" else ""
     if requested == "interpreted" or missing:
-        engine: Engine = opened("runtime.engine.interpreted:InterpretedProgram")(program, z_size, c_size)
+        from runtime.engine.interpreted import InterpretedProgram
+
+        engine: Engine = InterpretedProgram(program, z_size, c_size)
         engine.note = f"the run was interpreted: {missing}" if missing else ""
         return engine
     return NativeProgram(program, "library" if requested == "compiled-library" else "own", wait)

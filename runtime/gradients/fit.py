@@ -12,7 +12,7 @@ import numpy as np
 from scipy import stats
 from scipy.optimize import least_squares
 
-from runtime.contract.doors import BY_NAME, NAMES, arguments, opened
+from runtime.contract.doors import BY_NAME, NAMES, arguments
 from runtime.contract.errors import ArgumentError, NoResult
 from runtime.contract.model import Model
 from runtime.gradients.differentiable_run import DifferentiableRun, OutputJacobian
@@ -237,9 +237,10 @@ class Fit:
 
     def picture(self, path: str | Path | None = None) -> Figure:
         """Data, fitted outputs and residuals over time; with a path it also writes the file."""
+        from runtime.views.plots import fit_picture
+
         title = "\n".join(f"{name} = {value:.4g} ± {error:.1g}" for name, value, error in self._rows())
-        draw = opened("runtime.views.plots:fit_picture")
-        return draw(title, self.t, self.data, self.fitted, path)  # type: ignore[no-any-return]
+        return fit_picture(title, self.t, self.data, self.fitted, path)
 
     def __str__(self) -> str:
         rows = [f"{name} = {value:.6g} +- {error:.2g}" for name, value, error in self._rows()]

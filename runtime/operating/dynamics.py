@@ -15,7 +15,6 @@ import numpy as np
 
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import at_home, dependent_part, whole
-from runtime.contract.doors import opened
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model, refuse_rigid_stops
 from runtime.operating.given_state import closed
@@ -87,11 +86,13 @@ class Dynamics:
         return found["M_hat"], found["Q_hat"].ravel()
 
     def _unlocked(self, at: Place, v: np.ndarray) -> Any:
+        from runtime.operating.resting import unlocked
+
         q_d_dot = np.zeros(0)
         if self.model.q_d:
             q_d_dot = self._call("velocities", at, v)["q_d_dot"].ravel()
-        state = {"q_i": at.q_i, "q_d": at.q_d, "q_i_dot": v, "q_d_dot": q_d_dot, "t": at.t}
-        return opened("runtime.operating.resting:unlocked")(self.model, state, at.c)
+        state = {"q_i": at.q_i, "q_d": at.q_d, "q_i_dot": v, "q_d_dot": q_d_dot, "t": np.array(at.t)}
+        return unlocked(self.model, state, at.c)
 
     def _held(self, at: Place, v: np.ndarray, tau: np.ndarray | None) -> np.ndarray:
         """Accelerations with what rests held by friction. Raises ModelError where no choice is consistent."""

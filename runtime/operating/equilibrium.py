@@ -19,7 +19,7 @@ from runtime.contract.coordinates import (
     named_values,
     parameter_columns,
 )
-from runtime.contract.doors import BY_NAME, NUMBER, START, arguments, opened
+from runtime.contract.doors import BY_NAME, NUMBER, START, arguments
 from runtime.contract.errors import ModelError, NoResult
 from runtime.contract.model import Model
 from runtime.contract.orientations import angle_names, angles
@@ -148,7 +148,9 @@ def equilibrium(
         raise _failure(model, clamped, found)
     stops = any(event.side for event in model.mode_events)
     if stops:
-        found, p = opened("runtime.operating.resting:on_stops")(clamped, found, p)
+        from runtime.operating.resting import on_stops
+
+        found, p = on_stops(clamped, found, p)
         if not found.converged:
             raise _failure(model, clamped, found)
     q_i, iterations = found.x, found.iterations
@@ -160,7 +162,9 @@ def equilibrium(
     values = dict(zip([parameter.name for parameter in model.parameters], p, strict=True))
     told = _told(clamped, q_i, p, tuple(held), tuple(rates), {name: float(values[name]) for name in trim}, iterations)
     if stops:
-        opened("runtime.operating.resting:refuse_beyond")(model, model.constants(p), clamped.t, told.q, told.q_dot)
+        from runtime.operating.resting import refuse_beyond
+
+        refuse_beyond(model, model.constants(p), clamped.t, told.q, told.q_dot)
     return told
 
 
@@ -310,20 +314,23 @@ def _sliding(clamped: Clamped, q_i: np.ndarray, p: np.ndarray) -> np.ndarray:
     model, at = clamped.model, clamped.values(q_i)
     if at is None:
         return p
-    state, c = opened("runtime.operating.resting:state_of")(clamped, at, q_i)
-    modes = opened("runtime.operating.resting:signs")(model, state, c)
-    found: np.ndarray = opened("runtime.operating.resting:with_modes")(model, p, modes)
+    from runtime.operating.resting import signs, state_of, with_modes
+
+    state, c = state_of(clamped, at, q_i)
+    found = with_modes(model, p, signs(model, state, c))
     clamped.functions.c = model.constants(found)
     return found
 
 
 def _held_by(clamped: Clamped, at: PointValues, q_i: np.ndarray) -> tuple[dict[str, float], np.ndarray]:
     """Forces of friction and stops that hold, and their rows G (k, n_i). Raises NoEquilibrium."""
-    model, (state, c) = clamped.model, opened("runtime.operating.resting:state_of")(clamped, at, q_i)
+    from runtime.operating.resting import held, signs, state_of
+
+    model, (state, c) = clamped.model, state_of(clamped, at, q_i)
     modes = c[len(c) - model.signals.size + model.element_modes]
-    forces, beyond = opened("runtime.operating.resting:held")(model, state, c)
+    forces, beyond = held(model, state, c)
     rubs = np.array([not event.side for event in model.mode_events])
-    if beyond or (opened("runtime.operating.resting:signs")(model, state, c) != modes)[rubs].any():
+    if beyond or (signs(model, state, c) != modes)[rubs].any():
         name, force = next(iter(beyond.items()), ("", 0.0))
         text = f"{name} would have to hold {force:.6g}, more than it can" if beyond else "one turns back on the way"
         raise NoEquilibrium(

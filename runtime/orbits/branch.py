@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from runtime.contract.doors import opened
 from runtime.contract.errors import ArgumentError
 from runtime.contract.files import replacing, write_text
 from runtime.contract.model import Model
@@ -158,10 +157,15 @@ class PeriodicBranch:
 
     def picture(self, output: str, path: str | Path | None = None) -> Figure:
         """The largest magnitude of an output over the parameter: stable solid, unstable dashed, specials marked."""
+        from runtime.views.plots import branch_picture
+
         every = list(self.all)
         heights = [one.largest(output) for one in every]
         unstable = [np.array([kind == UNSTABLE for kind in one.stability]) for one in every]
-        curves = [(one.values, *own, one.first.doublings) for one, *own in zip(every, heights, unstable, strict=True)]
+        curves = [
+            (one.values, height, dashed, one.first.doublings)
+            for one, height, dashed in zip(every, heights, unstable, strict=True)
+        ]
         marked = [
             (special.kind, special.value, own[int(np.abs(one.values - special.value).argmin())])
             for one, own in zip(every, heights, strict=True)
@@ -169,15 +173,16 @@ class PeriodicBranch:
         ]
         entry = next(one for one in self.model.parameters if one.name == self.over)
         over, about = f"{self.over} [{entry.unit or '-'}]", self.model.title or self.model.name
-        draw = opened("runtime.views.plots:branch_picture")
-        return draw(about, over, output, curves, marked, path)  # type: ignore[no-any-return]
+        return branch_picture(about, over, output, curves, marked, path)
 
     def view(self, path: str | Path | None = None, outputs: Sequence[str] = ()) -> Any:
         """The picture as a page with a slider, which chooses the motion whose curves show; () stands for all q_i.
 
         Written to `path` (.html), else shown in the notebook or opened. Raises ModelError and OutputError.
         """
-        return opened("runtime.views.viewer.branch_page:show_branch")(self, path, list(outputs) or list(self.model.q_i))
+        from runtime.views.viewer.branch_page import show_branch
+
+        return show_branch(self, path, list(outputs) or list(self.model.q_i))
 
     def __repr__(self) -> str:
         told = ", ".join(f"{one.kind} at {one.value:.6g}" for one in self.specials) or "no change of stability"

@@ -9,7 +9,6 @@ from __future__ import annotations
 import numpy as np
 
 from runtime.contract.coordinates import euler_angles, parameter_columns
-from runtime.contract.doors import opened
 from runtime.contract.errors import ModelError
 from runtime.contract.orientations import NEAR_SINGULAR, angles, regularity
 from runtime.contract.records import BeamRecord
@@ -139,8 +138,10 @@ def missing_stresses(solution: Solution) -> tuple[dict[str, float], list[Event]]
             whole, modal = few.stresses(body), few.stresses(body, way="modes")
         except ModelError:  # gauges without the causes, or loads whose place on the body is not known
             continue
+        from runtime.results.stresses import von_mises
+
         lacking, largest = (
-            opened("runtime.results.stresses:von_mises")(whole.components - modal.components),
+            von_mises(whole.components - modal.components),
             whole.largest(),
         )
         if not (np.isfinite(lacking).all() and largest.value > 0.0):

@@ -10,7 +10,6 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.coordinates import at_home, independent_part, whole
-from runtime.contract.doors import opened
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.engine.rows import evaluate
@@ -114,6 +113,8 @@ def assemble_solution(
     """
     values = {"q": q, "q_dot": q_dot, "q_ddot": q_ddot, "t": t[:, None]}
     forces = Later(lambda: _constraint_forces(model, values, c))
+    from runtime.results.friction import frictions
+
     return Solution(
         model=model,
         scheme=name,
@@ -132,7 +133,7 @@ def assemble_solution(
         measures=Later(lambda: _measures(model, values, c)),  # type: ignore[arg-type]
         joint_forces=forces.part("joint_forces"),  # type: ignore[arg-type]
         load_forces=Later(lambda: _load_forces(model, values, c)),  # type: ignore[arg-type]
-        frictions=Later(lambda: opened("runtime.results.friction:frictions")(model, values, c)),  # type: ignore[arg-type]
+        frictions=Later(lambda: frictions(model, values, c)),  # type: ignore[arg-type]
         stats=stats,
         status=status,
     )

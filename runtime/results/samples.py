@@ -14,7 +14,6 @@ from runtime.contract.coordinates import (
     independent_rates,
     named_values,
 )
-from runtime.contract.doors import opened
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
 from runtime.contract.status import Event, Status
@@ -249,7 +248,9 @@ class Samples(WithLater):
             if name in names:
                 return values[:, names.index(name)]
         if name not in self.model.measures:
-            table: dict[str, np.ndarray] = opened("runtime.results.export:columns")(self)
+            from runtime.results.export import columns
+
+            table: dict[str, np.ndarray] = columns(self)
             if name in table:
                 return table[name]
         return self.measures[:, self.column_of(name, self.model.measures, "coordinate or measure")]

@@ -9,7 +9,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from runtime.contract.coordinates import whole
-from runtime.contract.doors import opened
 from runtime.contract.records import EventRecord
 from runtime.contract.status import Event, Status
 from runtime.running.stepped_model import SteppedModel
@@ -96,10 +95,7 @@ class EventActions:
 
         None may be. Nothing has happened yet: states before the event can still be seen.
         """
-        ended: list[int] = opened("runtime.schemes.adaptive_steps:ended_at_event")(
-            self._scheme, z, self._scheme.constants(self.own.c), self._once
-        )
-        return ended
+        return self._scheme.end_at_event(z, self._scheme.constants(self.own.c), self._once)
 
     def lie_within(self, z: np.ndarray) -> bool:
         """Is the end of the last step of z (n_z,) not behind the end of the run?"""
@@ -134,7 +130,7 @@ class EventActions:
         z[scheme.layout.slice("v_to")] += self._happen(z, scheme.reached(z), happened, shown)
         begin_events(scheme, z, constants, scheme.at_end(z))  # with the inputs as they are now
         if self.status is not None:
-            opened("runtime.schemes.adaptive_steps:shown_at_end")(scheme, z, own.plan.grid.dt_L, self._once)
+            scheme.show_end(z, own.plan.grid.dt_L, self._once)
         return None if np.array_equal(before, z[self._inputs]) else z[self._inputs].copy()
 
     def happen_at(self, z: np.ndarray, t: float, happened: list[int], values: np.ndarray) -> np.ndarray | None:
@@ -220,10 +216,13 @@ class EventActions:
         if (own & (before != 0)).any():
             come = np.where(own, LOCATED * np.abs(event_slopes(scheme, seen.z, seen.c))[first : self._declared], 0.0)
         c = np.concatenate([self.own.c[: len(self.own.c) - len(inputs)], inputs])
-        settled = opened("runtime.schemes.switching.settle:settled")
+        from runtime.schemes.switching.settle import settled
+
         found = settled(model, at, c, own & (before == 0), come, own & (before != 0))
         if found is None:
-            self.status = Status("no_mode", t, None, *opened("runtime.schemes.switching.settle:no_mode")(model, at, c))
+            from runtime.schemes.switching.settle import no_mode
+
+            self.status = Status("no_mode", t, None, *no_mode(model, at, c))
             return None
         inputs[modes] = found.modes
         z[self._inputs] = inputs
@@ -246,7 +245,9 @@ class EventActions:
             earlier, gained = self.own.impulses.get(before), kinetic[1] - kinetic[0]
             jump = Impulse(gained + (0.0 if earlier is None else earlier.energy), rates[1] - rates[0])
             self.own.impulses[before] = jump
-            lost = opened("runtime.schemes.switching.settle:losses")(model, at, c, found, gained)
+            from runtime.schemes.switching.settle import losses
+
+            lost = losses(model, at, c, found, gained)
         for hit in found.hits:
             name = model.mode_events[hit.k].name
             text = f"{name} is hit at {-hit.before:.6g} and left at {hit.after:.6g}{lost}"

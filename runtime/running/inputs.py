@@ -10,7 +10,6 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from runtime.contract.doors import opened
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
 from runtime.contract.signals import SINCE, SUFFIXES, Signals
@@ -267,5 +266,7 @@ class Schedule:
 def reading(scheme: Scheme, z_size: int, names: Sequence[str]) -> ca.Function:
     """(z, c) -> the named values (k,); z may be longer than the scheme's part. Raises ModelError for another name."""
     z, c = ca.SX.sym("z", z_size), ca.SX.sym("c", scheme.c_size)
-    values = opened("runtime.results.named_outputs:output_values")(scheme, names, z[: scheme.layout.size], c)
+    from runtime.results.named_outputs import output_values
+
+    values = output_values(scheme, names, z[: scheme.layout.size], c)
     return ca.Function("reading", [z, c], [ca.densify(values)])

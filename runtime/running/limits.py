@@ -9,7 +9,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from runtime.contract.doors import opened
 from runtime.contract.model import DrawnPoint
 from runtime.contract.records import Description
 from runtime.contract.status import Event, Status
@@ -208,7 +207,9 @@ def mean_normal_force(solution: Solution, strut: Strut, acting: list[Acting]) ->
     described, dimension = solution.model.description, 2 if solution.joint_forces.shape[2] == 3 else 3
     frame = [k for k, one in enumerate(described.coordinates) if one.owner == strut.body and not one.elastic]
     turning = (values[:, frame[dimension:]] for values in (solution.q, solution.q_dot, solution.q_ddot))
-    along = opened("runtime.results.body_motion:frame_motion")(*turning).A[:, :dimension] @ strut.line
+    from runtime.results.body_motion import frame_motion
+
+    along = frame_motion(*turning).A[:, :dimension] @ strut.line
     total = np.zeros(len(solution.t))
     for signs, force in acting:
         for marker, sign in signs.items():

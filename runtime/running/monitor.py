@@ -17,7 +17,6 @@ import numpy as np
 
 from runtime.contract.consistent_state import one_thread
 from runtime.contract.coordinates import independent_part, joined, length_rows, loop_part, mechanism_length, whole
-from runtime.contract.doors import opened
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.operating.mode_solver import ModeSolver, State
@@ -108,7 +107,9 @@ class Monitor:
         own = self.scheme.layout.slice
         time = float(z[own("t0")][0] + z[own("n")][0] * self.scheme.grid.dt_L)
         with np.errstate(all="ignore"):
-            status: Status = opened("runtime.running.diagnose:diagnose")(failure, time, self)
+            from runtime.running.diagnose import diagnose
+
+            status: Status = diagnose(failure, time, self)
         return status
 
     def memory(self) -> dict[str, list[float]]:

@@ -19,7 +19,6 @@ from typing import Any
 import numpy as np
 
 from runtime.contract.coordinates import euler_angles, followed
-from runtime.contract.doors import opened
 from runtime.contract.status import Event, Status
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.results.solution import Solution
@@ -45,8 +44,11 @@ def finished(run: Run, error: MotionError | None = None) -> Solution:
 
 def passed_by(run: Run, steps: float) -> list[Any]:
     """Loads that act in less than so many steps along the way of a run, as `short_loads` finds them."""
-    loads = run.segment.model.description.measures and opened("runtime.running.load_path:short_loads")(run, steps)
-    return loads or []
+    if not run.segment.model.description.measures:
+        return []
+    from runtime.running.load_path import short_loads
+
+    return list(short_loads(run, steps))
 
 
 def _ended(run: Run, error: MotionError | None) -> Solution:
@@ -56,12 +58,15 @@ def _ended(run: Run, error: MotionError | None) -> Solution:
     run.record.flush()
     solution = run.seen()
     if not status.ok:
-        laid = opened("runtime.running.diagnose:laid_to_loads")
-        status = laid(status, solution, run.events, 2 * run.plan.grid.dt_L)
+        from runtime.running.diagnose import laid_to_loads
+
+        status = laid_to_loads(status, solution, run.events, 2 * run.plan.grid.dt_L)
     stats = {**statistics(run.segment, run.z, run.set_up, run.seconds), **solution.stats, **_circumstances(run)}
     events = sorted((event for event in run.events if event.kind != "kink"), key=lambda event: event.time)
     if run.segment.model.description.kinks and run.segment.plan.scheme.options.kinks == "crossed":
-        events += opened("runtime.results.missing:crossed_kinks")(solution)
+        from runtime.results.missing import crossed_kinks
+
+        events += crossed_kinks(solution)
     elif len(events) < len(run.events):
         stats["kinks"] = len(run.events) - len(events)
     solution = solution.but(status=status, stats=stats, events=events, parameters=run.segment.p, stops=_stops(run))
@@ -163,7 +168,9 @@ def statistics(segment: SteppedModel, z: np.ndarray, setup: float, wall: float) 
 def with_limits(solution: Solution) -> Solution:
     """The solution with what was found of flexible bodies and Euler angles; the number of its events is told."""
     if solution.model.elastic or euler_angles(solution.model):
-        solution = opened("runtime.running.limits:with_limits")(solution)
+        from runtime.running.limits import with_limits
+
+        solution = with_limits(solution)
     return solution.but(stats={**solution.stats, "events": len(solution.events)}) if solution.events else solution
 
 

@@ -16,7 +16,6 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import Initial
-from runtime.contract.doors import opened
 from runtime.contract.model import Model
 from runtime.running.inputs import InputValue, Sampled, Schedule, scheduled, started
 from runtime.schemes.catalogue import scheme_kind
@@ -275,7 +274,9 @@ def steps_asked(
         return name, float(model.simulation["dt"]) if dt is None else dt
     if m is not None or options:
         raise SchemeError("auto chooses m and options itself; leave them out, or name a scheme")
-    found, step = opened("runtime.running.ladder:usual_steps")(model, t0, t_end)
+    from runtime.running.ladder import usual_steps
+
+    found, step = usual_steps(model, t0, t_end)
     return found, step if dt is None else dt
 
 

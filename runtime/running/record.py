@@ -12,7 +12,6 @@ from pathlib import Path
 import numpy as np
 
 from runtime.contract.coordinates import followed, whole
-from runtime.contract.doors import opened
 from runtime.contract.model import Model
 from runtime.engine.rows import evaluate
 from runtime.results.observe import concatenated
@@ -115,7 +114,9 @@ def record_of(
     """Of a run from z (flat) on: whole states in memory, or rows of columns. Raises OutputError or ModelError."""
     if not keep_rows:
         return Record([segment], segment.plan.seen_steps, segment.plan.steps)
-    found: Record = opened("runtime.running.columns:ColumnRecord")(segment, z, stream, resumed)
+    from runtime.running.columns import ColumnRecord
+
+    found: Record = ColumnRecord(segment, z, stream, resumed)
     return found
 
 

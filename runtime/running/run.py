@@ -13,7 +13,6 @@ from typing import Self
 
 import numpy as np
 
-from runtime.contract.doors import opened
 from runtime.contract.files import OutputError
 from runtime.contract.status import Event, Status
 from runtime.results.solution import Solution
@@ -137,7 +136,9 @@ class Further:
         if every is not None and self.checkpoint is None:
             raise SchemeError("checkpoint_every", "needs a file", "give checkpoint = ...")
         if self.checkpoint is not None:
-            opened("runtime.running.checkpoint:claim")(self.checkpoint)
+            from runtime.running.checkpoint import claim
+
+            claim(self.checkpoint)
         return self
 
 
@@ -194,8 +195,9 @@ class Run:
     def failed(self, check: str, *found: str, step: int | None = None) -> Status:
         """What it means that a check failed at a step, or here."""
         time_, monitor = self.plan.time(self.step if step is None else step), self.segment.monitor
-        status: Status = opened("runtime.running.diagnose:diagnose")(Failure(check, None, found), time_, monitor)
-        return status
+        from runtime.running.diagnose import diagnose
+
+        return diagnose(Failure(check, None, found), time_, monitor)
 
     def checked(self, closely: bool = False, samples: int = 1) -> Status | None:
         """What the checks find at z, which goes back to the last good state where they find anything."""
@@ -325,7 +327,9 @@ class Run:
             return
         self.record.flush()
         try:
-            opened("runtime.running.checkpoint:checkpoint_of")(self).write(self.further.checkpoint)
+            from runtime.running.checkpoint import checkpoint_of
+
+            checkpoint_of(self).write(self.further.checkpoint)
         except OutputError as error:  # what is in memory is worth more than its copy on the disk
             if not any(event.kind == "checkpoint_failed" for event in self.events):
                 self.events.append(Event(self.plan.time(self.step), "checkpoint_failed", str(error)))
@@ -358,7 +362,9 @@ def integrate(run: Run) -> Status:
                     run.segment.monitor.recall(known)
                     run.z = before
                 elif alarm:
-                    opened("runtime.running.singular.passage:pass_by")(run, before, n)
+                    from runtime.running.singular.passage import pass_by
+
+                    pass_by(run, before, n)
                     run.keep(run.z[None])
                 elif status is not None:
                     run.status = status

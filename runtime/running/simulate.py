@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
 from runtime.contract.coordinates import Initial
-from runtime.contract.doors import BY_NAME, CALLED, FLAG, NAMES, PLACE, START, arguments, opened
+from runtime.contract.doors import BY_NAME, CALLED, FLAG, NAMES, PLACE, START, arguments
 from runtime.contract.model import Model, refuse_events
 from runtime.operating.given_state import given_state
 from runtime.results.motion_error import MotionError
@@ -94,7 +94,9 @@ def simulate(
     InitialStateError, OutputError or CompilerError for arguments that cannot be used.
     """
     if progress is True:
-        with opened("runtime.results.meter:Meter")(model.name) as meter:
+        from runtime.results.meter import Meter
+
+        with Meter(model.name) as meter:
             given = {name: value for name, value in locals().items() if name not in ("model", "meter", "progress")}
             return simulate(model, progress=meter, **given)
     if error not in (MEASURED, OFF):
@@ -124,10 +126,9 @@ def simulate(
             wanted, options, local = _made_once(problem, wanted), {**(options or {}), "error_of": LOCAL}, True
     if asked is not None and not local:
         chosen = {name: value for name, value in (options or {}).items() if name != "error_of"}
-        climbed: Solution = opened("runtime.running.ladder:by_ladder")(
-            problem, asked, wanted, m, chosen, seen or None, further
-        )
-        return climbed
+        from runtime.running.ladder import by_ladder
+
+        return by_ladder(problem, asked, wanted, m, chosen, seen or None, further)
     if local and asked is not None:
         options = {**(options or {}), "tolerance": asked}
         seen = seen if seen is not None else own_spacing(model, begin, end)
@@ -144,7 +145,9 @@ def _made_once(problem: Problem, wanted: str) -> str:
 
     Raises SchemeError where that scheme cannot tell its own steps' lengths.
     """
-    name = str(opened("runtime.running.ladder:chosen_method")(problem)[0].scheme if wanted == AUTO else wanted)
+    from runtime.running.ladder import chosen_method
+
+    name = str(chosen_method(problem)[0].scheme if wanted == AUTO else wanted)
     if "error_of" in scheme_kind(name).options.names():
         return name
     if wanted == AUTO:
@@ -199,5 +202,6 @@ def _driven(
         )
     p = started(model, model.parameter_vector(parameters), schedule, begin)
     state = given_state(model, p, model.constants(p), begin, initial)
-    driven = opened("runtime.running.driven:driven_solution")
-    return cast(Solution, driven(model, p, state, begin, end, float(step), schedule))
+    from runtime.running.driven import driven_solution
+
+    return driven_solution(model, p, state, begin, end, float(step), schedule)

@@ -14,7 +14,6 @@ from typing import Any, Self
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
-from runtime.contract.doors import opened
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.results.observe import observe_samples
@@ -82,7 +81,9 @@ class SteppedModel:
         """Make so many major steps in place, in one native call where nothing jumps."""
         if self.plan.scheme.adaptive:
             around = self.with_inputs(z), self.plan.grid.dt_L, self.switches, self.given
-            opened("runtime.schemes.adaptive_steps:run_across")(self.stepper, z, steps, self.ready, *around)
+            from runtime.schemes.adaptive_steps import run_across
+
+            run_across(self.stepper, z, steps, self.ready, *around)
         elif self.broken is None:
             self.stepper.run(z, self.ready, steps)
         else:
@@ -107,7 +108,9 @@ class SteppedModel:
             return
         clock, dt, size = z[:2].copy(), self.plan.grid.dt_L, layout.size
         t = float(clock[0] + clock[1] * dt)
-        restart = opened("runtime.schemes.switching.steps_with_stops:restart_of")(self.stepper)
+        from runtime.schemes.switching.steps_with_stops import restart_of
+
+        restart = restart_of(self.stepper)
         z[:size] = restart(z[:size], self.plan.scheme.constants(self.c), dt, dt, t, push, w)
         z[:2] = clock
 
@@ -133,7 +136,8 @@ class SteppedModel:
             self.switches = all_stops(self.model, self.c, t0, t_end, self.begun, step)
         self.broken = None
         if (self.switches or self.watches_events) and not scheme.adaptive:  # who chooses ends of steps puts them there
-            steps_with_stops = opened("runtime.schemes.switching.steps_with_stops:StepsWithStops")
+            from runtime.schemes.switching.steps_with_stops import StepsWithStops as steps_with_stops
+
             known = round((t_end - t0) / length)
             self.broken = steps_with_stops(self.stepper, t0, length, self.switches, self.c, known)
 

@@ -16,7 +16,7 @@ No step crosses a time of `stops`; the controller begins anew there.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 import casadi as ca
 import numpy as np
@@ -26,7 +26,7 @@ from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Until
 from runtime.engine.program import Sequence as InTurn
 from runtime.schemes.one_step import Attempt, Method
-from runtime.schemes.scheme import LARGEST, Scheme, StateField, account, given, state
+from runtime.schemes.scheme import LARGEST, Scheme, StateField, Step, account, given, state
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, loop_blocks
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.event_search import NODES, ValuesInStep, first_bracket, first_passage, looked_at
@@ -261,6 +261,17 @@ class AdaptiveSteps(Scheme):
     def has_halted(self, z: np.ndarray) -> bool:
         """Is z (n_z,) at the last time that it knows of?"""
         return bool(z[self.layout.slice("stops")][-1] <= z[self.layout.slice("t_to")][0])
+
+    def end_at_event(self, z: np.ndarray, constants: np.ndarray, run: Step) -> list[int]:
+        """End the last step of z (whole, flat) in place where an event has just happened; which ones do.
+
+        None may: then the step has only come near to one, and z goes on from its end. constants: as stages read them.
+        """
+        return ended_at_event(self, z, constants, run)
+
+    def show_end(self, z: np.ndarray, dt: float, run: Step) -> None:
+        """Let z (whole, flat) be seen at the end of its last step: one state of dt [s] more."""
+        shown_at_end(self, z, dt, run)
 
     def land(self, z: np.ndarray) -> None:
         """From z (flat) on, end a step at every state that is seen."""
@@ -601,12 +612,11 @@ def give_impulse(
 # is not cut, but made anew from its start to the event, which is located on such steps: see event_search.py. The next
 # step begins there anew, as behind a jump in time.
 
-Runs = Callable[[np.ndarray], None]  # one application of the program, in place
 FAR = 1e15  # steps
 MOST_PARTS = 100  # steps that one step becomes when its end is rejected
 
 
-def ended_at_event(scheme: AdaptiveSteps, z: np.ndarray, constants: np.ndarray, run: Runs) -> list[int]:
+def ended_at_event(scheme: AdaptiveSteps, z: np.ndarray, constants: np.ndarray, run: Step) -> list[int]:
     """End the last step of z (whole, flat) in place where an event has just happened; which ones do.
 
     None may: then the step has only come near to one, and z goes on from its end. constants: as stages read them.
@@ -665,7 +675,7 @@ def _bracket(
     return found
 
 
-def _made_again(scheme: AdaptiveSteps, z: np.ndarray, end: float, run: Runs) -> np.ndarray:
+def _made_again(scheme: AdaptiveSteps, z: np.ndarray, end: float, run: Step) -> np.ndarray:
     """A copy of z with its last step ended there [s]."""
     own, z = scheme.layout.slice, z.copy()
     z[own("h_next")] = z[own("t_to")] - z[own("t_from")]
@@ -686,7 +696,7 @@ def _made_again(scheme: AdaptiveSteps, z: np.ndarray, end: float, run: Runs) -> 
     return z
 
 
-def shown_at_end(scheme: AdaptiveSteps, z: np.ndarray, dt: float, run: Runs) -> None:
+def shown_at_end(scheme: AdaptiveSteps, z: np.ndarray, dt: float, run: Step) -> None:
     """Let z (whole, flat) be seen at the end of its last step: one state of dt [s] more."""
     own = scheme.layout.slice
     t, n = float(z[own("t_to")][0]), float(z[own("n")][0]) + 1

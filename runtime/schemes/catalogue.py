@@ -68,7 +68,11 @@ class SchemeKind:
         if key not in model.schemes:
             built: Scheme = self.make(model, grid, options)
             if getattr(options, "tolerance", 0.0) > 0:
-                built = opened("runtime.schemes.adaptive_steps:AdaptiveSteps")(built)
+                from runtime.schemes.adaptive_steps import AdaptiveSteps
+                from runtime.schemes.one_step import Method
+
+                assert isinstance(built, Method)  # no other has this option
+                built = AdaptiveSteps(built)
             watch_events(built)
             model.schemes[key] = built
         found: Scheme = model.schemes[key]

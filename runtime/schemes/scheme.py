@@ -31,6 +31,7 @@ from runtime.schemes.step_limit import StepLimit
 
 LARGEST = 1e300  # more than any number of a motion
 OBSERVED = ("t", "q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "q_d_ddot")
+Step = Callable[[np.ndarray], None]  # one application of the program to z (whole, flat), in place
 Body = Callable[[Fields, StageEquations], Mapping[str, ca.SX]]
 
 
@@ -149,6 +150,17 @@ class Scheme(ABC):
     def next_seen(self, z: np.ndarray, dt: float) -> float:
         """Time of the next state after z (at least the scheme's part, flat) that is seen [s], dt apart."""
         return float(z[0] + (z[1] + 1) * dt)
+
+    def end_at_event(self, z: np.ndarray, constants: np.ndarray, run: Step) -> list[int]:
+        """End the last step of z (whole, flat) in place where an event that is flagged there happens; which ones do.
+
+        Steps of a given length end where they end: none. constants: as stages read them.
+        """
+        return []
+
+    def show_end(self, z: np.ndarray, dt: float, run: Step) -> None:
+        """Let z (whole, flat) be seen at the end of its last step, as it always is of steps of a given length."""
+        return None
 
     def at_end(self, z: np.ndarray) -> np.ndarray:
         """A copy of z (n_z,) that is seen at the end of its last step."""

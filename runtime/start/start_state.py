@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import cast
 
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
 from runtime.contract.coordinates import Initial, values_by_name
-from runtime.contract.doors import opened
 from runtime.contract.model import Model
 from runtime.operating.given_state import given_state
 
@@ -35,13 +33,18 @@ def start_state(
         if chosen == "given" or (start is None and _names_elastic(model, changes or {})):
             return state
         if chosen == "equilibrium":
-            return cast(ConsistentState, opened("runtime.start.quasi_static:equilibrium_state")(model, p, c, t0, state))
-        settled = opened("runtime.start.quasi_static:quasi_static_state")
-        return cast(ConsistentState, settled(model, c, t0, state, unstable=chosen == "quasi_static_unstable"))
+            from runtime.start.quasi_static import equilibrium_state
+
+            return equilibrium_state(model, p, c, t0, state)
+        from runtime.start.quasi_static import quasi_static_state
+
+        return quasi_static_state(model, c, t0, state, unstable=chosen == "quasi_static_unstable")
 
     state = begun({})
     if any(event.side for event in model.mode_events):
-        return cast(ConsistentState, opened("runtime.operating.at_stops:within_stops")(model, c, t0, state, begun))
+        from runtime.operating.at_stops import within_stops
+
+        return within_stops(model, c, t0, state, begun)
     return state
 
 

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 
 import casadi as ca
 
-from runtime.contract.doors import opened
 from symgen.algebra.rows import Row, to_matrix
 from symgen.algebra.scalar import ZERO, div, mul, sub
 from symgen.condensed.condensation import Condensed
@@ -60,7 +59,9 @@ def reactions(system: Condensed) -> Kernel:
         for column, factor in eq.constraints[row].C_q.items():
             force[column] = force[column] - factor * value
     if eq.elements:
-        opened("symgen.condensed.locks:add_stuck_forces")(system, force)
+        from symgen.condensed.locks import add_stuck_forces
+
+        add_stuck_forces(system, force)
     lam = _loop_reactions(system, force) if choice.loop_rows else {}
     norms = {row.label: k for k, row in enumerate(eq.constraints)}
     norm_rows = {turning.body: norms[f"{turning.body}.norm"] for turning in system.reduced.turnings}

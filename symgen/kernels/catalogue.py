@@ -11,7 +11,6 @@ from functools import partial
 
 import casadi as ca
 
-from runtime.contract.doors import opened
 from runtime.contract.records import Group
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO, dot
@@ -84,8 +83,9 @@ def kernel_builders(
     builders |= {name: partial(_jacobian, name, system, arguments) for name in JACOBIANS}
     tree, deflections = is_tree(system, topology), system.deflections
     if deflections is not None:
-        further = opened("symgen.kernels.deflection_kernels:deflection_kernels")
-        builders |= further(system, topology, arguments, deflections, tree)
+        from symgen.kernels.deflection_kernels import deflection_kernels
+
+        builders |= deflection_kernels(system, topology, arguments, deflections, tree)
     if tree:
         builders["forward_dynamics"] = lambda: dynamics(system, arguments, tree_accelerations(system, topology, {}))
     if len(groups) > 1:
@@ -93,7 +93,8 @@ def kernel_builders(
     for level in range(1, len(groups)):
         builders[substep_name(level + 1)] = partial(_substep, system, arguments, groups, level)
     if system.reduced.elements:
-        with_elements = opened("symgen.kernels.element_kernels:with_elements")
+        from symgen.kernels.element_kernels import with_elements
+
         builders = with_elements(builders, system, topology, arguments, named_groups)
     if not system.choice.independent:  # every coordinate is driven: there are no equations of motion to emit
         builders = {name: build for name, build in builders.items() if name in FULLY_DRIVEN}
@@ -139,8 +140,9 @@ def _condensed(system: Condensed, a: Arguments) -> Kernel:
 
 def _jacobian(name: str, system: Condensed, a: Arguments) -> Kernel:
     """One of `JACOBIANS`."""
-    found: Kernel = opened("symgen.kernels.jacobians:jacobian_kernels")(system, a)[name]()
-    return found
+    from symgen.kernels.jacobians import jacobian_kernels
+
+    return jacobian_kernels(system, a)[name]()
 
 
 def _substep(system: Condensed, a: Arguments, groups: list[list[int]], level: int) -> Kernel:

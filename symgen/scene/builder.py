@@ -7,7 +7,6 @@ from inspect import Parameter, Signature, cleandoc
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
-from runtime.contract.doors import opened
 from symgen.couplings import COUPLINGS
 from symgen.joints import JOINTS
 from symgen.loads import LOADS
@@ -152,7 +151,9 @@ class Scene:
         """The scene as TOML text, for `from_toml` and the command line; written where a path is given (OutputError)."""
         text = self.build().to_toml()
         if path is not None:
-            opened("runtime.contract.files:write_text")(Path(path), text)
+            from runtime.contract.files import write_text
+
+            write_text(Path(path), text)
         return text
 
     def model(self) -> Model:

@@ -15,7 +15,6 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from runtime.contract.doors import opened
 from runtime.contract.errors import ModelError
 from runtime.contract.files import cache_folder, refused_folder, stamp_of
 from runtime.contract.loading import load_model
@@ -47,8 +46,9 @@ def kept_model(scene: SceneRecord) -> Model:
         return load_model(own)
     models = models_folder()
     if refused_folder(models):
-        derived: Model = opened("symgen.generate:model_of")(scene)
-        return derived
+        from symgen.generate import model_of
+
+        return model_of(scene)
     facts = [stamp_of(*FOLLOWED), *(version(library) for library in LIBRARIES), text]
     folder = models / f"{scene.name}-{hashlib.sha256(repr(facts).encode()).hexdigest()[:24]}"
     try:
@@ -62,8 +62,10 @@ def kept_model(scene: SceneRecord) -> Model:
 
 def _write(scene: SceneRecord, folder: Path) -> None:
     """The folder, complete at once: another process sees all of it or nothing. The oldest go where there are many."""
+    from symgen.generate import generate
+
     with tempfile.TemporaryDirectory(dir=folder.parent) as place:
-        made = Path(opened("symgen.generate:generate")(scene, Path(place) / "model"))
+        made = Path(generate(scene, Path(place) / "model"))
         shutil.rmtree(folder, ignore_errors=True)  # one that cannot be loaded
         with contextlib.suppress(OSError):  # another process was first
             made.rename(folder)

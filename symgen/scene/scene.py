@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 
 from pydantic import ValidationError
 
-from runtime.contract.doors import opened
 from runtime.contract.status import card, fold, table
 from symgen.scene import toml_io
 from symgen.scene.checks import check_scene
@@ -90,8 +89,9 @@ class SceneRecord(SceneParts):
 
     def model(self) -> Model:
         """The equations, ready to run: generated once, then kept in the cache. Raises SceneError."""
-        found: Model = opened("symgen.scene.kept:kept_model")(self)
-        return found
+        from symgen.scene.kept import kept_model
+
+        return kept_model(self)
 
     def _repr_html_(self) -> str:
         return scene_card(self)

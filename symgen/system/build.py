@@ -111,8 +111,10 @@ def build_system(scene: SceneRecord) -> System:
     equations.measures |= equations.u
     equations.measure_units |= input_units(scene)
     if scene.structure is None and scene.space == "spatial":
+        from symgen.system.reduced import reduced_equations
+
         orientations = orientations_of(scene, topology)
-        reduced = opened("symgen.system.reduced:reduced_equations")(built, space, orientations)
+        reduced = reduced_equations(built, space, orientations)
     return System(equations, reduced, table, topology, requested_by(scene), orientations)
 
 
@@ -121,8 +123,9 @@ def _blank(scene: SceneRecord) -> Equations:
     equations = blank_equations(scene)
     beams = [body for body in scene.bodies if isinstance(body, BeamBody)]
     if beams:
-        equations.static_residuals = opened("symgen.bodies.beam_sets:static_residuals")(scene)
-        records = opened("symgen.bodies.beam_sets:set_records")
-        equations.beams = {body.name: records(body) for body in beams}
+        from symgen.bodies.beam_sets import set_records, static_residuals
+
+        equations.static_residuals = static_residuals(scene)
+        equations.beams = {body.name: set_records(body) for body in beams}
     equations.flexible = [body.name for body in scene.bodies if isinstance(body, SpatialModalBody)]
     return equations

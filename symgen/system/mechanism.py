@@ -14,7 +14,6 @@ from typing import Any, Generic, Protocol, TypeVar
 import casadi as ca
 import numpy as np
 
-from runtime.contract.doors import opened
 from runtime.contract.orientations import NAMES
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_scaled, add_to, nonzero
@@ -426,12 +425,11 @@ class Mechanism(Generic[Marker]):
 
     def _euler_angle(self, name: str) -> ca.SX:
         """`body.theta1`, ...: read off the body's Euler parameters."""
+        from symgen.bodies.spatial_orientation import euler_angle
+
         body, _, own = name.partition(".")
         e = [self.equations.q[self.equations.names.index(f"{body}.e{k}")] for k in range(4)]
-        angle: ca.SX = opened("symgen.bodies.spatial_orientation:euler_angle")(
-            self.scene.euler_angles()[body], NAMES.index(own), e
-        )
-        return angle
+        return euler_angle(self.scene.euler_angles()[body], NAMES.index(own), e)
 
     def _measured(self, measure: Measure) -> tuple[ca.SX, str]:
         """(value, SI unit) of a measure."""
@@ -457,17 +455,17 @@ class Mechanism(Generic[Marker]):
 
     def _stress(self, measure: StressMeasure) -> ca.SX:
         """Of a finite-element body at a gauge, of a beam at a marker, or the largest of all."""
+        from symgen.bodies.stresses import beam_stress, gauge_stress
+
         eq, (name, _, gauge) = self.equations, measure.of.partition(".")
         body = self.scene.body(name)
         if isinstance(body, BeamBody):
             places = None if gauge == ALL_GAUGES else (self._place(measure.of)[1],)
             force = partial(self.space.section_force, body)
-            stress: ca.SX = opened("symgen.bodies.stresses:beam_stress")(body, force, places, self.table)
-            return stress
+            return beam_stress(body, force, places, self.table)
         assert isinstance(body, SpatialModalBody)
         q_f = [eq.q[column] for column in eq.body_columns[name] if eq.coordinates[column].elastic]
-        stress = opened("symgen.bodies.stresses:gauge_stress")(body, gauge, measure.component, q_f, self.table)
-        return stress
+        return gauge_stress(body, gauge, measure.component, q_f, self.table)
 
     def _add_states(self) -> None:
         """s' = g(q, q', s, u, t) as the motion of a coordinate of unit inertia whose rate is s."""

@@ -113,7 +113,8 @@ class Advice:
 
     def picture(self, path: str | Path | None = None) -> Figure:
         """Error of every rung of every method against operations, of a report against time. Raises OutputError."""
-        draw = opened("runtime.views.plots:work_precision")
+        from runtime.views.plots import work_precision
+
         title = f"{self.model.title or self.model.name}, {self.t_end:g} s"
         curves = {
             one.label: np.array([(1e3 * trial.seconds, trial.error) for trial in one.trials]).reshape(-1, 2)
@@ -122,7 +123,7 @@ class Advice:
             for one in self.climbed
         }
         unit = "processor time of the steps [ms]" if self.reference else "operations"
-        found: Figure = draw(title, curves, self.tolerance, unit, path)
+        found: Figure = work_precision(title, curves, self.tolerance, unit, path)
         return found
 
     def _repr_html_(self) -> str:

@@ -11,7 +11,6 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
-from runtime.contract.doors import opened
 from runtime.contract.model import Model
 from runtime.contract.tape import read_tape
 from runtime.engine.native import blocks_of
@@ -134,18 +133,21 @@ class LaneRuns:
 
     def _decided(self, blocks: np.ndarray, cases: int) -> np.ndarray:
         """(cases,) those whose start is not one of lanes; what is held in the others is among their parameters now."""
+        from runtime.schemes.switching.settle import settled
+
         model, scheme, alone = self.programs.model, self.programs.scheme, np.zeros(cases, dtype=bool)
         modes, none = model.element_modes, np.zeros(len(model.element_modes))
         if not len(modes):
             return alone
-        settled = opened("runtime.schemes.switching.settle:settled")
         states, constants = self.values(blocks, cases, "scheme"), self.values(blocks, cases, "c")
         first = len(model.parameters) - model.signals.size
         decided = self.values(blocks, cases, "p")[:, first + modes]
         for k, (z, c) in enumerate(zip(states, constants, strict=True)):
             found = settled(model, state_of(scheme, z, scheme.constants(c)), c, none, none)
-            alone[k] = found is None or found.push.any() or (scheme.remembers and (found.modes != decided[k]).any())
-            decided[k] = decided[k] if alone[k] else found.modes
+            if found is None or found.push.any() or (scheme.remembers and (found.modes != decided[k]).any()):
+                alone[k] = True
+            else:
+                decided[k] = found.modes
         for position, values in zip(modes, decided.T, strict=True):
             self._put(blocks, "p", values[:, None], first + int(position))
         self.programs.begin.run(blocks, 0, 0, 1)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from runtime.baselines.scipy_methods import reference_solution
-from runtime.contract.doors import BY_NAME, NUMBERS, arguments, opened
+from runtime.contract.doors import BY_NAME, NUMBERS, arguments
 from runtime.contract.errors import ModelError
 from runtime.contract.files import write_text
 from runtime.contract.model import Model
@@ -204,6 +204,8 @@ class StabilityChart:
 
     def picture(self, path: str | Path | None = None) -> Figure:
         """Spurious growth in a major step over dt_S for each m, limits as bars. Raises OutputError."""
+        from runtime.views.plots import stability_picture
+
         rows = [
             (
                 ",".join(map(str, one.m)) or "-",
@@ -215,7 +217,7 @@ class StabilityChart:
             for one in self.curves
         ]
         about = f"{self.model.title or self.model.name}: {self.scheme}, {len(self.states)} states of {self.t_end:g} s"
-        return opened("runtime.views.plots:stability_picture")(about, rows, path)  # type: ignore[no-any-return]
+        return stability_picture(about, rows, path)
 
 
 def _growth_below(curve: StabilityCurve) -> float | None:
