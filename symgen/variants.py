@@ -13,6 +13,8 @@ from symgen.emission.write import write_model
 from symgen.pipeline import Configuration, derive
 from symgen.scene import SceneError, SceneRecord
 
+OF_THE_MOTION = ("t_end", "seen_every", "start")  # of `simulation`: how steps are made says who makes them
+
 
 def generate_variant(
     scene_toml_text: str,
@@ -28,6 +30,7 @@ def generate_variant(
     groups: (name, coordinates) from slow to fast. state: all coordinates [m, rad] where the variant is wanted, taken
     as they are; its loop unknowns are chosen there, and it becomes the variant's initial state, at rest. redundant:
     labels of the rows that the first derivation found redundant; they stay out, as the rank at `state` may be lower.
+    The scheme of the scene, its step, ratios and tolerance stay behind: a run brings its own.
     functions: names of the functions to emit, all by default. Without state the scene's own initial state is taken,
     and redundant rows are found anew. Returns the folder. Raises SceneError if q_i cannot be independent there, for
     an incomplete state, and for a folder that cannot be written.
@@ -38,9 +41,7 @@ def generate_variant(
         "independent": list(independent),
         "groups": [{"name": name, "coordinates": list(names)} for name, names in groups],
     }
-    simulation = data.setdefault("simulation", {})
-    if len(simulation.get("m", ())) != len(groups) - 1:  # the scene named no groups, so it needed no ratios
-        simulation["m"] = [1] * (len(groups) - 1)
+    data["simulation"] = {key: value for key, value in data.get("simulation", {}).items() if key in OF_THE_MOTION}
     at = None
     if state is not None:
         data["initial"] = {"coordinates": dict(state)}

@@ -192,7 +192,8 @@ class Simulation(StrictModel):
         for key in ("t_end", "dt"):
             if getattr(self, key) <= 0:
                 yield Fault(key, f"{getattr(self, key)!r} is not positive", "give a time in s")
-        if self.t_end > 0 and self.dt > 0:
+        steps = "dt" in self.model_fields_set or (self.scheme != "auto" and self.tolerance is None)
+        if steps and self.t_end > 0 and self.dt > 0:
             if self.dt > self.t_end:
                 yield Fault("dt", "is longer than the simulation", "give a step below t_end")
             elif self.t_end / MAX_STEPS > self.dt:

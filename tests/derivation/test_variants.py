@@ -6,6 +6,7 @@ import re
 import tomllib
 from pathlib import Path
 from pkgutil import resolve_name
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ import pytest
 from runtime import load_model, simulate
 from runtime.contract.model import Model
 from symgen.generate import generate
-from symgen.scene import Scene, SceneError
+from symgen.scene import Scene, SceneError, SceneRecord
 from symgen.scenes import generated_folder
 from symgen.scenes.linkages import n_four_bar
 from symgen.variants import generate_variant
@@ -43,7 +44,7 @@ def test_a_variant_moves_like_the_model_it_comes_from(tmp_path: Path) -> None:
         np.testing.assert_allclose(there.q, here.q, rtol=0, atol=1e-12)
         np.testing.assert_allclose(there.q_dot, here.q_dot, rtol=0, atol=1e-11)
         assert relative_error(condensed_accelerations(variant, there), condensed_accelerations(original, here)) < 1e-9
-    assert simulate(variant, t_end=0.01, dt=1e-4, engine="interpreted").status.ok
+    assert simulate(variant, scheme="single_rate", t_end=0.01, dt=1e-4, engine="interpreted").status.ok
 
 
 def test_groups_and_functions_are_those_asked_for(tmp_path: Path) -> None:
@@ -78,6 +79,39 @@ def test_a_scene_without_ratios_has_variants_with_groups(tmp_path: Path) -> None
     groups = [("slow", q_i[:1]), ("fast", q_i[1:])]
     folder = generate_variant(text, q_i, groups, tmp_path / "bare", functions=["condensed", "closure", "velocities"])
     assert [group.name for group in load_model(folder).groups] == ["slow", "fast"]
+
+
+@pytest.mark.parametrize(
+    "simulation",
+    [
+        {},
+        {"t_end": 2.0},
+        {"t_end": 5e-4, "seen_every": 1e-5},
+        {"tolerance": 1e-4},
+        {"scheme": "dopri5", "tolerance": 1e-4},
+        {"scheme": "exponential", "dt": 1e-4, "m": [4]},
+        {"scheme": "coupled", "dt": 1e-4, "m": [2]},
+        {"start": "quasi_static"},
+    ],
+)
+@pytest.mark.parametrize("groups", ["none", "two", "three"])
+def test_a_variant_has_the_groups_of_the_run_however_the_scene_is_stepped(
+    tmp_path: Path, simulation: dict[str, Any], groups: str
+) -> None:
+    """Groups of the run, in a scene that names none, as many or others; of its scheme the variant keeps nothing."""
+    data = tomllib.loads((generated_folder("flexible_four_bar") / "scene.toml").read_text(encoding="utf-8"))
+    q_i = load_model(generated_folder("flexible_four_bar")).q_i
+    own = {"none": [], "two": [q_i[:1], q_i[1:]], "three": [q_i[:1], q_i[1:2], q_i[2:]]}[groups]
+    data["partition"] = (
+        {"groups": [{"name": f"g{k}", "coordinates": part} for k, part in enumerate(own)]} if own else {}
+    )
+    data["simulation"] = simulation | ({"m": [2] * (len(own) - 1)} if own and "m" in simulation else {})
+    text = SceneRecord.from_dict(data).to_toml()
+    wanted = [("slow", q_i[:1]), ("fast", q_i[1:])]
+    folder = generate_variant(text, q_i, wanted, tmp_path / "v", functions=["condensed", "closure", "velocities"])
+    found = load_model(folder)
+    assert [(group.name, [q_i[k] for k in group.positions]) for group in found.groups] == wanted
+    assert not {"m", "tolerance"} & set(found.simulation) or not found.simulation["m"]
 
 
 def test_a_variant_beyond_a_singular_position(tmp_path: Path) -> None:

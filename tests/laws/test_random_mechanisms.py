@@ -12,8 +12,9 @@ from scipy.linalg import eigvals
 
 from runtime import load_model, simulate
 from runtime.contract.model import Model
-from symgen.generate import generate
+from symgen.generate import generate, model_of
 from symgen.scene import SceneRecord
+from tests.support.augmented import augmented_run
 from tests.support.model_values import (
     augmented_solution,
     condensed_accelerations,
@@ -22,7 +23,7 @@ from tests.support.model_values import (
     reactions,
     relative_error,
 )
-from tests.support.random_mechanisms import four_bars, trees
+from tests.support.random_mechanisms import beads_on_beams, four_bars, trees
 
 pytestmark = pytest.mark.long
 
@@ -95,3 +96,14 @@ def test_doubled_joints_change_nothing(scene: SceneRecord, which: int) -> None:
     model = check_laws(SceneRecord.from_dict({**scene.to_dict(), "joints": [*joints, again]}), *LOOP_RUN)
     rows = sum(label.startswith("again.") for label in model.constraints)
     assert len(model.redundant) == rows > 0
+
+
+@settings(QUICK, max_examples=6)
+@given(beads_on_beams())
+def test_beads_on_beams_go_on_wherever_they_lead(scene: SceneRecord) -> None:
+    """With no scheme named, and q_i exchanged as often as it takes: the motion of the augmented form, by DOP853."""
+    model = model_of(scene)
+    run = simulate(model, t_end=1.5, samples=15, error="off")
+    assert run.status.ok, run.status
+    exact = augmented_run(model, t_end=1.5, times=np.minimum(run.t, 1.5))
+    assert np.abs(run.q - exact.q).max() < 1e-3 * np.ptp(exact.q, axis=0).max()

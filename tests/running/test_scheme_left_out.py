@@ -39,6 +39,13 @@ def test_a_step_may_be_named_alone(bob: Model) -> None:
     assert bob.stepper(dt=1e-3).dt == 1e-3
 
 
+def test_a_motion_shorter_than_the_step_that_a_scheme_would_take(model_of: Build) -> None:
+    """It was refused for a dt that nobody had given; free fall for half a millisecond."""
+    scene = Scene("drop").gravity(0, -9.81).rigid("ball", mass=1.0, inertia=0.1, free=True)
+    run = simulate(model_of(scene.simulation(t_end=5e-4).build()))
+    assert run.status.ok and run["ball.y"][-1] == pytest.approx(-9.81 / 2 * 5e-4**2, rel=1e-6)
+
+
 def test_ratios_and_options_need_a_scheme(bob: Model) -> None:
     with pytest.raises(SchemeError, match="auto chooses m and options itself; leave them out, or name a scheme"):
         ensemble(bob, {"bob.mass": [1.0]}, outputs=["bob.theta"], m=[4])

@@ -1,4 +1,5 @@
-"""Hypothesis strategies for planar mechanisms: trees of rigid, modal and beam bodies, and closed four-bar loops."""
+"""Hypothesis strategies for planar mechanisms: trees of rigid, modal and beam bodies, closed four-bar loops, and beads
+on beams that turn."""
 
 from __future__ import annotations
 
@@ -130,3 +131,38 @@ def four_bars(draw: Draw) -> SceneRecord:
     bars = ("crank", "coupler", "rocker")
     builder.initial({f"{name}.theta": angle for name, angle in zip(bars, angles, strict=True)})
     return builder.rates({"crank.theta": draw(st.floats(-2, 2))}).build()
+
+
+@st.composite
+def beads_on_beams(draw: Draw) -> SceneRecord:
+    """A bead slides along a beam that turns, perhaps on an arm; a spring keeps it there. No scheme is named.
+
+    Which coordinates of the bead and the beam determine the others changes with the angle of the beam.
+    """
+    length, side = draw(st.floats(0.5, 1.5)), draw(st.floats(0.015, 0.04))
+    builder, on = Scene("random_bead").gravity(*draw(GRAVITY)), "ground.origin"
+    initial, rates, end = {}, {}, np.zeros(2)
+    if draw(st.booleans()):
+        arm = draw(st.floats(0.2, 0.6))
+        builder.revolute("shoulder", on, add_rigid(builder, "arm", arm, draw)[0])
+        initial["arm.theta"], rates["arm.theta"] = draw(ANGLES), draw(st.floats(-2, 2))
+        on, end = "arm.end", arm * _direction(initial["arm.theta"])
+    builder.beam(
+        "rod",
+        length=length,
+        density=2700.0,
+        area=side**2,
+        second_moment=side**4 / 12,
+        youngs_modulus=7e10,
+        lateral={"ends": draw(st.sampled_from(["clamped-free", "pinned-pinned"])), "modes": draw(st.integers(1, 2))},
+        damping_ratio=0.01,
+    )
+    builder.revolute("pivot", on, "rod.start").rigid("bead", mass=draw(st.floats(0.2, 2.0)), inertia=0.01)
+    builder.slides_on("rail", "rod.start", "bead.center")
+    spring = {"stiffness": draw(st.floats(300, 900)), "free_length": 0.45 * length, "damping": 1.0}
+    builder.spring_damper("spring", "rod.start", "bead.center", **spring)
+    angle = draw(ANGLES)
+    place = end + 0.45 * length * _direction(angle)
+    initial |= {"rod.theta": angle, "bead.x": float(place[0]), "bead.y": float(place[1])}
+    rates["rod.theta"] = draw(st.sampled_from([-1, 1])) * draw(st.floats(2, 5))
+    return builder.initial(initial).rates(rates).build()
