@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from math import prod
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +28,7 @@ from runtime.engine.prepare import Prepared
 from runtime.export.c_mathematics import own_c
 from runtime.export.c_stops import ENDS, kept, refuse_stops, stop_functions, stop_text
 from runtime.running.inputs import reading
-from runtime.running.problem import make_plan, steps_asked
+from runtime.running.problem import make_plan, steps_asked, steps_until
 from runtime.running.stepping import ModelStepper
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import prepared_step, start_there
@@ -290,6 +291,9 @@ void {p}hold(double *z, const double *c, const double *u, double *w);
 /* go on from z, which steps of dt_before led to, with steps of dt; then `constants` for dt */
 void {p}restart(double *z, const double *c, double dt_before, double dt, double *w);
 
+/* a last step that ends at t, before a whole step of c would; c and p as in `constants`; result as of `step` */
+int {p}finish(double *z, double *c, const double *p, double t, double *w);
+
 /* the inputs u[{p}INPUTS] that z holds: as given, or as events have set them */
 void {p}held(double *u, const double *z);
 
@@ -324,6 +328,7 @@ def _doors(one: Exported) -> str:
         steps=constant_array("steps", np.array(scheme.grid.h)),
         count=len(scheme.grid.h),
         end=model.c_size,
+        sub_steps=prod(scheme.grid.m),
         given=", ".join(given),
         used="" if at else "  (void)x;\n",
         size=scheme.layout.size,
@@ -381,9 +386,9 @@ void {p}start(double *z, const double *c, double t, const double *x, double *w) 
   {p}begin(z, {given}, w);{set_out}
 }}
 
-static void {p}go_on(double *z, const double *c, double dt_before, double dt, const double *u, double *w) {{
+static void {p}go_on(double *z, const double *c, double dt_before, double dt, double t, const double *u, double *w) {{
   memcpy(w, z, {size} * sizeof(double));
-  w[{size}] = dt_before, w[{size} + 1] = dt, w[{size} + 2] = z[0] + z[1] * dt_before;
+  w[{size}] = dt_before, w[{size} + 1] = dt, w[{size} + 2] = t;
   memcpy(w + {size} + 3, u, {inputs} * sizeof(double));
   memset(w + {size} + 3 + {inputs}, 0, {pushed} * sizeof(double));
   {p}again(w, c, w + {size} + 3 + {inputs} + {pushed});
@@ -395,7 +400,7 @@ void {p}hold(double *z, const double *c, const double *u, double *w) {{
   if ({anew}) {{ /* the scheme remembers earlier steps */
     long k = 0;
     while (k < {inputs} && z[{first} + k] == u[k]) ++k;
-    if (k < {inputs}) {p}go_on(z, c, c[{end}], c[{end}], u, w);
+    if (k < {inputs}) {p}go_on(z, c, c[{end}], c[{end}], {p}time(z, c), u, w);
     z[0] = t0, z[1] = n;
   }}
   memcpy(z + {first}, u, {inputs} * sizeof(double));{looked}
@@ -406,7 +411,18 @@ void {p}held(double *u, const double *z) {{ memcpy(u, z + {first}, {inputs} * si
 double {p}time(const double *z, const double *c) {{ return z[0] + z[1] * c[{end}]; }}
 
 void {p}restart(double *z, const double *c, double dt_before, double dt, double *w) {{
-  {p}go_on(z, c, dt_before, dt, z + {first}, w);{on_grid}
+  {p}go_on(z, c, dt_before, dt, z[0] + z[1] * dt_before, z + {first}, w);{on_grid}
+}}
+
+int {p}finish(double *z, double *c, const double *p, double t, double *w) {{
+  const double dt = c[{end}], rest = (t - {p}time(z, c)) * (1 - 2 * 2.220446049250313e-16 * {sub_steps});
+  int ended;
+  {p}restart(z, c, dt, rest, w);
+  {p}constants(c, p, rest, w);
+  ended = {p}step(z, c, w, 1);
+  {p}constants(c, p, dt, w);
+  {p}go_on(z, c, rest, dt, ended ? z[0] + z[1] * rest : t, z + {first}, w);{on_grid}
+  return ended;
 }}
 
 int {p}finite(const double *z) {{
@@ -441,9 +457,19 @@ def _parameters(model: Model, p: np.ndarray) -> list[Quantity]:
 
 
 def _main(one: Exported) -> str:
-    dt, t_end = one.scheme.grid.dt_L, float(one.model.simulation["t_end"])
-    blocks = max(1, round(t_end / dt / 100))
-    return _MAIN.format(p=one.prefix, stem=one.prefix[:-1], blocks=blocks, seconds=100 * blocks * dt)
+    t_end = float(one.model.simulation["t_end"])
+    found = steps_until(0.0, t_end, one.scheme.grid.dt_L)
+    shorter = found["end"] is not None
+    whole = found["steps"] - shorter
+    return _MAIN.format(
+        p=one.prefix,
+        stem=one.prefix[:-1],
+        seconds=t_end,
+        t_end=repr(t_end),
+        steps=whole,
+        rows=max(1, min(100, whole)),
+        shorter=int(shorter),
+    )
 
 
 _MAIN = """/* Runs {stem} for {seconds:g} s (simulation.t_end of the scene) and writes what it shows as CSV. */
@@ -454,17 +480,23 @@ _MAIN = """/* Runs {stem} for {seconds:g} s (simulation.t_end of the scene) and 
 int main(void) {{
   double p[{p}P + 1], c[{p}C], z[{p}Z], y[{p}OUTPUTS];
   static double w[{p}W];
-  int k, row;
+  const long steps = {steps}, rows = {rows};
+  long row = 0, last = rows + {shorter}; /* the last step is shorter where no whole number of them fits */
+  int k;
   {p}defaults(p);
   {p}constants(c, p, {p}DT, w);
   {p}first(z);
   printf("t");
   for (k = 0; k < {p}OUTPUTS; ++k) printf(",%s", {p}outputs[k].name);
-  for (row = 0; row <= 100 && {p}finite(z); ++row) {{
+  for (;; ++row) {{
     {p}observe(y, z, c, w);
     printf("\\n%.17g", {p}time(z, c));
     for (k = 0; k < {p}OUTPUTS; ++k) printf(",%.17g", y[k]);
-    {p}step(z, c, w, {blocks});
+    if (row >= last || !{p}finite(z)) break;
+    if (row < rows ? {p}step(z, c, w, steps * (row + 1) / rows - steps * row / rows)
+                   : {p}finish(z, c, p, {t_end}, w)) {{
+      last = row + 1; /* the motion has ended before */
+    }}
   }}
   printf("\\n");
   return {p}finite(z) ? 0 : 1;

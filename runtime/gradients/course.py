@@ -171,7 +171,8 @@ def _broken(
         holds = () if passage is None else passage.modes
         turn = Turn(turn.dt, grid.dt, 0.0, 0.0, 0, jump=jump, passage=passage, holds=holds)
     clock = grid.clock(step + 1)
-    yield Stop(0, turn=replace(turn, clock=clock, t0=grid.t0 + (clock - grid.time(step + 1)), n=step + 1))
+    origin = float(grid.origins(np.array([step + 1]), np.array([clock]))[0])
+    yield Stop(0, turn=replace(turn, clock=clock, t0=origin, n=step + 1))
 
 
 def _parts(
@@ -232,9 +233,9 @@ class MovingJumps:
         passages: of events, by step. Raises NoResult.
         """
         found = switching_times(self._model, self._model.constants(p), plan.t0, plan.t_end)
-        if not found and not passages:
+        if not found and not passages and plan.end is None:
             return course
-        near, grid = NEAR * (plan.t_end - plan.t0), Breaks(plan.t0, plan.grid.dt_L, found)
+        near, grid = NEAR * (plan.t_end - plan.t0), Breaks(plan.t0, plan.grid.dt_L, found, end=plan.end)
         return across(course, grid, plan.grid.m, lambda there: self._moves(there, p, near), passages)
 
     def _moves(self, there: Sequence[SwitchTime], p: np.ndarray, near: float) -> np.ndarray:

@@ -125,7 +125,7 @@ class DifferentiableRun:
         self._refuse_idle()
         self._holds = holds_of(self.plan, held, self.by)
         self.course = course(self.plan, self._holds)
-        self.t = self.plan.t0 + np.array(self.course.times) * self.plan.grid.dt_L
+        self.t = self.plan.times(self.course.times)
         sampled = [k for k, entry in enumerate(model.parameters) if entry.name in {one.input for one in held}]
         self._switches = Switches(self.plan, self.program, [*entries, *sampled])
         self._jumps = MovingJumps(model, entries)
@@ -159,7 +159,7 @@ class DifferentiableRun:
         dt = length / count
         scheme = self.plan.scheme.with_step(dt)
         saved = self.plan.seen_steps if steps is None else every or count
-        other.plan = replace(self.plan, scheme=scheme, t0=t0, steps=count, seen_steps=saved)
+        other.plan = replace(self.plan, scheme=scheme, t0=t0, steps=count, seen_steps=saved, end=None)
         other.program = replace(self.program, scheme=scheme)
         other.course = course(other.plan, self._holds if steps is None else ())
         other.t = t0 + np.array(other.course.times) * dt

@@ -38,7 +38,7 @@ class Passages:
     def over(self, t0: float, dt: float, steps: int) -> Passages:
         """The same with so many steps of dt from t0 on [s]."""
         other = copy(self)
-        other._plan = replace(self._plan, scheme=self._plan.scheme.with_step(dt), t0=t0, steps=steps)
+        other._plan = replace(self._plan, scheme=self._plan.scheme.with_step(dt), t0=t0, steps=steps, end=None)
         return other
 
     def refuse(self, samples: bool) -> None:

@@ -27,7 +27,7 @@ from runtime.results.observe import assemble_solution
 from runtime.results.solution import Solution
 from runtime.running.inputs import Schedule
 from runtime.running.outcome import with_limits
-from runtime.running.problem import seen_every_of
+from runtime.running.problem import seen_every_of, steps_until
 from runtime.schemes.options import SchemeError
 from runtime.schemes.switching.impulse import impulse_at, impulse_text
 from runtime.schemes.switching.times import switching_times
@@ -55,7 +55,7 @@ def driven_solution(
     Samples are dt apart. Where the loops cannot be followed the run ends, with status `constraints_lost`.
     """
     started = time.perf_counter()
-    times = t0 + dt * np.arange(int(np.ceil((t_end - t0) / dt * (1 - 1e-12))) + 1)
+    times = _instants(t0, t_end, dt)
     c = model.constants(p)
     if schedule.samples:
         w = model.signals.size
@@ -72,6 +72,15 @@ def driven_solution(
     stats: dict[str, float | int | str] = {"seconds": time.perf_counter() - started, "closures": follower.closures}
     found = assemble_solution(model, times, *motion, p, c, SCHEME, dt, [], stats, status)
     return with_limits(replace(found, events=events))
+
+
+def _instants(t0: float, t_end: float, dt: float) -> np.ndarray:
+    """(N,) dt apart from t0 on, and the end where that is nearer [s]."""
+    found = steps_until(t0, t_end, dt)
+    times = t0 + dt * np.arange(found["steps"] + 1)
+    if found["end"] is not None:
+        times[-1] = t_end
+    return times
 
 
 def _motion(
@@ -197,7 +206,7 @@ def quasi_static_motion(
     step = asked or float(model.simulation.get("seen_every", (end - t0) / SEEN))
     if not (np.isfinite([t0, end, step]).all() and step > 0 and end > t0):
         raise SchemeError("t_end", "does not make a motion", "take t_end > t0")
-    times = t0 + step * np.arange(int(np.ceil((end - t0) / step * (1 - 1e-12))) + 1)
+    times = _instants(t0, end, step)
     p = model.parameter_vector(parameters)
     c = model.constants(p)
     q, q_i_dot = _followed(model, PointFunctions(model, c), times, *given_position(model, p, c, t0, {}))

@@ -149,7 +149,7 @@ def by_ladder(
 
 @dataclass
 class Ladder:
-    """Makes rungs of a problem; unit: numbers of steps are multiples of it.
+    """Makes rungs of a problem; unit: numbers of steps are multiples of it, until span [s]; a motion may end sooner.
 
     graded: whose errors are to be within the tolerance, () for those of all coordinates that tell the motion; of the
     others a run has to be accurate.
@@ -183,13 +183,15 @@ class Ladder:
             raise SchemeError(f"{steps // every:.3g} samples are too many; give a longer time between them")
         if known is not None:
             refuse_alike(known.t0, known.t0 + self.span, self.span / steps)
-            return replace(known.with_steps(known.scheme.model, self.span / steps, steps), seen_steps=every)
+            finer = known.with_steps(known.scheme.model, self.span / steps, steps)
+            return replace(finer, seen_steps=every).until(self.problem.t_end)
         m = None if method.m is None else list(method.m)
         model, t0 = self.problem.model, self.problem.t0
         plan = make_plan(
             model, t0 + self.span, self.span / steps, m, method.scheme, 0.0, method.options, t0, bounded=True
         )
-        return replace(plan, steps=steps, seen_steps=every, force=True, outputs=tuple(self.further.outputs or ()))
+        plan = replace(plan, seen_steps=every, force=True, outputs=tuple(self.further.outputs or ()))
+        return plan.until(self.problem.t_end)
 
     def climb(self, method: Method) -> Iterator[Rung]:
         """Rungs from the first to the one that meets the tolerance, or to the last that it is worth to make."""
@@ -229,13 +231,14 @@ class Ladder:
 
     def rung(self, plan: Plan, like: Run | None = None) -> Rung:
         """A whole motion, of which one is known with other steps; nobody looks whether steps see what loads do."""
-        every = plan.steps // self.unit * max(1, self.unit // FIRST)
+        steps = ceil(plan.steps / self.unit) * self.unit  # those that do not fit into the motion among them
+        every = steps // self.unit * max(1, self.unit // FIRST)
         marks = Marks(every, every // min(EARLY, every) if plan.scheme.damps else 0)
         further = Further(progress=self.further.progress)
         run = begun(self.problem, replace(plan, outputs=()), marks, further, quiet=True, like=like)
         began = time.process_time()
         status = integrate(run)
-        return Rung(plan.steps, run, marks, status, time.process_time() - began)
+        return Rung(steps, run, marks, status, time.process_time() - began)
 
     def judge(self, before: list[Rung], rung: Rung, order: int) -> None:
         """The error of a rung by the one before it, in place; by extrapolation where three rungs show the order."""

@@ -62,6 +62,8 @@ def _ended(run: Run, error: MotionError | None) -> Solution:
 
         status = laid_to_loads(status, solution, run.events, 2 * run.plan.grid.dt_L)
     stats = {**statistics(run.segment, run.z, run.set_up, run.seconds), **solution.stats, **_circumstances(run)}
+    if run.plan.end is not None and not run.plan.scheme.adaptive:
+        stats["last_step"] = run.plan.last_step
     events = sorted((event for event in run.events if event.kind != "kink"), key=lambda event: event.time)
     if run.segment.model.description.kinks and run.segment.plan.scheme.options.kinks == "crossed":
         from runtime.results.missing import crossed_kinks
@@ -211,7 +213,7 @@ def coprime(a: int, ratio: float) -> int:
 def marks_of(problem: Problem, plan: Plan) -> Marks:
     """Where a run of the plan is looked at, to be compared with its companion."""
     a = _steps_of_mark(problem, plan)
-    every = a * ceil(plan.steps / (a * 2 * MARKS))
+    every = a * ceil(plan.whole_steps / (a * 2 * MARKS))
     return Marks(every, every // min(EARLY, every))
 
 
@@ -253,7 +255,8 @@ def _ratio(plan: Plan) -> float:
 
 def _steps_of_mark(problem: Problem, plan: Plan) -> int:
     base = None if problem.spacing is None else round(problem.spacing / plan.grid.dt_L)
-    return steps_of_mark(plan.steps, _ratio(plan), base if base is not None and base < plan.steps else None)
+    whole = plan.whole_steps
+    return steps_of_mark(whole, _ratio(plan), base if base is not None and base < whole else None)
 
 
 def compared(run: Run, marks: Marks, q: np.ndarray, ratio: float, early: bool = False) -> MotionError:
@@ -271,7 +274,7 @@ def compared(run: Run, marks: Marks, q: np.ndarray, ratio: float, early: bool = 
         b = coprime(a, ratio)
     every = marks.every // a * b if not early else b
     seen = marks.steps()
-    shown = marks.every // a if early else min(plan.steps // marks.every, len(seen))
+    shown = marks.every // a if early else min(plan.whole_steps // marks.every, len(seen))
     if not shown:
         return MotionError(reason="the run is too short for it")
     stepped = stepped_by(problem, plan, plan.grid.dt_L * a / b, every * shown, every, ratio)

@@ -4,7 +4,7 @@ plan of its steps: a scheme on the model, how many of its steps are made and whi
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import accumulate
@@ -158,7 +158,7 @@ class Plan:
 
     options: the user's changes to the scheme's Options; a variant of the model is stepped with the same ones.
     seen_steps: steps from sample to sample. force: run although the step is above its limit. outputs: the quantities
-    that are kept, () for all.
+    that are kept, () for all. end [s]: where the last step ends, if it is shorter than the others; None: all are alike.
     """
 
     name: str
@@ -169,11 +169,12 @@ class Plan:
     t0: float
     force: bool = False
     outputs: tuple[str, ...] = ()
+    end: float | None = None
 
     @property
     def numbers(self) -> dict[str, Any]:
         """In plain numbers and words, for `of_numbers`."""
-        found = {name: getattr(self, name) for name in ("steps", "seen_steps", "t0", "force", "outputs")}
+        found = {name: getattr(self, name) for name in ("steps", "seen_steps", "t0", "force", "outputs", "end")}
         return found | {"scheme": self.name, "dt": self.grid.dt_L, "m": self.grid.m, "options": dict(self.options)}
 
     @staticmethod
@@ -192,6 +193,17 @@ class Plan:
 
     def time(self, step: int) -> float:
         """Time after so many major steps [s]."""
+        if self.end is not None and step == self.steps:
+            return self.end
+        return self.on_grid(step)
+
+    def times(self, steps: Sequence[int] | np.ndarray) -> np.ndarray:
+        """(N,) the same of many [s]."""
+        found = self.t0 + np.asarray(steps) * self.grid.dt_L
+        return found if self.end is None else np.where(np.asarray(steps) == self.steps, self.end, found)
+
+    def on_grid(self, step: int) -> float:
+        """Time after so many steps that are all alike [s]."""
         return self.t0 + step * self.scheme.grid.h[0]
 
     @property
@@ -199,13 +211,27 @@ class Plan:
         """Time after the last step [s]."""
         return self.time(self.steps)
 
+    @property
+    def whole_steps(self) -> int:
+        """Major steps that are not shortened."""
+        return self.steps if self.end is None else self.steps - 1
+
+    @property
+    def last_step(self) -> float:
+        """How long the last step is [s]."""
+        return self.grid.dt_L if self.end is None else self.end - self.on_grid(self.whole_steps)
+
+    def until(self, end: float) -> Plan:
+        """The same plan with as many steps as lead to an end [s], of which the last may be shorter."""
+        return replace(self, **steps_until(self.t0, end, self.grid.dt_L))
+
     def with_steps(self, model: Model, dt: float, steps: int, options: Mapping[str, Any] | None = None) -> Plan:
-        """The same plan with so many steps of dt [s], and perhaps other options. Raises SchemeError."""
+        """The same plan with so many steps of dt [s], all alike, and perhaps other options. Raises SchemeError."""
         if options is None:
             h = list(accumulate([dt, *self.grid.m], truediv))
-            return replace(self, scheme=self.scheme.on(replace(self.grid, h=h)), steps=steps)
+            return replace(self, scheme=self.scheme.on(replace(self.grid, h=h)), steps=steps, end=None)
         built = scheme_kind(self.name).build(self.name, model, dt, list(self.grid.m) or None, options)
-        return replace(self, scheme=built, options=options, steps=steps)
+        return replace(self, scheme=built, options=options, steps=steps, end=None)
 
     def on(self, model: Model) -> Plan:
         """The same plan for a variant of the model with as many groups, on the way: its step is not judged again.
@@ -243,10 +269,19 @@ def make_plan(
     if (end - t0) / grid.dt_L > MAX_STEPS:
         raise SchemeError(f"dt = {grid.dt_L:g} s needs more than {MAX_STEPS:.0e} steps; raise dt or lower t_end")
     refuse_alike(t0, end, grid.dt_L)
-    steps = max(1, ceil((end - t0) / grid.dt_L - STEP_ROUNDING))
-    if steps / every > MAX_SAMPLES and not bounded:
-        raise SchemeError(f"{steps // every:.3g} saved states are too many; raise seen_every or dt, or stream them")
-    return Plan(name, built, dict(options or {}), steps, every, float(t0))
+    found = Plan(name, built, dict(options or {}), 1, every, float(t0)).until(end)
+    if found.steps / every > MAX_SAMPLES and not bounded:
+        raise SchemeError(
+            f"{found.steps // every:.3g} saved states are too many; raise seen_every or dt, or stream them"
+        )
+    return found
+
+
+def steps_until(t0: float, end: float, dt: float) -> dict[str, Any]:
+    """`steps` of dt from t0 to an end, and `end` where the last one is shorter; None: all are alike [s]."""
+    count = (end - t0) / dt
+    steps = max(1, ceil(count - STEP_ROUNDING))
+    return {"steps": steps, "end": end if steps - count > STEP_ROUNDING else None}
 
 
 def refuse_alike(t0: float, end: float, dt: float) -> None:

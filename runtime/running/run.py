@@ -258,7 +258,7 @@ class Run:
             return False
         self.pace.steps = 1
         self.keep(rows[:-1])
-        while self.step < self.plan.steps and scheme.next_seen(self.z, self.plan.grid.dt_L) <= scheme.reached(self.z):
+        while self.step < self.plan.steps and self._next_seen() <= scheme.reached(self.z):
             if scheme.is_stuck(self.z):  # the check of the least step tells
                 break
             self.segment.run(self.z, 1)
@@ -266,6 +266,10 @@ class Run:
         if self.happenings.lie_within(self.z):
             self._event_has_happened(self.happenings.happen(self.z, happened))
         return True
+
+    def _next_seen(self) -> float:
+        """Time of the next state that is seen [s]."""
+        return min(self.plan.scheme.next_seen(self.z, self.plan.grid.dt_L), self.plan.t_end)
 
     def _event_has_happened(self, w: np.ndarray | None) -> None:
         """w (n_w,): the inputs where they have changed."""

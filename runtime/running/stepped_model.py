@@ -80,14 +80,24 @@ class SteppedModel:
     def advance(self, z: np.ndarray, steps: int) -> None:
         """Make so many major steps in place, in one native call where nothing jumps."""
         if self.plan.scheme.adaptive:
-            around = self.with_inputs(z), self.plan.grid.dt_L, self.switches, self.given
-            from runtime.schemes.adaptive_steps import run_across
-
-            run_across(self.stepper, z, steps, self.ready, *around)
+            self._advance_adaptively(z, steps)
         elif self.broken is None:
             self.stepper.run(z, self.ready, steps)
         else:
             self.broken.run(z, self.ready, self.c, steps)
+
+    def _advance_adaptively(self, z: np.ndarray, steps: int) -> None:
+        """So many states that are seen; the last one of a run may be nearer to the one before it."""
+        from runtime.schemes.adaptive_steps import run_across as across
+
+        plan = self.plan
+        around = self.with_inputs(z), plan.grid.dt_L, self.switches, self.given
+        whole = min(steps, plan.whole_steps - int(z[1]))
+        if whole > 0:
+            across(self.stepper, z, whole, self.ready, *around)
+        if plan.end is not None and whole < steps and int(z[1]) == plan.whole_steps:
+            z[0] = plan.end - plan.steps * plan.grid.dt_L
+            across(self.stepper, z, 1, self.ready, *around)
 
     def hold(self, z: np.ndarray, w: np.ndarray) -> None:
         """From now on z (n_z,) has these numbers (n_w,) of the inputs; where they change, forces jump."""
@@ -135,11 +145,13 @@ class SteppedModel:
             step = np.inf if scheme.adaptive else self.plan.grid.h[-1]
             self.switches = all_stops(self.model, self.c, t0, t_end, self.begun, step)
         self.broken = None
-        if (self.switches or self.watches_events) and not scheme.adaptive:  # who chooses ends of steps puts them there
-            from runtime.schemes.switching.steps_with_stops import StepsWithStops as steps_with_stops
+        end = self.plan.end
+        broken = self.switches or self.watches_events or end is not None
+        if broken and not scheme.adaptive:  # who chooses ends of steps puts them there
+            from runtime.schemes.switching.steps_with_stops import StepsWithStops
 
-            known = round((t_end - t0) / length)
-            self.broken = steps_with_stops(self.stepper, t0, length, self.switches, self.c, known)
+            known = round((t_end - t0) / length) if end is None else self.plan.steps
+            self.broken = StepsWithStops(self.stepper, t0, length, self.switches, self.c, known, end)
 
     def begin_events(self, z: np.ndarray) -> None:
         """Look for events from a state z (n_z,) on as if none had happened yet."""
@@ -184,7 +196,7 @@ class SteppedModel:
 
         at [s]: its time where that is not of the grid.
         """
-        grid = self.plan.time(step)
+        grid = self.plan.on_grid(step)
         start = at if at is not None else grid if self.broken is None else self.broken.grid.clock(step)
         z = self.stepper.start(start, q, q_dot, self.c, self.plan.grid.dt_L)
         z[0], z[1] = self.plan.t0 + (start - grid), step  # the grid of times is the run's
@@ -216,7 +228,8 @@ class SteppedModel:
         counts, begun = np.diff([int(z[1]), *ends]).astype(np.int64), z.copy()
         rows = np.empty((len(counts), len(z)))
         try:
-            if self.broken is None and not self.plan.scheme.adaptive:
+            whole = self.broken is None or self.broken.is_whole(z, int(ends[-1]))
+            if whole and not self.plan.scheme.adaptive:
                 self.stepper.engine.run_rows(z, self.ready, counts, rows)
                 return rows
             for k, end in enumerate(ends):

@@ -91,8 +91,8 @@ class Over:
         return np.where(are_kinks(scheme), NEVER, quiet_until(scheme, z))
 
     def told(self) -> Event | None:
-        """That the position was passed, where it was."""
-        if (found := self._passed) is None or found.t_near == found.t:
+        """That the position was passed, where it was, and not behind the end of the run."""
+        if (found := self._passed) is None or found.t_near == found.t or found.t_s > self.segment.plan.t_end:
             return None
         late = f"; what an event set is felt {self._late:.2g} s late" if self._late > 0 else ""
         return Event(

@@ -59,8 +59,8 @@ def restart_of(stepper: Stepper) -> Restart:
 class StepsWithStops:
     """Runs major steps dt [s] of a stepper from t0 on, with stops within them or at their ends.
 
-    c (c_size,): the model's constants; known: of how many steps all stops are given. impulses: of prescribed motions
-    whose velocity has jumped so far, by time.
+    c (c_size,): the model's constants; known: of how many steps all stops are given; end [s]: see Breaks. impulses: of
+    prescribed motions whose velocity has jumped so far, by time.
     """
 
     def __init__(
@@ -71,9 +71,10 @@ class StepsWithStops:
         switches: Sequence[SwitchTime],
         c: np.ndarray,
         known: int = sys.maxsize,
+        end: float | None = None,
     ) -> None:
         self.stepper, self.t0, self.dt = stepper, t0, dt
-        self.grid, self.impulses = Breaks(t0, dt, switches, known), dict[float, Impulse]()
+        self.grid, self.impulses = Breaks(t0, dt, switches, known, end), dict[float, Impulse]()
         self._jolts = np.array([one.time for one in may_give_impulses(stepper.scheme.model, c, switches)])
         self._parts, self._steps = np.zeros((0, 0)), list[int]()  # and the step that each is in
         self._numbers, self._first, self._behind = [0], 0, 0  # of the broken ones; the next one that is not looked up
@@ -94,6 +95,11 @@ class StepsWithStops:
         part = found.program.part
         self._known = self._z[at(part[0]).start : at(part[-1]).stop].reshape(len(part), KNOWN)
         return found
+
+    def is_whole(self, z: np.ndarray, end: int) -> bool:
+        """Are all steps from z (whole, flat) to step `end` steps of the grid, so that the stepper makes them alone?"""
+        broken = self.grid.next_broken(int(z[1]))
+        return (broken is None or broken >= end) and float(z[0]) == self.t0
 
     def run(self, z: np.ndarray, ready: np.ndarray, c: np.ndarray, steps: int) -> None:
         """Advance z (whole, flat) in place; ready, c (c_size,): what the stepper reads, and the model's constants."""
@@ -210,9 +216,7 @@ def parts_of(grid: Breaks, steps: np.ndarray, m: Sequence[int], jolts: np.ndarra
     length = within(parts.length, m)
     last = np.zeros(len(length))
     last[np.cumsum(parts.counts) - 1] = 1.0
-    clocks, origin = (
-        np.repeat(one, parts.counts) for one in (parts.clocks, grid.t0 + (parts.clocks - grid.times(steps + 1)))
-    )
+    clocks, origin = (np.repeat(one, parts.counts) for one in (parts.clocks, grid.origins(steps + 1, parts.clocks)))
     found = [np.repeat(steps, parts.counts), parts.start, length, length / grid.dt, last, clocks, origin]
     if len(jolts):
         jolted = np.searchsorted(jolts, parts.before) < np.searchsorted(jolts, parts.after, side="right")
@@ -240,7 +244,7 @@ class _EventStep:
             if ends:
                 break
         clock = clock if ends else own.grid.clock(step + 1)
-        origin = own.t0 + (clock - own.grid.time(step + 1))
+        origin = float(own.grid.origins(np.array([step + 1]), np.array([clock]))[0])
         z[self._at("clock").stop - 1], z[self._at("origin").stop - 1] = clock, origin
         self._put(z, back=1.0, inside=1.0, waiting=0.0)
         return self._applied(z)[self._at("state")]

@@ -229,22 +229,32 @@ def within(length: Any, m: Sequence[int]) -> Any:
 class Breaks:
     """Of steps of dt [s] from t0 on. inside: jumps by the step that they are in; on: at the start of which step.
 
-    known: of how many steps all jumps are given.
+    known: of how many steps all jumps are given. end [s]: where the last step ends, if that is sooner than its dt; it
+    is then one of the broken ones.
     """
 
-    def __init__(self, t0: float, dt: float, switches: Sequence[SwitchTime], known: int = sys.maxsize) -> None:
-        self.t0, self.dt = t0, dt
+    def __init__(
+        self,
+        t0: float,
+        dt: float,
+        switches: Sequence[SwitchTime],
+        known: int = sys.maxsize,
+        end: float | None = None,
+    ) -> None:
+        self.t0, self.dt, self.end = t0, dt, end
+        self.last = sys.maxsize if end is None else int(np.ceil((end - t0) / dt))
         self.inside: dict[int, list[SwitchTime]] = {}
         self.on: dict[int, list[SwitchTime]] = {}
         times, before, after = (
             np.array([getattr(one, name) for one in switches], dtype=float) for name in ("time", "before", "after")
         )
         steps = np.floor((times - t0) / dt)
-        near = [np.abs(times - self.times(k)) <= ON_THE_GRID * dt for k in (steps, steps + 1)]
+        near = [np.abs(times - self.ends(k)) <= ON_THE_GRID * dt for k in (steps, steps + 1)]
         there, step = near[0] | near[1], np.where(near[1] & ~near[0], steps + 1, steps).astype(int)
         for one, k, on in zip(switches, step.tolist(), there.tolist(), strict=True):
             (self.on if on else self.inside).setdefault(k, []).append(one)
-        self.broken = sorted({*self.inside, *(k - 1 for k in self.on if k > 0)})
+        shorter = set() if end is None else {self.last - 1}
+        self.broken = sorted({*self.inside, *(k - 1 for k in self.on if k > 0), *shorter})
         self._next = np.array([*(k for k in self.broken if k < known), known, sys.maxsize], dtype=np.int64)
         self._inside = step[~there], times[~there], before[~there], after[~there]
         self._on, first = np.unique(step[there], return_index=True)
@@ -262,9 +272,20 @@ class Breaks:
         """(N,) of the grid [s]."""
         return np.asarray(self.t0 + steps * self.dt)
 
+    def ends(self, steps: np.ndarray) -> np.ndarray:
+        """(N,) times after so many steps [s]: those of the grid, but for the end of a shorter last step."""
+        times = self.times(steps)
+        return times if self.end is None else np.where(steps == self.last, self.end, times)
+
     def clock(self, step: int) -> float:
         """The time from which a step starts [s]: after a jump that is there."""
-        return float(np.maximum(self._sides(np.array([step]))[1], self.time(step))[0])
+        steps = np.array([step])
+        return float(np.maximum(self._sides(steps)[1], self.ends(steps))[0])
+
+    def origins(self, steps: np.ndarray, clocks: np.ndarray) -> np.ndarray:
+        """(N,) t0 [s] of states after so many steps whose clocks show these times [s]."""
+        found = self.t0 + (clocks - self.times(steps))
+        return found if self.end is None else np.where(steps == self.last, clocks - steps * self.dt, found)
 
     def parts(self, steps: np.ndarray) -> StepParts:
         """Of broken steps (S,) that follow one another.
@@ -280,7 +301,7 @@ class Breaks:
         ends[np.cumsum(counts) - 1] = True
         begins = np.roll(ends, 1)
         start, end, before, after, behind = (np.empty(len(ends)) for _ in range(5))
-        start[begins], start[~begins], end[ends], end[~ends] = self.times(steps), time, self.times(steps + 1), time
+        start[begins], start[~begins], end[ends], end[~ends] = self.times(steps), time, self.ends(steps + 1), time
         (_, behind[begins]), behind[~begins] = self._sides(steps), first
         (before[ends], after[ends]), before[~ends], after[~ends] = self._sides(steps + 1), last, first
         clocks = np.maximum(after[ends], end[ends])

@@ -48,7 +48,7 @@ def columns(
         keep(f"{output}_{reduction}", ("case",), values[:, k], output)
     if not question.reduced:
         marks = np.array(question.marks)
-        keep("time", ("time",), question.plan.t0 + marks * question.plan.grid.dt_L)
+        keep("time", ("time",), question.plan.times(marks))
         for output, part in zip(question.outputs, np.split(values, len(question.outputs), axis=1), strict=True):
             keep(output, ("case", "time"), part, output)
     return found

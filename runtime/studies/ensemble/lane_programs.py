@@ -57,7 +57,8 @@ class LanePrograms:
         self._account = LaneAccount(scheme, reduced, self._length)
         extra = self._prepared.z_size - scheme.layout.size
         impulses = bool(moves_in_time(model) and model.q_d and model.has("energy"))
-        self.stops = StopProgram(scheme, self._prepared, impulses) if may_jump(model) else None
+        broken = may_jump(model) or question.plan.end is not None
+        self.stops = StopProgram(scheme, self._prepared, impulses) if broken else None
         sizes = {} if self.stops is None else {f"stop_{name}": n for name, n in self.stops.layout.sizes.items()}
         sizes.pop("stop_state", 0)
         fields = {"scheme": scheme.layout.size, "more": extra, **sizes}

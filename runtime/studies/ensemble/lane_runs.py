@@ -200,7 +200,7 @@ class LaneRuns:
         status[seen], reached[seen] = np.array(FOUND)[watch.wrong[seen]], watch.good[seen]
         status[impossible], reached[impossible] = "not_assembled", 0
         alone = (alone | (status == ALONE)) & ~impossible
-        failed, time = status != "completed", self.question.plan.t0 + reached * self.question.plan.grid.dt_L
+        failed, time = status != "completed", self.question.plan.times(reached)
         if self.question.reduced:
             kept = self._reduced(blocks, cases)
             kept[failed] = np.nan
@@ -275,7 +275,7 @@ class LaneStops:
             if key not in known:
                 known[key] = len(self._parts)
                 switches = switching_times(model, c, plan.t0, plan.t_end)
-                grid = Breaks(plan.t0, plan.grid.dt_L, switches, plan.steps)
+                grid = Breaks(plan.t0, plan.grid.dt_L, switches, plan.steps, plan.end)
                 jolts = np.array([one.time for one in may_give_impulses(model, c, switches)])
                 steps = np.array([step for step in grid.broken if step < plan.steps], dtype=int)
                 parts = np.zeros((len(self.part), 0))
