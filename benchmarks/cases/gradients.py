@@ -57,7 +57,7 @@ def _scheme(
         model, ["rod.q1", "slider.x"], by, scheme=scheme, t_end=t_end, samples=1, wait=True, **settings
     )
     objective = End("rod.q1")
-    one, other = (prepared.gradient(objective, mode=mode).derivatives for mode in ("forward", "reverse"))
+    one, other = (prepared.gradient(objective, prepared.x0, mode=mode).derivatives for mode in ("forward", "reverse"))
     difference = float(np.abs(one - other).max() / np.abs(one).max())
     timings = interleave(_contenders(prepared), ROUNDS)
     scalar, width = timings["scalar"], most_lanes()

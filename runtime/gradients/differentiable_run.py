@@ -27,7 +27,7 @@ from runtime.gradients.variables import Inputs, driven_by, held_samples, holds_o
 from runtime.running.problem import make_plan, seen_every_of, span_of
 from runtime.schemes.switching.times import switches_by_inputs
 
-Values = Sequence[float] | np.ndarray | Mapping[str, float] | None
+Values = Sequence[float] | np.ndarray | Mapping[str, float]
 MODES = ("auto", "forward", "reverse")
 
 
@@ -81,11 +81,13 @@ class RunCode:
 
 
 class DifferentiableRun:
-    """A run of a model prepared once; its methods take values of `by`, in order or by name (None: those of the start).
+    """A run of a model prepared once, as a function of the values x of `by`; `x0` holds those of the start.
 
-    outputs: names at the saved times (coordinates, rates, accelerations, measures, energies, multipliers, joint
-    forces). by: names of parameters, coordinates and rates (`_dot`, at the start). The other arguments are those of
-    `simulate`. Raises ModelError, SchemeError, InitialStateError, ArgumentError for what cannot be used.
+    Each method takes x, in the order of `by` or by name, and keeps nothing of it: `jacobian(x)` is the derivative of
+    `values(x)` whatever was asked before. outputs: names at the saved times (coordinates, rates, accelerations,
+    measures, energies, multipliers, joint forces). by: names of parameters, coordinates and rates (`_dot`, at the
+    start). The other arguments are those of `simulate`. Raises ModelError, SchemeError, InitialStateError,
+    ArgumentError for what cannot be used.
     """
 
     @arguments(parameters=BY_NAME, initial=BY_NAME, options=BY_NAME, inputs=BY_NAME)
@@ -171,8 +173,26 @@ class DifferentiableRun:
 
     # ---- what is asked for ----------------------------------------------------------------------------------
 
-    def values(self, x: Values = None) -> np.ndarray:
-        """Outputs (N, n_y). Raises NoResult for a run that does not come to its end."""
+    def values(self, x: Values) -> np.ndarray:
+        """Run with the values x.
+
+        Parameters
+        ----------
+        x : (n,) array, or dict by name
+            Values of `by` [SI units]; `x0` holds those of the start.
+
+        Returns
+        -------
+        (N, n_y) array
+            The outputs at the saved times `t`.
+
+        Raises
+        ------
+        ArgumentError
+            For an x of another shape, an unknown name, or a value that is not finite.
+        NoResult
+            For a run that does not come to its end.
+        """
         begun = self._begun(x, slopes=False)
         z, y = begun.z.copy(), np.zeros((len(self.t), len(self.outputs)))
         stepping, observing = self._codes.plain
@@ -185,8 +205,24 @@ class DifferentiableRun:
         begun.watch.end(z)
         return y
 
-    def jacobian(self, x: Values = None) -> OutputJacobian:
-        """Outputs and their derivatives, one direction a lane."""
+    def jacobian(self, x: Values) -> OutputJacobian:
+        """Run with the values x, and differentiate the outputs by them, one direction a lane.
+
+        Parameters
+        ----------
+        x : (n,) array, or dict by name
+            Where the derivative is taken [SI units]; `x0` holds the values of the start.
+
+        Returns
+        -------
+        OutputJacobian
+            Outputs (N, n_y), and their derivatives (N, n_y, n).
+
+        Raises
+        ------
+        ArgumentError, NoResult
+            As of `values`; NoResult also where a derivative is not finite.
+        """
         begun = self._begun(x)
         directions = self._codes.beginning.tangents(self._place, begun.x, begun.slopes)
         course, codes = self._across(begun), self._codes
@@ -196,8 +232,28 @@ class DifferentiableRun:
         self._require_finite(slopes)
         return OutputJacobian(self.t, self.outputs, self.by, y, slopes)
 
-    def gradient(self, objective: Objective, x: Values = None, mode: str = "auto") -> Gradient:
-        """Of an objective made of these outputs. mode: `forward`, `reverse`, or by what costs less."""
+    def gradient(self, objective: Objective, x: Values, mode: str = "auto") -> Gradient:
+        """Run with the values x, and differentiate an objective made of these outputs.
+
+        Parameters
+        ----------
+        objective : Objective
+            Such as ``End("tip_y")``; its outputs are among those of the run.
+        x : (n,) array, or dict by name
+            Where the gradient is taken [SI units]; `x0` holds the values of the start.
+        mode : str
+            ``forward``, ``reverse``, or ``auto``: what costs less.
+
+        Returns
+        -------
+        Gradient
+            The objective's value, and its derivatives (n,).
+
+        Raises
+        ------
+        ArgumentError, NoResult
+            As of `jacobian`.
+        """
         if mode not in MODES:
             raise ArgumentError("mode", f"is {mode!r}", f"give one of {', '.join(MODES)}")
         missing = [name for name in objective.outputs if name not in self.outputs]
@@ -243,7 +299,7 @@ class DifferentiableRun:
         return self._jumps.broken(self.course, self.plan, begun.x[: len(self.model.parameters)], passages)
 
     def _begun(self, x: Values, slopes: bool = True) -> Begun:
-        return self._start.begun(self.x0 if x is None else self.variables.checked(x), slopes)
+        return self._start.begun(self.variables.checked(x), slopes)
 
     @cached_property
     def _backward(self) -> Backward:
@@ -342,9 +398,11 @@ def gradient(model: Model, of: Objective, by: Sequence[str], *, mode: str = "aut
     """
     if not hasattr(of, "outputs"):
         raise ArgumentError("of", f"is {of!r}", 'give an objective, such as End("tip_y")')
-    return DifferentiableRun(model, of.outputs, by, **run).gradient(of, mode=mode)
+    prepared = DifferentiableRun(model, of.outputs, by, **run)
+    return prepared.gradient(of, prepared.x0, mode)
 
 
 def output_jacobian(model: Model, outputs: Sequence[str], by: Sequence[str], **run: Any) -> OutputJacobian:
     """Differentiate outputs (k,) at stored times by `by` (n,): (times, k, n); arguments as of `gradient`."""
-    return DifferentiableRun(model, outputs, by, **run).jacobian()
+    prepared = DifferentiableRun(model, outputs, by, **run)
+    return prepared.jacobian(prepared.x0)

@@ -243,8 +243,8 @@ def test_gradients_of_runs_through_tables(car: Model, scheme: str) -> None:
     """By the speed, along which the road is read, and by a mass: forward and back, against complex numbers."""
     names = ["speed", "body.mass"]
     run = DifferentiableRun(car, by=names, outputs=["body.x", "wheel.x"], t_end=0.05, dt=1e-3, scheme=scheme)
-    jacobian, value = run.jacobian(), End("body.x")
-    back = run.gradient(value, mode="reverse")
+    jacobian, value = run.jacobian(run.x0), End("body.x")
+    back = run.gradient(value, run.x0, mode="reverse")
     for k, name in enumerate(names):
         exact = derivatives(run, name)
         for column, output in enumerate(run.outputs):

@@ -44,7 +44,7 @@ def test_noise_spreads_results_as_the_covariance_says(model_of: Build) -> None:
     model = model_of(sliding("a * (1 - t) + b * t + c * t", a=1.0, b=0.5, c=0.25))
     names, noise, sigma = ["a", "b"], np.random.default_rng(5), 0.02
     run = DifferentiableRun(model, ["mass.x_dot"], names)
-    exact, slopes = run.values()[:, 0], run.jacobian().derivatives[:, 0]
+    exact, slopes = run.values(run.x0)[:, 0], run.jacobian(run.x0).derivatives[:, 0]
     expected = sigma**2 * np.linalg.inv(slopes.T @ slopes)
     known = fit(model, {"mass.x_dot": exact}, names, deviation=sigma)
     np.testing.assert_allclose(known.covariance, expected, rtol=1e-8)
@@ -94,7 +94,7 @@ def test_data_that_cannot_be_used(
     swing: DifferentiableRun, data: dict, by: list[str], more: dict, error: type[SymgenError], text: str
 ) -> None:
     """0 stands for the right path."""
-    path = swing.values()
+    path = swing.values(swing.x0)
     filled = {name: path[:, 0] if isinstance(value, int) else value for name, value in data.items()}
     with pytest.raises(error, match=text):
         fit(swing.model, filled, by, **RUN, **more)

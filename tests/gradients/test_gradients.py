@@ -57,10 +57,10 @@ def test_forward_reverse_and_complex_step_agree(built_in: Load, scheme: str, set
         model, ["rod.q1", "slider.x_ddot"], ROD, scheme=scheme, seen_every=2 * model.simulation["dt"], **settings
     )
     objective = Formula(run.outputs, lambda t, y: y["rod.q1"][-1] * 1e6 + 1e-3 * (t * y["slider.x_ddot"]).T @ t)
-    forward, reverse = (run.gradient(objective, mode=mode) for mode in ("forward", "reverse"))
+    forward, reverse = (run.gradient(objective, run.x0, mode=mode) for mode in ("forward", "reverse"))
     scale = np.abs(forward.derivatives).max()
     np.testing.assert_allclose(reverse.derivatives, forward.derivatives, rtol=0, atol=1e-12 * scale)
-    jacobian = run.jacobian()
+    jacobian = run.jacobian(run.x0)
     for name in ("crank.tip.x", "crank.theta_dot"):
         exact = complex_step.derivatives(run, name)
         for k, output in enumerate(run.outputs):
@@ -85,7 +85,7 @@ def test_the_assembly_of_the_start_is_differentiated(built_in: Load) -> None:
     model = built_in("four_bar")
     by = ["coupler.tip.x", "rocker.theta", "rocker.theta_dot"]
     run = DifferentiableRun(model, ["crank.theta"], by, t_end=0.05, seen_every=50 * model.simulation["dt"])
-    found = run.gradient(End("crank.theta"))
+    found = run.gradient(End("crank.theta"), run.x0)
 
     def end(x: np.ndarray) -> float:
         given = {"rocker.theta": x[1], "rocker.theta_dot": x[2]}
@@ -107,7 +107,7 @@ def test_a_long_run_keeps_the_square_root_of_its_steps(built_in: Load, monkeypat
 
     def reverse() -> np.ndarray:  # by the best code from the first step: bits of the first code are others
         run = DifferentiableRun(model, ["tip_y"], by, t_end=0.3, seen_every=7e-3, wait=True)
-        return run.gradient(objective, mode="reverse").derivatives
+        return run.gradient(objective, run.x0, mode="reverse").derivatives
 
     whole = reverse()
     monkeypatch.setattr(passes, "TAPE_NUMBERS", 0)
@@ -144,11 +144,11 @@ def test_every_scheme_has_a_way_back(built_in: Load, scheme: str) -> None:
     by, names = [*masses, model.q_i[0], f"{model.q_i[1]}_dot"], list(model.q_i)
     run = DifferentiableRun(model, names, by, scheme=scheme, dt=1e-3, t_end=8e-3, seen_every=0.004)
     objective = Formula(run.outputs, lambda t, y: 1e3 * y[names[0]][-1] + (t * y[names[1]]).T @ t)
-    forward, reverse = (run.gradient(objective, mode=mode).derivatives for mode in ("forward", "reverse"))
+    forward, reverse = (run.gradient(objective, run.x0, mode=mode).derivatives for mode in ("forward", "reverse"))
     np.testing.assert_allclose(reverse, forward, rtol=0, atol=1e-12 * np.abs(forward).max())
     assert np.abs(forward).min() > 0
     whole = simulate(model, scheme=scheme, dt=1e-3, t_end=8e-3, seen_every=0.004)
-    np.testing.assert_array_equal(run.values(), whole.q_i)
+    np.testing.assert_array_equal(run.values(run.x0), whole.q_i)
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
@@ -158,7 +158,7 @@ def test_complex_steps_confirm_every_scheme(built_in: Load, scheme: str) -> None
     initial = {"link1.theta": 0.4, "rotor1.theta": 0.39, "link1.theta_dot": 3.0, "link2.theta_dot": -5.0}
     settings = {"dt": 4e-4, "t_end": 8e-4, "seen_every": 0.0008, "initial": initial}
     run = DifferentiableRun(built_in("flexible_joint_arm"), names, by, scheme=scheme, **settings)
-    jacobian = run.jacobian()
+    jacobian = run.jacobian(run.x0)
     for name in by:
         exact = complex_step.derivatives(run, name, initial)
         for k, output in enumerate(names):
@@ -178,7 +178,7 @@ def test_a_quasi_static_start_moves_with_its_parameters(built_in: Load) -> None:
         "initial": {"crank.theta": 0.7},
     }
     run = DifferentiableRun(model, ["rod.q1", "rod.q1_dot"], by, **settings)
-    slopes = run.jacobian().derivatives
+    slopes = run.jacobian(run.x0).derivatives
     weights = {-3: -1 / 60, -2: 3 / 20, -1: -3 / 4, 1: 3 / 4, 2: -3 / 20, 3: 1 / 60}
     for k, value in enumerate(run.x0):
         h = 1e-3 * abs(value)
@@ -222,16 +222,16 @@ def test_a_held_input_has_a_derivative_for_each_sample(model_of: Build, scheme: 
     exact = 0.25 * (1 - np.arange(0.125, 1, 0.25)) / 2
     run = DifferentiableRun(model, ["cart.x"], ["force"], inputs={"force": force}, **settings)
     assert run.by == ("force[0]", "force[1]", "force[2]", "force[3]")
-    one, other = (run.gradient(End("cart.x"), mode=mode).derivatives for mode in ("forward", "reverse"))
+    one, other = (run.gradient(End("cart.x"), run.x0, mode=mode).derivatives for mode in ("forward", "reverse"))
     rounded = 4e-15 * 1000  # steps: the partial fractions of phi add up to 1 within some 1e-15
     np.testing.assert_allclose(other, one, rtol=rounded)
     np.testing.assert_allclose(one, exact, rtol=1e-11)
-    assert run.gradient(End("cart.x")).value == pytest.approx(float(one @ run.x0), rel=1e-12)  # it is linear
+    assert run.gradient(End("cart.x"), run.x0).value == pytest.approx(float(one @ run.x0), rel=1e-12)  # it is linear
     whole = simulate(model, inputs={"force": force}, **settings)
-    np.testing.assert_allclose(run.values()[:, 0], whole["cart.x"], rtol=1e-14)
+    np.testing.assert_allclose(run.values(run.x0)[:, 0], whole["cart.x"], rtol=1e-14)
     monkeypatch.setattr(passes, "TAPE_NUMBERS", 0)
     again = DifferentiableRun(model, ["cart.x"], ["force[3]", "cart.mass"], inputs={"force": force}, **settings)
-    assert again.gradient(End("cart.x"), mode="reverse")["force[3]"] == other[3]
+    assert again.gradient(End("cart.x"), again.x0, mode="reverse")["force[3]"] == other[3]
 
 
 def test_angular_velocities_have_derivatives(built_in: Load) -> None:
@@ -240,7 +240,7 @@ def test_angular_velocities_have_derivatives(built_in: Load) -> None:
     run = DifferentiableRun(
         built_in("tumbling_body"), ["body.omega_x", "body.omega_z"], ["body.inertia.xx", "body.omega_y"], **how
     )
-    found, h = run.jacobian().derivatives, 1e-5
+    found, h = run.jacobian(run.x0).derivatives, 1e-5
     for k, step in enumerate(h * np.eye(2)):
         differences = (run.values(run.x0 + step) - run.values(run.x0 - step)) / (2 * h)
         np.testing.assert_allclose(found[:, :, k], differences, atol=1e-9)

@@ -29,7 +29,7 @@ def test_a_time_that_moves_has_its_derivative(model_of: Build, scheme: str) -> N
             np.testing.assert_allclose(found.derivatives, [(1 - T) ** 2 / 2, -2 * (1 - T)], rtol=1e-11)
             assert found.value == pytest.approx((1 - T) ** 2, rel=1e-12)
     run = DifferentiableRun(model, ["mass.x_dot"], ["T"], scheme=scheme, dt=0.02, seen_every=0.5)
-    np.testing.assert_allclose(run.jacobian()["mass.x_dot", "T"], [0.0, -2.0, -2.0], atol=1e-11)
+    np.testing.assert_allclose(run.jacobian(run.x0)["mass.x_dot", "T"], [0.0, -2.0, -2.0], atol=1e-11)
 
 
 def kicked() -> SceneRecord:
@@ -52,7 +52,7 @@ def test_forward_reverse_and_differences_of_runs(
         given = {"parameters": dict(zip(by[:3], x[:3], strict=True)), "initial": {"rod.theta_dot": x[3]}}
         return float(simulate(model, scheme=scheme, dt=dt, **given)["rod.theta"][-1])
 
-    forward, reverse = (run.gradient(End("rod.theta"), mode=mode) for mode in ("forward", "reverse"))
+    forward, reverse = (run.gradient(End("rod.theta"), run.x0, mode=mode) for mode in ("forward", "reverse"))
     assert forward.value == end(run.x0)
     np.testing.assert_allclose(reverse.derivatives, forward.derivatives, rtol=0, atol=1e-12 * 8)
     for k, limit in enumerate((closely, closely, 1e-8, 1e-8)):
@@ -61,7 +61,7 @@ def test_forward_reverse_and_differences_of_runs(
         assert forward.derivatives[k] == pytest.approx(difference, rel=limit)
     monkeypatch.setattr(passes, "TAPE_NUMBERS", 0)
     again = DifferentiableRun(model, ["rod.theta"], by, scheme=scheme, dt=dt, seen_every=10 * dt)
-    parts = again.gradient(End("rod.theta"), mode="reverse")
+    parts = again.gradient(End("rod.theta"), again.x0, mode="reverse")
     np.testing.assert_allclose(parts.derivatives, reverse.derivatives, rtol=1e-13)
 
 
@@ -84,8 +84,9 @@ def test_a_jump_at_the_end_of_a_step(model_of: Build, scheme: str) -> None:
             simulate(model, scheme=scheme, parameters=parameters, seen_every=10 * model.simulation["dt"])["rod.theta"]
         )
 
-    assert np.array_equal(run.values()[:, 0], course(1.0))
-    forward, reverse = (run.gradient(End("rod.theta"), mode=mode).derivatives for mode in ("forward", "reverse"))
+    assert np.array_equal(run.values(run.x0)[:, 0], course(1.0))
+    both = [run.gradient(End("rod.theta"), run.x0, mode=mode) for mode in ("forward", "reverse")]
+    forward, reverse = (found.derivatives for found in both)
     np.testing.assert_allclose(reverse, forward, rtol=0, atol=1e-12 * 8)
     ends = {n: course(1.0 + 1e-4 * n)[-1] for n in (-2, -1, 1, 2)}
     difference = (8 * (ends[1] - ends[-1]) - (ends[2] - ends[-2])) / 12e-4

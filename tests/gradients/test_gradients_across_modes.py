@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from runtime import DifferentiableRun, Model, gradient, simulate
+from runtime import Model, gradient, output_jacobian, simulate
 from runtime.contract.errors import ArgumentError, NoResult
 from runtime.gradients.objectives import End
 from runtime.schemes.catalogue import SCHEMES
@@ -183,7 +183,7 @@ def test_what_is_held_at_the_start_forgets_its_rate(model_of: Build) -> None:
     scene.revolute("base", "ground.origin", "a.origin", friction={"coulomb": 90.0}).revolute("h", "a.tip", "b.origin")
     model = model_of(scene.simulation(t_end=0.5, dt=0.005, scheme="rk4").build())
     by = ["a.theta_dot", "b.theta_dot", "a.theta"]
-    found = DifferentiableRun(model, ["a.theta", "b.theta"], by).jacobian()
+    found = output_jacobian(model, ["a.theta", "b.theta"], by)
     for k, name in enumerate(by):
         ends = [simulate(model, initial={name: d}, error="off").q[-1][[2, 5]] for d in (1e-5, -1e-5)]
         assert found.derivatives[-1, :, k] == pytest.approx((ends[0] - ends[1]) / 2e-5, abs=1e-4)

@@ -76,13 +76,13 @@ def test_values_that_cannot_be_used(built_in: Load) -> None:
     with pytest.raises(ModelError, match="must be at least zero"):
         run.values([-1.0, 1.0])
     with pytest.raises(ArgumentError, match="needs the output 'tip_x'"):
-        run.gradient(End("tip_x"))
+        run.gradient(End("tip_x"), run.x0)
     with pytest.raises(ArgumentError, match="one value for each of the 3 saved times"):
-        run.gradient(SquaredError("tip_y", np.zeros(2)))
+        run.gradient(SquaredError("tip_y", np.zeros(2)), run.x0)
     with pytest.raises(ArgumentError, match="data of tip_y: is nan at t = 0.01 s"):
-        run.gradient(SquaredError("tip_y", np.array([0.0, np.nan, 0.0])))
+        run.gradient(SquaredError("tip_y", np.array([0.0, np.nan, 0.0])), run.x0)
     with pytest.raises(ArgumentError, match="mode"):
-        run.gradient(End("tip_y"), mode="sideways")
+        run.gradient(End("tip_y"), run.x0, mode="sideways")
 
 
 def test_runs_without_a_derivative(built_in: Load) -> None:
@@ -128,3 +128,19 @@ def test_a_prescribed_velocity_that_jumps_is_refused(model_of: Build) -> None:
     )
     with pytest.raises(ModelError, match=r"its velocity jumps by 2 at t = 0\.5 s"):
         gradient(model_of(scene), End("bob.theta"), ["speed"])
+
+
+def test_a_derivative_says_where_it_is_taken(built_in: Load) -> None:
+    """The three methods want their point, and keep none: at every x the slopes are those of differences there."""
+    run = DifferentiableRun(built_in("pendulum"), ["tip_x"], ["length"], t_end=0.5, dt=5e-3, seen_every=0.1)
+    for ask in (run.values, run.jacobian, lambda *x: run.gradient(End("tip_x"), *x)):
+        with pytest.raises((ArgumentError, TypeError), match="x"):
+            ask()
+    with pytest.raises(ArgumentError, match="x.*give"):
+        run.jacobian(None)
+    x, h = run.x0 * 1.3, 1e-5
+    difference = (run.values(x + h) - run.values(x - h))[:, 0] / (2 * h)
+    run.values(run.x0)  # leaves nothing behind
+    assert run.jacobian(x)["tip_x", "length"] == pytest.approx(difference, rel=1e-7, abs=1e-9)
+    for mode in ("forward", "reverse"):
+        assert run.gradient(End("tip_x"), x, mode=mode)["length"] == pytest.approx(difference[-1], rel=1e-7)

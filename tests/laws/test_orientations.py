@@ -208,7 +208,7 @@ def test_gradient_and_resumed_run(model_of: Build, tmp_path: Path) -> None:
     """Slopes of a run by a mass and a spin are its differences; a resumed run is bitwise the whole one."""
     model, settings = model_of(spinner()), {"scheme": "rk4", "dt": 0.01, "t_end": 0.1}
     run = DifferentiableRun(model, ["bob.e1"], ["bob.mass", "hinge.angle_dot"], **settings)
-    found = run.jacobian()
+    found = run.jacobian(run.x0)
     for name, kind in (("bob.mass", "parameters"), ("hinge.angle_dot", "initial")):
         middle = 0.4 if kind == "parameters" else float(model.initial_q_dot[model.coordinates.index("hinge.angle")])
         ends = [simulate(model, **settings, **{kind: {name: middle + sign * 1e-5}})["bob.e1"][-1] for sign in (1, -1)]

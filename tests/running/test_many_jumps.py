@@ -209,7 +209,7 @@ def test_the_bits_do_not_depend_on_how_many_jumps_there_are(model_of: Build) -> 
     for run in (short, long):
         t_end = float(run.t[-1])
         found = DifferentiableRun(model, ["hub.theta"], ["hub.inertia"], scheme=scheme, t_end=t_end, seen_every=0.0)
-        assert np.array_equal(found.values()[:, 0], run["hub.theta"])
+        assert np.array_equal(found.values(found.x0)[:, 0], run["hub.theta"])
 
 
 def test_an_action_among_jumps_of_a_model_made_on_demand() -> None:
