@@ -88,7 +88,7 @@ def _scheme(
 
 def _contenders(prepared: DifferentiableRun) -> dict[str, Callable[[int], None]]:
     """The parts of a differentiated run on prepared arrays, each n times."""
-    begun, program = prepared._begun(None), prepared.program
+    begun, program = prepared._begun(prepared.x0), prepared.program
     active = program.active
     plain = NativeProgram(program.step, wait=True)
     tangents = TangentCode(program.step, active, most_lanes(), wait=True)

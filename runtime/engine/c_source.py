@@ -121,14 +121,15 @@ def source(parts: Sequence[Code], style: Style, between: str = "") -> str:
 
 def program_code(name: str, program: Program, style: Style, kept: str = "") -> Code:
     """`void name(double *z, const double *c, double *w, long n)`; kept: how it is declared, such as "static "."""
-    numbers: dict[str, int] = {}
+    calls: dict[str, str] = {}
     parts, work, tables = list[str](), 0, dict[float, None]()
     for position, stage in enumerate(program.stages()):
-        numbers[stage.name()] = position
+        constants = ", c" if stage.size1_in(1) else ""  # a stage without constants has no such argument
+        calls[stage.name()] = f"{name}_{position}(z{constants}, w);"
         found = stage_code(f"{name}_{position}", read_tape(stage), style)
         parts.append(found.text)
         work, tables = max(work, found.work), tables | dict.fromkeys(found.tables)
-    body = "\n".join(_indented(_indented(_control(program, name, numbers))))
+    body = "\n".join(_indented(_indented(_control(program, calls))))
     size = program.stages()[0].size1_in(0)
     copy = f"  memcpy(z, z_run, {size} * sizeof(double));\n"
     # a local z can stay in registers over a step; the caller's may alias anything
@@ -140,15 +141,15 @@ def program_code(name: str, program: Program, style: Style, kept: str = "") -> C
     return Code("\n".join(parts), work, tuple(tables))
 
 
-def _control(program: Program, name: str, numbers: dict[str, int]) -> list[str]:
-    """Calls and loops; each loop has a j of its own scope."""
+def _control(program: Program, calls: dict[str, str]) -> list[str]:
+    """Calls of the stages by name, and loops; each loop has a j of its own scope."""
 
     def again(body: list[str], node: Repeat | Until) -> list[str]:
         test = f"j < {node.count}" if isinstance(node, Repeat) else f"j < {node.limit} && z[{node.flag}] > 0"
         return [f"for (long j = 0; {test}; ++j) {{", *_indented(body), "}"]
 
     return program.fold(
-        lambda stage: [f"{name}_{numbers[stage.name()]}(z, c, w);"],
+        lambda stage: [calls[stage.name()]],
         lambda parts: [line for lines in parts for line in lines],
         again,
     )
