@@ -1,10 +1,11 @@
-"""Run the benchmarks: `python -m benchmarks [--only NAME] [--out DIR] [--publish] [--kept]`."""
+"""Run the benchmarks: `python -m benchmarks [--only NAME] [--out DIR] [--publish] [--kept] [--smallest]`."""
 
 from __future__ import annotations
 
 import argparse
 import sys
 from collections.abc import Callable
+from contextlib import nullcontext
 from pathlib import Path
 
 from benchmarks.cases import (
@@ -31,6 +32,7 @@ from benchmarks.harness.kept import keep, kept
 from benchmarks.harness.machine import describe_machine
 from benchmarks.harness.page import as_markdown, with_sections
 from benchmarks.harness.result import Benchmark, Result, Skipped
+from benchmarks.harness.smallest import smallest
 from benchmarks.pages import (
     bad_input,
     estimates,
@@ -89,7 +91,10 @@ PAGE = Path(__file__).resolve().parents[1] / "docs" / "evidence" / "benchmarks.m
 
 def main(arguments: list[str] | None = None) -> int:
     """Run, print, and keep every result as soon as it is there; --publish also writes pages or their sections."""
-    options = _parser().parse_args(arguments)
+    parser = _parser()
+    options = parser.parse_args(arguments)
+    if options.smallest and options.publish:
+        parser.error("--smallest measures nothing that could be published")
     chosen = options.only or [*BENCHMARKS, *PAGES]
     for name in filter(PAGES.__contains__, chosen):
         print(f"computing the page {name} ...", file=sys.stderr, flush=True)
@@ -106,13 +111,13 @@ def _measure(names: list[str], options: argparse.Namespace) -> None:
     here, missing = describe_machine(), []
     results: list[Result] = []
     for name in names:
-        found = kept(options.out, name) if options.kept else _run(name, here)
+        found = kept(options.out, name) if options.kept else _run(name, here, options.smallest)
         if found is None:
             missing.append(name)
             continue
         machine, result = found
         results.append(result)
-        if not options.kept:
+        if not options.kept and not options.smallest:
             keep(options.out, machine, result, results)
         if options.publish:
             PAGE.write_text(with_sections(PAGE.read_text(encoding="utf-8"), machine, [result]), encoding="utf-8")
@@ -125,10 +130,12 @@ def _measure(names: list[str], options: argparse.Namespace) -> None:
     print(page)
 
 
-def _run(name: str, machine: dict[str, str]) -> tuple[dict[str, str], Result] | None:
+def _run(name: str, machine: dict[str, str], least: bool) -> tuple[dict[str, str], Result] | None:
     print(f"running {name} ...", file=sys.stderr, flush=True)
+    run = BENCHMARKS[name]
     try:
-        return machine, BENCHMARKS[name]()
+        with smallest(sys.modules[run.__module__]) if least else nullcontext():
+            return machine, run()
     except Skipped as reason:
         print(f"skipped {name}: {reason}", file=sys.stderr)
         return None
@@ -166,6 +173,11 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument(
         "--kept", action="store_true", help="measure nothing: take what an earlier run left in the folder of --out"
+    )
+    parser.add_argument(
+        "--smallest",
+        action="store_true",
+        help="the smallest work of each, to see whether it runs: its figures say nothing, and are not kept",
     )
     return parser
 

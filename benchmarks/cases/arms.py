@@ -24,6 +24,7 @@ T_END, TOLERANCE = 0.5, 1e-3
 KEPT = 2000  # samples of a reference
 FASTEST = 2_360.0  # rad/s, the fastest mode with the factor 1
 REFERENCE_REACH, EXPLICIT_REACH = 1.2, 1.9  # h w of the reference, of order 8, and of central differences
+SMALLEST = {"CASES": ((2, 1.0),), "T_END": 0.02}
 
 
 def run() -> Result:

@@ -35,6 +35,7 @@ CASES: tuple[tuple[str, list[int], float | None], ...] = (
     ("printed", [4], None),
 )
 MANY, FEW, MAPPED, WALLS = 100_000, 1_000, 16, 3
+SMALLEST = {"CASES": CASES[1:2], "STEPS": 20, "ROUNDS": 2, "MANY": 64, "FEW": 64, "WALLS": 1}
 REMARK = """\
 The scene `flexible_slider_crank_free`, {steps} steps of {dt:g} s, mass of the slider and speed of the crank varied;
 kept are the crank's angle at the end, largest and root-mean-square values of the rod's first two modes, over all steps.

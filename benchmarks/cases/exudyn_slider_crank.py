@@ -44,6 +44,17 @@ CABLES = (
     Cable(8, sparse=True, newton_tolerance=1e-6),
     Cable(16, sparse=True),
 )
+SMALLEST = {
+    "T_END": 0.002,
+    "TOLERANCES": (1e-4,),
+    "REFERENCE": Cable(8),
+    "REFERENCE_STEPS": 400,
+    "OWN_STEPS": 2_000,
+    "CHECKS": ((Cable(4), 400), (Cable(8), 200), (Cable(4), 400)),
+    "CABLES": (Cable(4),),
+    "MOST": 800,
+    "ROUNDS": 2,
+}
 REMARK = """\
 Crank {l1} m, rod {l2} m, {width} m square, {speed:g} rad/s at crank angle 0, running freely for {t_end} s without
 gravity or damping. The rod starts straight, stretched as the rotation stretches it: started unstretched, Exudyn's

@@ -25,6 +25,7 @@ SCHEMES: dict[str, tuple[dict, float, float]] = {
     "printed": ({"dt": 2e-5, "m": [4]}, 0.7, 6.0),
 }
 AGREEMENT = 1e-12
+SMALLEST = {"SCHEMES": {"single_rate": SCHEMES["single_rate"]}, "STEPS": 20, "ROUNDS": 2}
 
 
 def run() -> Result:

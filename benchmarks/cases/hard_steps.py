@@ -12,7 +12,7 @@ from benchmarks.harness.fewest import Timed, fewest
 from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.tolerance_runs import KEPT, Case
-from benchmarks.scenes.hard_suite import CASES, HardCase
+from benchmarks.scenes.hard_suite import CASES, HARD_SUITE, HardCase
 from runtime.contract.model import Model
 from runtime.running.ladder import Method
 from runtime.studies.advice.methods import stiff_methods
@@ -24,6 +24,7 @@ DENSE = 13  # independent coordinates up to which schemes that factorise M_hat t
 STIFF = ("exponential_adams", "exponential_rk4")
 FIVE = {"order": 5}
 OWN = ("exponential",)
+SMALLEST = {"CASES": (replace(HARD_SUITE["overdamped"], t_end=0.1),), "TURNS": 1}
 EXPLICIT = (Method("dop853"), Method("rk4"), Method("single_rate", None, {"common_velocity": "predictor"}))
 REMARK = """\
 CPU time of one native call for the whole motion, at the fewest steps that bring every graded coordinate below 1e-3 of

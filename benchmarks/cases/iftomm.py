@@ -144,6 +144,9 @@ CASES = (
 )
 
 
+SMALLEST = {"CASES": CASES[1:2], "METHODS": METHODS[:1], "REPEATS": 1, "ROUNDS": 2}
+
+
 @dataclass(frozen=True)
 class Found:
     """A run that is accurate enough: its steps, evaluations and error over the threshold."""

@@ -65,6 +65,14 @@ BEFORE = {
 WAVE, JUMPS = 628.3, 1000  # rad/s, and how often it changes its sign in T_END
 T_END, DT, REPEATS = 5.0, 2e-3, 3
 RUNS = {"rk4": None, "exponential": [1], "exponential_rk4": None, "exponential_adams": None, "single_rate": None}
+SMALLEST = {
+    "NAMES": ("f2_heavy_hub",),
+    "METHODS": (Method("dop853"),),
+    "RUNS": {"rk4": None},
+    "T_END": 0.1,
+    "JUMPS": 20,
+    "REPEATS": 1,
+}
 REMARK = """\
 CPU time of the loop of a run over the whole motion, at the fewest steps that bring every graded coordinate below 1e-3
 of its RMS amplitude; where a jump splits it, what Python does there is in it (some 20 us a jump). The goal is half of

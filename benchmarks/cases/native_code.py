@@ -20,6 +20,7 @@ CASES: tuple[tuple[str, dict[str, int], str, list[int], float, bool], ...] = (
     ("spatial_slider_crank", {}, "radau", [], 6.0, False),
 )
 MOST_MB = 400.0
+SMALLEST = {"CASES": CASES[1:2]}
 
 
 def run() -> Result:

@@ -26,7 +26,7 @@ from benchmarks.harness.matched import Attempt, Matched, match
 from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result, Skipped
 from benchmarks.harness.timing import interleave
-from benchmarks.scenes.hard_suite import CASES, HardCase
+from benchmarks.scenes.hard_suite import CASES, HARD_SUITE, HardCase
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import SymgenError
 from runtime.contract.model import Model
@@ -44,6 +44,7 @@ CABLE, FRAME = "Exudyn, cable elements", "Exudyn, floating frame"
 STEPS = tuple(EXUDYN_SAMPLES * 2.0**k for k in range(7))
 EXUDYN_FINEST, EXUDYN_REPEATED, EXUDYN_REPEATS = 6_400, 0.2, 3
 RIGID, RIGID_TOLERANCE, RIGID_END = (10, 20), 1e-6, 1.0
+SMALLEST = {"CASES": (replace(HARD_SUITE["overdamped"], t_end=0.1),), "RIGID": (2,), "RIGID_END": 0.1}
 REMARK = """\
 CPU time for each second of motion at an error of 1e-3 (RMS over the motion of the worst graded coordinate, over its own
 RMS amplitude; the reference of a case is made once and judges both sides). A ratio is their time over that of the

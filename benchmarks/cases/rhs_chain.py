@@ -18,6 +18,7 @@ LINKS = 10
 CASES = {"rigid": (0, 1.0), "2 modes a link": (2, 3.0)}  # modes, goal in microseconds
 AGREEMENT = 1e-9
 ROUNDS = 60
+SMALLEST = {"LINKS": 2, "ROUNDS": 2}
 
 
 def run() -> Result:

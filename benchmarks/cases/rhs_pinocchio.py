@@ -27,6 +27,7 @@ AGREEMENT = 1e-10
 GOAL = 0.45  # us
 ROUNDS = 60
 NO_CONSTANTS = np.zeros(0)
+SMALLEST = {"LONG": (), "TREES": 1, "ROUNDS": 2}
 REMARK = """\
 Pinocchio {version} compiled from its headers with -O3 -march=native: `aba` in the LOCAL convention, in a loop of C++
 without Python. Its `CasADi code` is `aba` on CasADi's SX, with common subexpressions removed, emitted and compiled as

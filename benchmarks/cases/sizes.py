@@ -21,6 +21,7 @@ CASES: tuple[tuple[str, dict[str, int], str], ...] = (
     ("chain", {"links": 100, "modes": 1}, "exponential_rk4"),
 )
 MOST_SECONDS, MOST_MB = 10.0, 1000.0
+SMALLEST = {"CASES": (("chain", {"links": 2, "modes": 1}, "single_rate"),)}
 
 
 def run() -> Result:

@@ -24,6 +24,7 @@ PROCESSES, LOOP_STEPS = 7, 20
 ROUNDS, SLOW_ROUNDS = 100, 20
 VM_BATCH = 64
 REFERENCE_US = 0.83  # hand-written C on the machine for which the goal was set
+SMALLEST = {"PROCESSES": 1, "ROUNDS": 2, "SLOW_ROUNDS": 2}
 
 
 def run() -> Result:

@@ -9,6 +9,7 @@ steps, to a fifth.
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 from time import process_time
 from typing import Any
 
@@ -17,11 +18,12 @@ import numpy as np
 from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.tolerance_runs import Case, cheapest, runs_of_an_oracle
-from benchmarks.scenes.hard_suite import CASES
+from benchmarks.scenes.hard_suite import CASES, HARD_SUITE
 from runtime.running.ladder import Ladder, Rung, chosen_method
 from runtime.running.run import Further
 
 TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
+SMALLEST = {"CASES": (replace(HARD_SUITE["overdamped"], t_end=0.1),), "TOLERANCES": (1e-2,)}
 REMARK = (
     "Each case by `auto` to 1e-2, 1e-3, 1e-4, 1e-5 and 1e-6. Delivered over asked is of the worst coordinate. All "
     "operations of the ladder are compared with the fewest of a single run that meets the tolerance: the best of "

@@ -197,7 +197,7 @@ class FlexibleBody:
     def from_matrices(
         cls, K: Matrix, M: Matrix, nodes: ArrayLike, *, dofs: int | ArrayLike = 3, **choices: Any
     ) -> FlexibleBody:
-        """From stiffness [N/m] and mass [kg] and the node table `id x y z` [m]; `scipy.io.mmread` reads matrices.
+        """From stiffness [N/m] and mass [kg] and the node table `id x y z` [m].
 
         dofs: 3 or 6 per node, or a dof map with rows `node component`.  choices: those of `from_structure`.
         The matrices are those of the body without supports. Raises FiniteElementError.

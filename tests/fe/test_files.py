@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path
 from typing import Any
@@ -9,12 +10,14 @@ from typing import Any
 import numpy as np
 import pytest
 import scipy.io
+import scipy.sparse
 from numpy.testing import assert_allclose
 
 from symgen.fe import STEEL, FiniteElementError, FlexibleBody, LineMesh, Section
 from symgen.fe.frame import frame_structure
 from symgen.fe.structure import FEStructure
 
+GUIDE = Path(__file__).resolve().parents[2] / "docs" / "guide" / "finite-elements.md"
 N = 8
 MESH = LineMesh(
     [(0.1 * k, 0.0, 0.01 * k) for k in range(N)], [(k, k + 1) for k in range(N - 1)], Section.rectangle(0.02, 0.01)
@@ -51,6 +54,24 @@ def test_matrix_market(tmp_path: Path, model: FEStructure, expected: dict[str, A
     K, M = (scipy.io.mmread(tmp_path / f"{name}.mtx") for name in "KM")
     nodes, dofs = (np.loadtxt(tmp_path / f"{name}.txt") for name in ("nodes", "dofs"))
     same(FlexibleBody.from_matrices(K, M, nodes, dofs=dofs, interface=ENDS, modes=4), expected)
+
+
+@pytest.mark.parametrize("kept", ["both", "lower", "upper"])
+def test_matrices_of_abaqus(kept: str, tmp_path: Path, model: FEStructure, expected: dict[str, Any]) -> None:
+    """Rows without a head, which `mmread` refuses, by the lines that the guide shows; whole, or one triangle."""
+    (block,) = [code for code in re.findall(r"```python\n(.*?)```", GUIDE.read_text(), re.DOTALL) if "abaqus" in code]
+    page: dict[str, Any] = {"np": np}
+    exec(block, page)
+    read = []
+    for name, matrix in (("STIF1", model.K), ("MASS1", model.M)):
+        part = {"both": matrix, "lower": scipy.sparse.tril(matrix), "upper": scipy.sparse.triu(matrix)}[kept].tocoo()
+        rows = [f"{i + 1} {j + 1}  {v:.15e}" for i, j, v in zip(part.row, part.col, part.data, strict=True)]
+        (tmp_path / f"{name}.mtx").write_text("\n".join(rows) + "\n")
+        with pytest.raises(ValueError, match="Matrix Market"):
+            scipy.io.mmread(tmp_path / f"{name}.mtx")
+        read.append(page["read_abaqus"](tmp_path / f"{name}.mtx"))
+    table = np.column_stack([IDS, np.array(MESH.nodes)])
+    same(FlexibleBody.from_matrices(*read, table, dofs=6, interface=ENDS, modes=4), expected)
 
 
 def test_arrays(model: FEStructure, expected: dict[str, Any]) -> None:

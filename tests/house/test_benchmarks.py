@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import json
+import sys
 from importlib import import_module
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from benchmarks import __main__ as program
 from benchmarks.__main__ import BENCHMARKS, FIGURES, PAGES, main
 from benchmarks.harness import figures
-from benchmarks.harness.result import Line, Result
+from benchmarks.harness.result import Line, Result, Skipped
+from benchmarks.harness.smallest import smallest
 from benchmarks.pages import hard_twins
 
 pytestmark = pytest.mark.long
@@ -27,6 +30,27 @@ def test_the_command_runs_everything() -> None:
     cases = {name for name in modules("cases") if hasattr(import_module(f"benchmarks.cases.{name}"), "run")}
     assert set(BENCHMARKS) == cases
     assert set(PAGES) == set(modules("pages"))
+
+
+@pytest.mark.parametrize("name", BENCHMARKS)
+def test_every_benchmark_runs(name: str) -> None:
+    """Each part of it once, with the smallest work; not without the compiler or program that it is measured with."""
+    run = BENCHMARKS[name]
+    try:
+        with smallest(sys.modules[run.__module__]):
+            result = run()
+    except Skipped as reason:
+        pytest.skip(f"{name}: {reason}")
+    assert result.name == name and result.lines
+    assert all(np.isfinite(line.value) for line in result.lines if line.unit), result.lines
+
+
+def test_figures_of_the_smallest_work_are_not_kept(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """So that nobody publishes them."""
+    assert main(["--only", "operations", "--smallest", "--out", str(tmp_path)]) == 0
+    assert "chain, 10 rigid links" in capsys.readouterr().out and not list(tmp_path.iterdir())
+    with pytest.raises(SystemExit):
+        main(["--only", "operations", "--smallest", "--publish"])
 
 
 def test_results_are_left_in_a_folder(tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ from runtime import simulate
 from runtime.contract.model import Model
 from runtime.engine.c_source import find_compiler
 from runtime.engine.interpreted import InterpretedProgram
+from runtime.engine.program import Layout, Program, Sequence, make_stage
 from runtime.running.simulate import make_plan
 from runtime.schemes.stepper import start_vector
 from symgen.scenes import SCENES
@@ -71,3 +72,16 @@ def test_samples_do_not_change_the_run(built_in: Load) -> None:
         simulate(model, t_end=4e-3, dt=2e-5, seen_every=every * 2e-5, engine="interpreted") for every in (1, 50)
     )
     np.testing.assert_array_equal(often.q[::50], seldom.q)
+
+
+@needs_compiler
+def test_stages_without_constants_run_in_c() -> None:
+    """Alone, and beside one that has some: z <- 2 (z + c) in two stages."""
+    layout = Layout({"x": 1})
+    double = make_stage("double", layout, 0, lambda z, c: {"x": 2 * z["x"]})
+    add = make_stage("add", layout, 1, lambda z, c: {"x": z["x"] + c[0]})
+    cases: list[tuple[Program, list[float], float]] = [(double, [], 8.0), (Sequence((add, double)), [5.0], 78.0)]
+    for program, c, end in cases:
+        z = np.array([1.0])
+        CompiledProgram(program).run(z, np.array(c), 3)
+        assert z[0] == end

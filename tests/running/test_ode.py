@@ -99,3 +99,18 @@ def test_what_is_no_such_system_is_refused(built_in: Load, model_of: Build) -> N
     ball = Scene("ball").rigid("b", mass=1.0, inertia=1.0, free=True).measure("y", "y", "b.origin")
     with pytest.raises(ModelError, match="event"):
         model_of(ball.event("floor", "y + 1", terminal=True).build()).ode()
+
+
+def test_integrators_of_casadi_need_more_steps_for_vibrations(built_in: Load) -> None:
+    """As the guide says: 10,000 internal steps do not last for 0.05 s of a vibrating rod; with more it is the run."""
+    model = built_in("flexible_slider_crank_free")
+    ode, end = model.ode(), 0.05
+    x = ca.SX.sym("x", len(ode.x))
+    problem, exact = {"x": x, "ode": ode.f(x, ode.u0, ode.p0, 0)}, {"reltol": 1e-8, "abstol": 1e-10}
+    with pytest.raises(RuntimeError, match="CV_TOO_MUCH_WORK"):
+        ca.integrator("few", "cvodes", problem, 0, end, exact)(x0=ode.x0)
+    more = {**exact, "max_num_steps": 100_000}
+    found = np.asarray(ca.integrator("end", "cvodes", problem, 0, end, more)(x0=ode.x0)["xf"]).ravel()
+    run = simulate(model, t_end=end, dt=1e-6, scheme="rk4", seen_every=end, error="off")
+    for entry in ("crank.theta", "crank.theta_dot", "rod.q1"):
+        assert found[ode.x.index(entry)] == pytest.approx(run[entry][-1], rel=1e-4), entry

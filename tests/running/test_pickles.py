@@ -66,3 +66,13 @@ def test_what_has_changed_is_not_taken(tmp_path: Path, monkeypatch: pytest.Monke
     assert not ran
     with pytest.raises(ModelError, match="without one"):
         pickle.dumps(replace(load_model(tmp_path / "model"), folder=""))
+
+
+def test_a_pickle_wants_the_folder_of_its_model(tmp_path: Path) -> None:
+    """As the guide says: another machine has not the folder; it derives the scene, or loads a copy of the folder."""
+    model = load_model(generate(pushed(2.0), tmp_path / "here"))
+    text = pickle.dumps(model)
+    (tmp_path / "here").rename(tmp_path / "there")
+    with pytest.raises(ModelError, match="here"):
+        pickle.loads(text)
+    assert load_model(tmp_path / "there").digest == model.digest

@@ -116,6 +116,14 @@ def test_twenty_thousand_vertices_with_eight_modes_stay_below_five_megabytes() -
     assert size + 2 * 16 * n < 5.0e6
 
 
+@pytest.mark.long
+def test_pages_do_not_grow_with_the_run() -> None:
+    """0.7 MB and some 0.5 MB of motion for the hub with a beam, as the guide says; with ten times the samples, too."""
+    model = load_model(generated_folder("hub_beam"))
+    few, many = (len(view(simulate(model, samples=n, error="off")).text.encode()) / 1e6 for n in (1_000, 10_000))
+    assert 0.6 < few < 1.3 and many < few + 0.1
+
+
 def test_a_second_run_stands_pale_beside_the_first(tmp_path: Path) -> None:
     """Its bodies where it is at the same times, its curves up to where it ended; joints are those of the first."""
     one, other = solution("hub_beam"), simulate(load_model(generated_folder("hub_beam")), t_end=0.03, scheme="rk4")
