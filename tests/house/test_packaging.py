@@ -49,6 +49,25 @@ def test_the_dependencies_are_those_of_all_groups() -> None:
     assert PROJECT["project"]["dependencies"] == GROUPS["run"] + GROUPS["derive"] + GROUPS["views"]
 
 
+NOT_TRIED = {"ruff", "mypy", "zensical", "mkdocstrings-python"}  # lint, and the site: with the newest only
+
+
+def test_the_oldest_are_the_lower_bounds() -> None:
+    """CI runs everything with them, so that each bound is true; each requirement has one."""
+    wanted = {*PROJECT["project"]["dependencies"], *PROJECT["project"]["optional-dependencies"]["dev"]}
+    bounds = dict(entry.split(">=") for entry in wanted)
+    lines = (ROOT / ".ci" / "oldest.txt").read_text(encoding="utf-8").splitlines()
+    pinned = dict(line.split("==") for line in lines if not line.startswith("#"))
+    assert pinned.keys() == bounds.keys() - NOT_TRIED
+
+    def release(version: str) -> list[int]:
+        parts = [int(part) for part in version.split(".")]
+        return parts + [0] * (3 - len(parts))
+
+    for name, version in pinned.items():
+        assert release(version) == release(bounds[name]), name
+
+
 def test_packages_are_named_and_typed() -> None:
     named = PROJECT["tool"]["setuptools"]["packages"]["find"]["include"]
     assert named == [pattern for package in PACKAGES for pattern in (package, f"{package}.*")]
