@@ -22,7 +22,7 @@ The names below are the doors; each room is imported when a name of it is first 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from runtime.contract.doors import opened
+from runtime.contract.arguments import opened
 
 if TYPE_CHECKING:
     from runtime.baselines.scipy_methods import reference_solution

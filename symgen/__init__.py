@@ -12,7 +12,7 @@ what the text of scenes is made of. `pipeline.py` says the same with equation nu
 
 from typing import TYPE_CHECKING, Any
 
-from runtime.contract.doors import opened
+from runtime.contract.arguments import opened
 
 if TYPE_CHECKING:
     from runtime.contract.loading import load_model

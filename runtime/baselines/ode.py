@@ -11,7 +11,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.baselines.condensed_ode import CondensedOde, start_of
-from runtime.contract.doors import BY_NAME, arguments
+from runtime.contract.arguments import BY_NAME, arguments
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.contract.tape import shared

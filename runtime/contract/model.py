@@ -13,7 +13,7 @@ from typing import Any, NamedTuple, TypeVar
 import casadi as ca
 import numpy as np
 
-from runtime.contract.doors import Door
+from runtime.contract.arguments import Door
 from runtime.contract.errors import ModelError
 from runtime.contract.orientations import Places, places_of
 from runtime.contract.records import (

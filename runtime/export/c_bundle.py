@@ -17,8 +17,8 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, NUMBER, PLACE, arguments
 from runtime.contract.coordinates import independent, loop_part
-from runtime.contract.doors import BY_NAME, NUMBER, PLACE, arguments
 from runtime.contract.errors import ModelError
 from runtime.contract.files import write_text
 from runtime.contract.model import Model

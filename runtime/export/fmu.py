@@ -16,7 +16,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from runtime.contract.doors import PLACE, arguments
+from runtime.contract.arguments import PLACE, arguments
 from runtime.contract.errors import CompilerError, ModelError
 from runtime.contract.files import replacing
 from runtime.contract.model import Model

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.doors import BY_NAME, arguments
+from runtime.contract.arguments import BY_NAME, arguments
 from runtime.contract.errors import ArgumentError, ModelError, NoResult
 from runtime.contract.model import Model
 from runtime.engine.derivatives import Recorder, TangentCode, most_lanes

@@ -12,7 +12,7 @@ import numpy as np
 from scipy import stats
 from scipy.optimize import least_squares
 
-from runtime.contract.doors import BY_NAME, NAMES, arguments
+from runtime.contract.arguments import BY_NAME, NAMES, arguments
 from runtime.contract.errors import ArgumentError, NoResult
 from runtime.contract.model import Model
 from runtime.gradients.differentiable_run import DifferentiableRun, OutputJacobian

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, NAMES, NUMBER, NUMBERS, arguments
 from runtime.contract.coordinates import followed
-from runtime.contract.doors import BY_NAME, NAMES, NUMBER, NUMBERS, arguments
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.files import write_text
 from runtime.contract.model import Model

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import casadi as ca
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, NUMBER, START, arguments
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import (
     Initial,
@@ -19,7 +20,6 @@ from runtime.contract.coordinates import (
     named_values,
     parameter_columns,
 )
-from runtime.contract.doors import BY_NAME, NUMBER, START, arguments
 from runtime.contract.errors import ModelError, NoResult
 from runtime.contract.model import Model
 from runtime.contract.orientations import angle_names, angles

@@ -9,8 +9,8 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, NAMES, NUMBER, Kind, arguments
 from runtime.contract.coordinates import independent, independent_rates, loop_part
-from runtime.contract.doors import BY_NAME, NAMES, NUMBER, Kind, arguments
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.operating.balance import clamped_directions, force_by_parameters

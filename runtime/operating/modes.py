@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, NAMES, NUMBER, arguments
 from runtime.contract.coordinates import mechanism_length, turning_columns
-from runtime.contract.doors import BY_NAME, NAMES, NUMBER, arguments
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
 from runtime.contract.status import Status

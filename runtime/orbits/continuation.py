@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 from scipy.optimize import brentq
 
-from runtime.contract.doors import NUMBER, NUMBERS, arguments
+from runtime.contract.arguments import NUMBER, NUMBERS, arguments
 from runtime.contract.errors import ArgumentError, SymgenError
 from runtime.contract.model import Model
 from runtime.orbits.branch import KeptBranch, PeriodicBranch, Place, Point, Special

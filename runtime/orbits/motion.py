@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.doors import Door
+from runtime.contract.arguments import Door
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
 from runtime.contract.status import Status

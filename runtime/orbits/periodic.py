@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, NUMBER, START, Kind, arguments
 from runtime.contract.coordinates import followed
-from runtime.contract.doors import BY_NAME, NUMBER, START, Kind, arguments
 from runtime.contract.errors import ArgumentError, SymgenError
 from runtime.contract.model import Model, refuse_events
 from runtime.gradients.variables import parameters_at

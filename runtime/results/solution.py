@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from runtime.contract.arguments import Door, opened
 from runtime.contract.coordinates import followed
-from runtime.contract.doors import Door, opened
 from runtime.contract.model import Model
 from runtime.contract.status import badge, card, line, sparkline, table
 from runtime.results.samples import Samples

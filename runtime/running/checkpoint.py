@@ -17,8 +17,8 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, CALLED, PLACE, arguments
 from runtime.contract.consistent_state import ConsistentState
-from runtime.contract.doors import BY_NAME, CALLED, PLACE, arguments
 from runtime.contract.errors import ModelError
 from runtime.contract.files import OutputError, replacing, try_writing
 from runtime.contract.model import Model

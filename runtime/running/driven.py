@@ -12,9 +12,9 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, NUMBER, arguments
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import at_home, dependent_part, parts, whole
-from runtime.contract.doors import BY_NAME, NUMBER, arguments
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.contract.status import Event, Status

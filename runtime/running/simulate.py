@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, CALLED, FLAG, NAMES, PLACE, START, arguments
 from runtime.contract.coordinates import Initial
-from runtime.contract.doors import BY_NAME, CALLED, FLAG, NAMES, PLACE, START, arguments
 from runtime.contract.model import Model, refuse_events
 from runtime.operating.given_state import given_state
 from runtime.results.motion_error import MotionError

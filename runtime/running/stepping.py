@@ -10,9 +10,9 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, arguments
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import Initial
-from runtime.contract.doors import BY_NAME, arguments
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
 from runtime.contract.signals import SINCE

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any, Literal, cast, get_type_hints
 
-from runtime.contract.doors import opened
+from runtime.contract.arguments import opened
 from runtime.contract.model import Model
 from runtime.schemes.options import Options, SchemeError, make_grid
 from runtime.schemes.scheme import Scheme

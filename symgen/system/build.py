@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from runtime.contract.arguments import opened
 from runtime.contract.consistent_state import GivenValues
-from runtime.contract.doors import opened
 from symgen.algebra.parameters import ParameterTable
 from symgen.scene import BeamBody, InitialValue, SceneRecord, SpatialModalBody, with_ends
 from symgen.system.equations import Equations, blank_equations

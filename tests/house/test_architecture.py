@@ -17,7 +17,7 @@ import pytest
 import generated
 import runtime
 import symgen
-from runtime.contract.doors import opened
+from runtime.contract.arguments import opened
 from runtime.schemes.catalogue import SCHEMES
 
 ROOT = Path(__file__).resolve().parents[2]

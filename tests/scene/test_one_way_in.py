@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import runtime
-from runtime.contract.doors import Door
+from runtime.contract.arguments import Door
 from runtime.contract.model import Model
 from runtime.results.solution import Solution
 from symgen import Scene, SceneError, load_model

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, NAMES, START, arguments, opened
 from runtime.contract.coordinates import Initial
-from runtime.contract.doors import BY_NAME, NAMES, START, arguments, opened
 from runtime.contract.errors import NoResult, SymgenError
 from runtime.contract.model import Model
 from runtime.contract.status import card, line, table

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from math import isfinite
 from pathlib import Path
 
-from runtime.contract.doors import BY_NAME, NAMES, arguments
+from runtime.contract.arguments import BY_NAME, NAMES, arguments
 from runtime.contract.files import write_text
 from runtime.contract.model import Model
 from runtime.studies.advice.advise import Advice, Note, advice_lines, advise

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.doors import BY_NAME, CALLED, NAMES, arguments
+from runtime.contract.arguments import BY_NAME, CALLED, NAMES, arguments
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
 from runtime.results.meter import Meter

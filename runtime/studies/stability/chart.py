@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from runtime.baselines.scipy_methods import reference_solution
-from runtime.contract.doors import BY_NAME, NUMBERS, arguments
+from runtime.contract.arguments import BY_NAME, NUMBERS, arguments
 from runtime.contract.errors import ModelError
 from runtime.contract.files import write_text
 from runtime.contract.model import Model
