@@ -16,25 +16,22 @@ The rooms, from what everything stands on to what stands on everything:
     studies     many runs: ensembles, stability, work-precision, advice
     views       what people look at
 
-The names below are the doors; each room is imported when a name of it is first asked for.
+The names below are public; each is imported when it is first asked for.
 """
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
-
-from runtime.contract.arguments import opened
 
 if TYPE_CHECKING:
     from runtime.baselines.scipy_methods import reference_solution
     from runtime.contract.consistent_state import InitialStateError
     from runtime.contract.errors import ModelError, SymgenError
     from runtime.contract.files import OutputError
-    from runtime.contract.loading import load_model
-    from runtime.contract.model import Model
     from runtime.contract.records import Group
     from runtime.contract.status import Status
     from runtime.gradients.differentiable_run import DifferentiableRun, gradient, output_jacobian
     from runtime.gradients.fit import fit
+    from runtime.model import Model, load_model
     from runtime.operating.campbell import campbell, unbalance_response
     from runtime.operating.equilibrium import Equilibrium, NoEquilibrium, equilibrium
     from runtime.operating.linearisation import Linearisation
@@ -45,6 +42,7 @@ if TYPE_CHECKING:
     from runtime.results.solution import Solution
     from runtime.running.checkpoint import resume
     from runtime.running.driven import quasi_static_motion
+    from runtime.running.inputs import Sampled
     from runtime.running.simulate import simulate
     from runtime.schemes.catalogue import SCHEMES
     from runtime.schemes.options import Options, SchemeError
@@ -94,9 +92,9 @@ _HOMES = {
     "InitialStateError": "contract.consistent_state",
     "SymgenError": "contract.errors",
     "OutputError": "contract.files",
-    "load_model": "contract.loading",
-    "Group": "contract.model",
-    "Model": "contract.model",
+    "load_model": "model",
+    "Group": "contract.records",
+    "Model": "model",
     "ModelError": "contract.errors",
     "Status": "contract.status",
     "DifferentiableRun": "gradients.differentiable_run",
@@ -133,7 +131,7 @@ def __getattr__(name: str) -> Any:
         raise AttributeError(f"module 'runtime' has no attribute {name!r}")
     if _HOMES[name] == "views":
         return import_module(f"runtime.views.{name}")
-    return opened(f"runtime.{_HOMES[name]}:{name}")
+    return getattr(import_module(f"runtime.{_HOMES[name]}"), name)
 
 
 def __dir__() -> list[str]:

@@ -10,12 +10,11 @@ and `fe` compute numbers for scenes; `urdf` reads robots; `scenes` are built in;
 what the text of scenes is made of. `pipeline.py` says the same with equation numbers, `notation` names the symbols.
 """
 
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from runtime.contract.arguments import opened
-
 if TYPE_CHECKING:
-    from runtime.contract.loading import load_model
+    from runtime.model import load_model
     from symgen.scene.builder import Scene
     from symgen.scene.scene import SceneRecord
     from symgen.schema.errors import SceneError
@@ -23,17 +22,17 @@ if TYPE_CHECKING:
 __all__ = ["Scene", "SceneError", "SceneRecord", "load_model"]
 
 _HOMES = {
-    "Scene": "symgen.scene:Scene",
-    "SceneError": "symgen.scene:SceneError",
-    "SceneRecord": "symgen.scene:SceneRecord",
-    "load_model": "runtime.contract.loading:load_model",
+    "Scene": "symgen.scene.builder",
+    "SceneError": "symgen.schema.errors",
+    "SceneRecord": "symgen.scene.scene",
+    "load_model": "runtime.model",
 }
 
 
 def __getattr__(name: str) -> Any:
     if name not in _HOMES:
         raise AttributeError(f"module 'symgen' has no attribute {name!r}")
-    return opened(_HOMES[name])
+    return getattr(import_module(_HOMES[name]), name)
 
 
 def __dir__() -> list[str]:

@@ -18,8 +18,9 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.tape import as_function
+from runtime.model import Model
 from symgen.emission.description import clean, describe
 from symgen.emission.files import emit
 from symgen.emission.write import compare_model, write_model
@@ -120,7 +121,7 @@ def model_of_text(scene_toml: str) -> Model:
     return model_of(SceneRecord.from_toml_text(scene_toml))
 
 
-def leave(model: Model, folder: str | Path) -> Path:
+def leave(model: EmittedModel, folder: str | Path) -> Path:
     """Write a model of `model_of` with the functions that were asked of it until now; returns the folder.
 
     model.md and the manifest say which were left out: a model that is loaded from the folder has these derived when

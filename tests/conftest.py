@@ -10,8 +10,7 @@ from typing import Any
 
 import pytest
 
-from runtime.contract.loading import load_model
-from runtime.contract.model import Model
+from runtime.model import Model, load_model
 from symgen.generate import generate
 from symgen.scene import SceneRecord
 from symgen.scenes import SCENES, generated_folder

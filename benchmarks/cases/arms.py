@@ -13,7 +13,7 @@ from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
 from benchmarks.scenes.arm import arm
 from runtime.contract.coordinates import followed
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.running.ladder import Ladder, Method
 from runtime.running.problem import Problem
 from runtime.studies.advice.reference import Reference

@@ -12,11 +12,10 @@ from benchmarks.contenders.exudyn_models import Cable, is_installed
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.timing import interleave
 from runtime import simulate
-from runtime.contract.loading import load_model
-from runtime.contract.model import Model
 from runtime.engine.interpreted import InterpretedProgram, program_function
 from runtime.engine.llvm_code import host
 from runtime.engine.prepare import prepare
+from runtime.model import Model, load_model
 from runtime.running.problem import make_plan
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import start_vector

@@ -13,10 +13,10 @@ import numpy as np
 from benchmarks.harness.result import Line, Result, Skipped
 from benchmarks.harness.timing import interleave, ratio
 from runtime import load_model
-from runtime.contract.model import Model
 from runtime.engine.c_source import Style, find_compiler, program_code
 from runtime.engine.program import operations_per_step
 from runtime.export.c_bundle import exported, write_c
+from runtime.model import Model
 from symgen.scenes import generated_folder
 
 CASES = (

@@ -18,7 +18,7 @@ from benchmarks.harness.native_run import native_run
 from benchmarks.harness.result import Line, Result, Skipped
 from benchmarks.harness.timing import Timing, interleave
 from runtime import simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.start.start_state import start_state
 from symgen.scene import Scene, SceneRecord
 from symgen.scenes.flexible_slider_crank import J1, L1, L2, M1, M3, RHO, WIDTH, E

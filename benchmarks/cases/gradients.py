@@ -9,11 +9,11 @@ import numpy as np
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.timing import Timing, interleave
 from runtime import DifferentiableRun, load_model
-from runtime.contract.model import Model
 from runtime.engine.derivatives import LaneArrays, Recorder, TangentCode, most_lanes
 from runtime.engine.native import NativeProgram
 from runtime.gradients.objectives import End
 from runtime.gradients.start_of_run import Beginning
+from runtime.model import Model
 from symgen.scenes import generated_folder
 
 STEPS, ROUNDS = 250, 40

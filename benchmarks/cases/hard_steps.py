@@ -13,7 +13,7 @@ from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.tolerance_runs import KEPT, Case
 from benchmarks.scenes.hard_suite import CASES, HARD_SUITE, HardCase
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.running.ladder import Method
 from runtime.studies.advice.methods import stiff_methods
 from runtime.studies.advice.reference import Reference, Trial

@@ -11,8 +11,8 @@ import numpy as np
 from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.timing import interleave
-from runtime.contract.model import Model
 from runtime.contract.status import Status
+from runtime.model import Model
 from runtime.results.observe import observe_samples
 from runtime.results.solution import Solution
 from runtime.running.ladder import Method

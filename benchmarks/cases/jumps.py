@@ -11,7 +11,7 @@ from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
 from benchmarks.scenes.hard_suite import HARD_SUITE
 from runtime import simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.running.ladder import Method
 from runtime.studies.advice.reference import Reference
 from symgen.scene import Scene, SceneRecord

@@ -11,7 +11,7 @@ from benchmarks.contenders.by_c_compiler import CompiledProgram
 from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.timing import interleave
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scenes.pendulums import chain
 
 LINKS = 10

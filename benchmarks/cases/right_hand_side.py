@@ -9,8 +9,8 @@ import numpy as np
 
 from benchmarks.contenders.by_c_compiler import CompiledProgram
 from benchmarks.harness.models import constants_size
-from runtime.contract.model import Model
 from runtime.engine.program import Call, Fields, Layout, make_stage
+from runtime.model import Model
 from runtime.schemes.sparse_lu import solve_symmetric
 from runtime.schemes.stage_equations import StageEquations
 

@@ -10,10 +10,10 @@ import numpy as np
 
 from benchmarks.cases.scenes import MAJOR_STEP, RATIO, slider_crank
 from benchmarks.harness.models import model_of
-from runtime.contract.model import Model
 from runtime.engine.native import Engine
 from runtime.engine.prepare import prepare
 from runtime.engine.program import Program, operations_per_step
+from runtime.model import Model
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import start_vector

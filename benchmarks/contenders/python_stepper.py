@@ -6,7 +6,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.schemes.scheme import Scheme
 
 

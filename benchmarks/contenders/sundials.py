@@ -18,7 +18,7 @@ from benchmarks.contenders.external import External
 from runtime.baselines.condensed_ode import CondensedOde, Start, observed_solution, start_of
 from runtime.baselines.scipy_methods import Impulses
 from runtime.contract.errors import ArgumentError, ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.contract.tape import shared
 from runtime.engine.c_source import find_compiler
@@ -52,7 +52,7 @@ class SundialsEquations:
     start: ca.Function
 
 
-def explicit(model: Model) -> SundialsEquations:
+def explicit(model: EmittedModel) -> SundialsEquations:
     """y' = f(t, y) with the accelerations by the cheapest route."""
     ode = CondensedOde(model, CLOSURES)
     slope = ode.slope(ode.accelerations())
@@ -69,7 +69,7 @@ def explicit(model: Model) -> SundialsEquations:
     return SundialsEquations(inputs, {"ode": slope}, {("ode", "x"): slopes}, ode.c, start)
 
 
-def implicit(model: Model) -> SundialsEquations:
+def implicit(model: EmittedModel) -> SundialsEquations:
     """y' = f(y, a) and M_hat a - Q_hat = 0."""
     ode, a = CondensedOde(model, CLOSURES), ca.SX.sym("a", len(model.q_i))
     M_hat, Q_hat = ode.equations.condensed(ode.motion, ode.v)
@@ -91,7 +91,7 @@ def implicit(model: Model) -> SundialsEquations:
     return SundialsEquations(inputs, {"ode": slope, "alg": rows}, slopes, ode.c, start)
 
 
-def _has_rows(model: Model) -> bool:
+def _has_rows(model: EmittedModel) -> bool:
     """Are the emitted derivatives those by y? By the parameters of an orientation they are not."""
     return model.has("residual_jacobian") and not len(model.places.turns)
 
@@ -106,7 +106,7 @@ def _with_accelerations(ode: CondensedOde, slope: ca.SX, by_state: ca.SX) -> ca.
     return ca.sparsify(rows)
 
 
-def refuse_impulses(model: Model, c: np.ndarray, t_end: float, y: np.ndarray, who: str) -> None:
+def refuse_impulses(model: EmittedModel, c: np.ndarray, t_end: float, y: np.ndarray, who: str) -> None:
     """Raises ModelError for a prescribed motion whose velocity jumps, by the start y."""
     impulses = Impulses(model, c)
     times: list[SwitchTime] = switching_times(model, c, 0.0, t_end) if moves_in_time(model) else []
@@ -133,7 +133,7 @@ Stats = dict[str, float | int | str]
 
 
 def sundials_solution(
-    model: Model,
+    model: EmittedModel,
     method: str = "cvodes",
     *,
     t_end: float,
@@ -192,7 +192,7 @@ class Sundials:
     native: the compiled functions, None where CasADi interprets. Raises CompilerError.
     """
 
-    model: Model
+    model: EmittedModel
     method: str
     given: Start
     compiled: bool = True

@@ -10,9 +10,8 @@ from pathlib import Path
 
 import casadi as ca
 
-from runtime.contract.loading import load_model
-from runtime.contract.model import Model
 from runtime.engine.program import Call, Fields, Layout, make_stage
+from runtime.model import Model, load_model
 from runtime.schemes.stage_equations import StageEquations
 from symgen.generate import generate
 from symgen.scene import SceneRecord

@@ -14,10 +14,10 @@ import numpy as np
 
 from benchmarks.contenders.by_c_compiler import CompiledProgram
 from benchmarks.harness.timing import interleave, ratio
-from runtime.contract.loading import load_model
 from runtime.engine.llvm_code import host
 from runtime.engine.native import Engine, NativeProgram
 from runtime.engine.prepare import prepare
+from runtime.model import load_model
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import start_vector
 from symgen.generate import generate

@@ -17,8 +17,7 @@ from pathlib import Path  # noqa: E402
 from benchmarks.cases.scenes import MAJOR_STEP, RATIO, pinned_rod, slider_crank  # noqa: E402
 from benchmarks.contenders.by_c_compiler import CompiledProgram  # noqa: E402
 from benchmarks.harness.models import condensed_program, workplace  # noqa: E402
-from runtime.contract.loading import load_model  # noqa: E402
-from runtime.contract.model import Model  # noqa: E402
+from runtime.model import Model, load_model  # noqa: E402
 from runtime.schemes.catalogue import scheme_kind  # noqa: E402
 from symgen.emission.files import emit  # noqa: E402
 from symgen.emission.write import write_model  # noqa: E402

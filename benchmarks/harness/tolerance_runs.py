@@ -10,8 +10,8 @@ import numpy as np
 
 from benchmarks.scenes.hard_suite import HardCase
 from runtime.contract.coordinates import followed, independent, loop_part, whole
-from runtime.contract.model import Model
 from runtime.engine.rows import evaluate
+from runtime.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import floored
 from runtime.running.ladder import FIRST, Ladder, Method, Rung

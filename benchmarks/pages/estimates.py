@@ -23,7 +23,7 @@ from scipy.integrate import solve_ivp
 from benchmarks.scenes.hard_suite import HARD_SUITE
 from runtime import Solution, SymgenError, reference_solution, simulate
 from runtime.contract.coordinates import followed
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.results.motion_error import amplitudes, motion_error
 from symgen.generate import model_of
 from symgen.scene import Scene, SceneRecord

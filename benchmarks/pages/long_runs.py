@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from runtime import load_model, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.operating.mode_solver import State
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import Stepper

@@ -16,8 +16,8 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from runtime.contract.model import Model
 from runtime.contract.orientations import rotation
+from runtime.model import Model
 from symgen.generate import model_of
 from symgen.scene import SceneError
 from symgen.urdf import RobotBuilder, read

@@ -16,7 +16,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.coordinates import charts_in, independent, loop_part, whole
-from runtime.contract.model import Model, refuse_events
+from runtime.contract.model import EmittedModel, refuse_events
 from runtime.contract.status import Status
 from runtime.contract.tape import shared
 from runtime.engine.rows import evaluate
@@ -36,7 +36,7 @@ class CondensedOde:
     closure_iterations: Newton steps a closure. One is enough for integration, as the guess is as good as the states.
     """
 
-    def __init__(self, model: Model, closure_iterations: int) -> None:
+    def __init__(self, model: EmittedModel, closure_iterations: int) -> None:
         n, loops = len(model.q_i), len(model.loop_unknowns)
         self.model, self.n = model, n
         self.charts, ends = Charts(model), 2 * n + loops
@@ -89,7 +89,7 @@ class Start:
 
 
 def start_of(
-    model: Model, parameters: Mapping[str, float] | None, initial: Mapping[str, float] | None, start: str | None
+    model: EmittedModel, parameters: Mapping[str, float] | None, initial: Mapping[str, float] | None, start: str | None
 ) -> Start:
     """Raises ModelError or InitialStateError for bad arguments."""
     refuse_events(model, "integrators of other packages")
@@ -99,14 +99,14 @@ def start_of(
     return Start(p, c, integrated(model, state.q, state.q_dot))
 
 
-def integrated(model: Model, q: np.ndarray, q_dot: np.ndarray) -> np.ndarray:
+def integrated(model: EmittedModel, q: np.ndarray, q_dot: np.ndarray) -> np.ndarray:
     """y of a consistent state of all coordinates."""
     loop = loop_part(model, q)
     return np.concatenate([*independent(model, q, q_dot), loop, q[model.places.parameters.ravel()]])
 
 
 def observed_solution(
-    model: Model,
+    model: EmittedModel,
     start: Start,
     t: np.ndarray,
     y: np.ndarray,

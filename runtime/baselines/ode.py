@@ -13,7 +13,7 @@ import numpy as np
 from runtime.baselines.condensed_ode import CondensedOde, start_of
 from runtime.contract.arguments import BY_NAME, arguments
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.tape import shared
 
 CLOSING_STEPS = 1  # Newton steps of the closure: x and z are as good as a solver's own solution
@@ -56,7 +56,7 @@ class Ode:
 
 @arguments(parameters=BY_NAME, initial=BY_NAME)
 def ode(
-    model: Model,
+    model: EmittedModel,
     loops: Literal["states", "algebraic"] = "states",
     parameters: Mapping[str, float] | None = None,
     initial: Mapping[str, float] | None = None,
@@ -109,7 +109,7 @@ def ode(
     )
 
 
-def _names(model: Model) -> list[str]:
+def _names(model: EmittedModel) -> list[str]:
     """Of the entries of y."""
     rates = [f"{name}_dot" for name in model.q_i]
     for k in model.places.turns.ravel():

@@ -12,7 +12,7 @@ import numpy as np
 from runtime.baselines.condensed_ode import TO_ROUNDING, CondensedOde, observed_solution, start_of
 from runtime.contract.coordinates import whole
 from runtime.contract.errors import ArgumentError, NoResult
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.engine.rows import evaluator
 from runtime.results.solution import Solution
@@ -39,7 +39,7 @@ class Piece:
         return lambda t, y: slope(min(max(t, self.first), self.last), y)
 
 
-def pieces_of(model: Model, c: np.ndarray, t_end: float) -> list[Piece]:
+def pieces_of(model: EmittedModel, c: np.ndarray, t_end: float) -> list[Piece]:
     """From 0 to t_end."""
     inside = [one for one in switching_times(model, c, 0.0, t_end) if 0 < one.time < t_end]
     if not inside:
@@ -52,7 +52,7 @@ def pieces_of(model: Model, c: np.ndarray, t_end: float) -> list[Piece]:
 class Impulses:
     """What prescribed motions do to y = [q_i, q_i_dot, loop unknowns] between two pieces."""
 
-    def __init__(self, model: Model, c: np.ndarray) -> None:
+    def __init__(self, model: EmittedModel, c: np.ndarray) -> None:
         self.model, self.c = model, c
         self._observe: Any = CondensedOde(model, TO_ROUNDING).observe() if moves_in_time(model) else None
 
@@ -76,7 +76,7 @@ MOST_EVALUATIONS = 5_000_000  # minutes of work: at a singular position steps wo
 
 
 def reference_solution(
-    model: Model,
+    model: EmittedModel,
     method: str = "DOP853",
     *,
     t_end: float,
@@ -122,7 +122,7 @@ def reference_solution(
 
 
 def in_pieces(
-    model: Model,
+    model: EmittedModel,
     c: np.ndarray,
     slope: Slope,
     y: np.ndarray,

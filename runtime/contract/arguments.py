@@ -1,46 +1,17 @@
-"""Doors: methods that are functions of other rooms, imported when they are asked for; their arguments, checked by name.
-
-What is opened is named by the path `module:name`, so that a run brings in what it needs and no more: rooms below open
-so what stands above them, and what many runs do without.
-"""
+"""Arguments of public functions, checked by name: what is unknown or of another kind is refused; what may be meant."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from difflib import get_close_matches
 from functools import wraps
-from importlib import import_module
 from inspect import Parameter, signature
 from math import isfinite
 from numbers import Real
 from os import PathLike
-from types import MethodType
 from typing import Any, NamedTuple, ParamSpec, TypeVar
 
 from runtime.contract.errors import ArgumentError
-
-
-def opened(path: str) -> Any:
-    """What `runtime.views.plots:energy` names, its module imported now."""
-    module, _, name = path.partition(":")
-    return getattr(import_module(module), name)
-
-
-class Door:
-    """A method that is a function of another room, whose first argument is the object; it is imported when asked for.
-
-    Signature and docstring are those of the function: `help(model.simulate)` shows them.
-    """
-
-    def __init__(self, path: str) -> None:
-        self.path = path
-
-    def __get__(self, owner: Any, kind: type | None = None) -> Any:
-        function = opened(self.path)
-        return function if owner is None else MethodType(function, owner)
-
-
-# Arguments of doors: what is unknown or of another kind is refused by name, with what may be meant.
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -89,7 +60,7 @@ def arguments(**kinds: Kind) -> Callable[[Callable[P, R]], Callable[P, R]]:
     The function raises ArgumentError for a value of another kind and for a keyword that it does not have.
     """
 
-    def door(function: Callable[P, R]) -> Callable[P, R]:
+    def checked(function: Callable[P, R]) -> Callable[P, R]:
         given = signature(function).parameters
         known = [*given]
         closed = all(one.kind is not Parameter.VAR_KEYWORD for one in given.values())
@@ -106,7 +77,7 @@ def arguments(**kinds: Kind) -> Callable[[Callable[P, R]], Callable[P, R]]:
 
         return called
 
-    return door
+    return checked
 
 
 def _near(name: str, known: Sequence[str]) -> str:

@@ -10,7 +10,7 @@ from typing import Protocol
 import casadi as ca
 import numpy as np
 
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import angular_velocity, chart_rates, exponential, product, rotation_vector
 
 # Vectors of q_i and q_d from those of all coordinates and back; angular velocities stand for the rates of turns.
@@ -18,13 +18,13 @@ from runtime.contract.orientations import angular_velocity, chart_rates, exponen
 OMEGA = ("omega_x", "omega_y", "omega_z")
 
 
-def charts_in(model: Model) -> slice:
+def charts_in(model: EmittedModel) -> slice:
     """Where the charts of orientations stand in c, before the numbers of inputs."""
     first = model.emitted_c_size
     return slice(first, first + 4 * len(model.description.orientations))
 
 
-def followed(model: Model) -> tuple[list[str], np.ndarray]:
+def followed(model: EmittedModel) -> tuple[list[str], np.ndarray]:
     """(names, columns of q) of what tells a motion: q_i, with Euler parameters in place of turns."""
     at, turns = model.places, model.description.orientations
     return model.derived(
@@ -36,7 +36,9 @@ def followed(model: Model) -> tuple[list[str], np.ndarray]:
     )
 
 
-def _parts(model: Model, q: np.ndarray, of_turns: Callable[[np.ndarray], np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+def _parts(
+    model: EmittedModel, q: np.ndarray, of_turns: Callable[[np.ndarray], np.ndarray]
+) -> tuple[np.ndarray, np.ndarray]:
     """(independent, dependent) part of a vector (..., n) of all coordinates; of_turns: columns of e -> (..., 3)."""
     at = model.places
     found = np.zeros((*q.shape[:-1], at.n_i + len(model.q_d)), dtype=q.dtype)
@@ -46,7 +48,7 @@ def _parts(model: Model, q: np.ndarray, of_turns: Callable[[np.ndarray], np.ndar
     return found[..., : at.n_i], found[..., at.n_i :]
 
 
-def parts(model: Model, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def parts(model: EmittedModel, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(q_i (..., n_i), q_d (..., n_d)) of all coordinates q (..., n).
 
     Turns are rotation vectors, below 2 pi, from charts that are 1.
@@ -55,38 +57,38 @@ def parts(model: Model, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return _parts(model, q, lambda e: rotation_vector(q[..., e]))
 
 
-def rate_parts(model: Model, q: np.ndarray, q_dot: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def rate_parts(model: EmittedModel, q: np.ndarray, q_dot: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(q_i_dot, q_d_dot) of all coordinates and rates (..., n): angular velocities for the turns."""
     q, q_dot = np.asarray(q), np.asarray(q_dot)
     return _parts(model, q_dot, lambda e: angular_velocity(q[..., e], q_dot[..., e]))
 
 
-def independent_part(model: Model, q: np.ndarray) -> np.ndarray:
+def independent_part(model: EmittedModel, q: np.ndarray) -> np.ndarray:
     """q_i (..., n_i) of all coordinates, see `parts`."""
     return parts(model, q)[0]
 
 
-def dependent_part(model: Model, q: np.ndarray) -> np.ndarray:
+def dependent_part(model: EmittedModel, q: np.ndarray) -> np.ndarray:
     """q_d (..., n_d) of all coordinates, see `parts`."""
     return parts(model, q)[1]
 
 
-def loop_part(model: Model, q: np.ndarray) -> np.ndarray:
+def loop_part(model: EmittedModel, q: np.ndarray) -> np.ndarray:
     """The loop unknowns (..., n_l) of all coordinates, see `parts`."""
     return parts(model, q)[1][..., model.places.loops]
 
 
-def independent_rates(model: Model, q: np.ndarray, q_dot: np.ndarray) -> np.ndarray:
+def independent_rates(model: EmittedModel, q: np.ndarray, q_dot: np.ndarray) -> np.ndarray:
     """q_i_dot (..., n_i) of all coordinates and rates, see `rate_parts`."""
     return rate_parts(model, q, q_dot)[0]
 
 
-def independent(model: Model, q: np.ndarray, q_dot: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def independent(model: EmittedModel, q: np.ndarray, q_dot: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(q_i, q_i_dot) of all coordinates and rates, see `independent_part` and `independent_rates`."""
     return independent_part(model, q), independent_rates(model, q, q_dot)
 
 
-def angular_velocities(model: Model, q: np.ndarray, q_dot: np.ndarray) -> dict[str, np.ndarray]:
+def angular_velocities(model: EmittedModel, q: np.ndarray, q_dot: np.ndarray) -> dict[str, np.ndarray]:
     """(...) angular velocities in body axes [rad/s] by name at q, q_dot (..., n), of bodies with Euler parameters."""
     found: dict[str, np.ndarray] = {}
     for body, columns in parameter_columns(model).items():
@@ -95,7 +97,7 @@ def angular_velocities(model: Model, q: np.ndarray, q_dot: np.ndarray) -> dict[s
     return found
 
 
-def parameter_columns(model: Model) -> dict[str, list[int]]:
+def parameter_columns(model: EmittedModel) -> dict[str, list[int]]:
     """Columns of q of each body's Euler parameters, by body."""
     found: dict[str, list[int]] = {}
     for column, entry in enumerate(model.description.coordinates):
@@ -104,12 +106,12 @@ def parameter_columns(model: Model) -> dict[str, list[int]]:
     return found
 
 
-def euler_angles(model: Model) -> dict[str, str]:
+def euler_angles(model: EmittedModel) -> dict[str, str]:
     """Sequence of axes of each body whose Euler angles are input and output, by body."""
     return {one.name: one.orientation for one in model.description.bodies if one.angles}
 
 
-def whole(model: Model, independent: np.ndarray, dependent: np.ndarray) -> np.ndarray:
+def whole(model: EmittedModel, independent: np.ndarray, dependent: np.ndarray) -> np.ndarray:
     """A vector (..., n) in the order of the model's coordinates of its parts (..., n_i) and (..., n_d)."""
     at, independent, dependent = model.places, np.asarray(independent), np.asarray(dependent)
     found = np.zeros((*independent.shape[:-1], len(model.coordinates)), dtype=independent.dtype)
@@ -118,7 +120,7 @@ def whole(model: Model, independent: np.ndarray, dependent: np.ndarray) -> np.nd
     return found
 
 
-def joined(model: Model, independent: ca.SX, dependent: ca.SX) -> ca.SX:
+def joined(model: EmittedModel, independent: ca.SX, dependent: ca.SX) -> ca.SX:
     """`whole` of symbols (n_i) and (n_d)."""
     found, at = ca.SX(len(model.coordinates), 1), model.places
     for position, column in zip(at.plain, at.columns, strict=True):
@@ -129,7 +131,7 @@ def joined(model: Model, independent: ca.SX, dependent: ca.SX) -> ca.SX:
 
 
 def turned_by(
-    model: Model, q: np.ndarray, change: np.ndarray, q_i: np.ndarray, step: np.ndarray, loop: np.ndarray
+    model: EmittedModel, q: np.ndarray, change: np.ndarray, q_i: np.ndarray, step: np.ndarray, loop: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """(q_i (n_i,), guess of the loop unknowns) after a step (n_i,) whose turns are rotations in axes of their bodies.
 
@@ -146,7 +148,7 @@ def turned_by(
     return whole_[: at.n_i], whole_[at.n_i :][at.loops]
 
 
-def at_home(model: Model, c: np.ndarray, q_d: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def at_home(model: EmittedModel, c: np.ndarray, q_d: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """c (..., c_size) and q_d (..., n_d) with charts where the bodies are; independent turns are zero there."""
     at = model.places
     if not len(at.turns):
@@ -159,7 +161,7 @@ def at_home(model: Model, c: np.ndarray, q_d: np.ndarray) -> tuple[np.ndarray, n
 
 
 def independent_slopes(
-    model: Model, q: np.ndarray, q_dot: np.ndarray, dq: np.ndarray, dq_dot: np.ndarray
+    model: EmittedModel, q: np.ndarray, q_dot: np.ndarray, dq: np.ndarray, dq_dot: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Derivatives (., k) of q_i, q_i_dot and the loop unknowns at q, q_dot (n,) by those of q and q_dot (n, k)."""
     at = model.places
@@ -177,17 +179,17 @@ def independent_slopes(
 SMALLEST_ARM = 1e-9  # m: less is the rounding dust of an arm that is zero
 
 
-def length_rows(model: Model) -> np.ndarray:
+def length_rows(model: EmittedModel) -> np.ndarray:
     """(n_c,) which constraint rows are distances [m]."""
     return np.array([row.unit == "m" for row in model.description.constraints], dtype=bool)
 
 
-def turning_columns(model: Model) -> np.ndarray:
+def turning_columns(model: EmittedModel) -> np.ndarray:
     """(n,) which coordinates are angles or Euler parameters."""
     return np.array([coordinate.turns for coordinate in model.description.coordinates], dtype=bool)
 
 
-def mechanism_length(model: Model, C_q: np.ndarray) -> float:
+def mechanism_length(model: EmittedModel, C_q: np.ndarray) -> float:
     """The largest lever arm in C_q (n_c x n) [m], 1 if there is none."""
     arms = np.abs(np.asarray(C_q)[np.ix_(length_rows(model), turning_columns(model))])
     longest = float(arms.max(initial=0.0))
@@ -212,7 +214,7 @@ def values_by_name(initial: Initial) -> Mapping[str, float] | None:
     return initial if initial is None or isinstance(initial, Mapping) else initial.initial_values()
 
 
-def named_values(model: Model, q: np.ndarray, q_dot: np.ndarray) -> dict[str, float]:
+def named_values(model: EmittedModel, q: np.ndarray, q_dot: np.ndarray) -> dict[str, float]:
     """Coordinates (n,) and rates (n,) by name; of the state of a controller its value alone, which is a rate."""
     values: dict[str, float] = {}
     for entry, place, rate in zip(model.description.coordinates, q.tolist(), q_dot.tolist(), strict=True):

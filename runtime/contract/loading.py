@@ -14,13 +14,13 @@ from importlib.abc import InspectLoader
 from importlib.util import module_from_spec, spec_from_loader
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, TypeVar
 
 import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import ModelError, SymgenError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.records import Description, as_plain, description
 from runtime.contract.tape import table_from
 
@@ -136,12 +136,14 @@ class _CheckedSource(InspectLoader):
         return self._text
 
 
-def load_model(folder: str | Path, digest: str | None = None) -> Model:
-    """Load a folder written by `symgen generate`, after comparing its files with the manifest's hashes.
+M = TypeVar("M", bound=EmittedModel)
 
-    Loading runs the folder's model.py: load only what you or somebody you trust generated. digest: the model.digest
-    that is meant; a folder that holds another model is refused before any of its code runs. Raises ModelError if files
-    are missing, were edited since generation, or belong to another format.
+
+def load_folder(folder: str | Path, kind: type[M], digest: str | None = None) -> M:
+    """The model in a folder, as one of this kind, after comparing its files with the manifest's hashes.
+
+    digest: that of the model that is meant; another one is refused before any of its code runs. Raises ModelError if
+    files are missing, were edited since generation, or belong to another format.
     """
     path = Path(folder)
     manifest = _manifest(path)
@@ -152,7 +154,7 @@ def load_model(folder: str | Path, digest: str | None = None) -> Model:
     try:
         texts = {name: _checked_text(path, name, expected) for name, expected in manifest["files"].items()}
         module = _module(path / "model.py", texts["model.py"])
-        return _model(path, manifest, json.loads(texts["data.json"]), module, texts.get("scene.toml", ""))
+        return _model(kind, path, manifest, json.loads(texts["data.json"]), module, texts.get("scene.toml", ""))
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         if isinstance(error, ModelError):
             raise
@@ -207,12 +209,14 @@ def _module(path: Path, text: str) -> ModuleType:
     return module
 
 
-def _model(path: Path, manifest: dict[str, Any], data: dict[str, Any], module: ModuleType, scene_toml: str) -> Model:
+def _model(
+    kind: type[M], path: Path, manifest: dict[str, Any], data: dict[str, Any], module: ModuleType, scene_toml: str
+) -> M:
     found = described(manifest, data["p"])
     names = [coordinate.name for coordinate in found.coordinates]
     for name, plain in data.get("tables", {}).items():
         module.TABLES[name] = table_from(plain).shared()
-    return Model(
+    return kind(
         description=found,
         initial_q=np.array([data["q"][name] for name in names]),
         initial_q_dot=np.array([data["q_dot"][name] for name in names]),
@@ -225,21 +229,29 @@ def _model(path: Path, manifest: dict[str, Any], data: dict[str, Any], module: M
     )
 
 
-def _reloaded(
-    folder: str, digest: str, numbers: Mapping[str, float], functions: Mapping[str, str], driven_by: str
-) -> Model:
-    """The model that was pickled: its folder, if it still holds the same."""
-    found = load_model(folder, digest)
+# A model is pickled by folder and hash, never with its code.
+
+
+def reduced(model: EmittedModel) -> tuple[Any, ...]:
+    """What pickle keeps of a model: how it is loaded again. Raises ModelError for one without a folder."""
+    if not model.folder:
+        raise ModelError(f"model {model.name} was not loaded from a folder, and cannot be pickled without one")
+    functions = {name: function.serialize() for name, function in model.sources.items()}
+    return reloaded, (type(model), model.folder, model.digest, dict(model.input_values), functions, model.driven_by)
+
+
+def reloaded(
+    kind: type[M], folder: str, digest: str, numbers: Mapping[str, float], functions: Mapping[str, str], driven_by: str
+) -> M:
+    """The model that was pickled: its folder, if it still holds the same. Raises ModelError."""
+    found = load_folder(folder, kind, digest)
     sources = {name: ca.Function.deserialize(text) for name, text in functions.items()}
     return replace(found, input_values=dict(numbers), sources=sources, driven_by=driven_by)
 
 
-def _reduced(model: Model) -> tuple[Any, ...]:
-    """How a model is pickled: by folder and hash, never with its code."""
-    if not model.folder:
-        raise ModelError(f"model {model.name} was not loaded from a folder, and cannot be pickled without one")
-    functions = {name: function.serialize() for name, function in model.sources.items()}
-    return _reloaded, (model.folder, model.digest, dict(model.input_values), functions, model.driven_by)
+copyreg.pickle(EmittedModel, reduced)
 
 
-copyreg.pickle(Model, _reduced)
+def _reloaded(*_: Any) -> None:
+    """Where pickles of version 0.4 and older lead. Raises ModelError."""
+    raise ModelError("this pickle of a model", "was written by an older version", "load the folder with load_model")

@@ -8,12 +8,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
 from threading import Lock
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple, Self, TypeVar
 
 import casadi as ca
 import numpy as np
 
-from runtime.contract.arguments import Door
 from runtime.contract.errors import ModelError
 from runtime.contract.orientations import Places, places_of
 from runtime.contract.records import (
@@ -186,14 +185,8 @@ _LOCK = Lock()  # threads may run one model at once
 
 
 @dataclass(frozen=True, repr=False)
-class Model:
-    """A mechanism ready to run: its equations as CasADi functions, and the studies that can be made of them.
-
-    Runs: simulate, resume, ensemble, stepper. States: equilibrium, modes, linearise, campbell, unbalance_response,
-    quasi_static_motion. Motions that repeat: periodic, periodic_over. Derivatives: gradient, output_jacobian, fit.
-    Methods: advise. Dynamics: mass_matrix, coriolis, gravity, inverse_dynamics, forward_dynamics, jacobian, ode.
-    Names: q_i, q_d, coordinates, parameters, inputs, measures, joints, constraints. Functions: function, evaluate.
-    Handed on: export_c, export_fmu.
+class EmittedModel:
+    """What a generator emits: records, and CasADi functions built on demand. Users have `runtime.model.Model`.
 
     description: all records; builders: function name -> what builds it. initial_q, initial_q_dot (n,) [m, rad, 1; per
     s]: the consistent initial state; initial_changes: {name: (given, used)} where the scene's start was corrected;
@@ -220,29 +213,6 @@ class Model:
     _zero_outputs: dict[str, frozenset[str]] = field(default_factory=dict, repr=False)
     steppers: dict[tuple[Any, ...], Any] = field(default_factory=dict, repr=False, compare=False)
     schemes: dict[tuple[Any, ...], Any] = field(default_factory=dict, repr=False, compare=False)
-
-    # What is asked of a model: each is the function that it names, with the model as its first argument.
-    simulate = Door("runtime.running.simulate:simulate")
-    resume = Door("runtime.running.checkpoint:resume")
-    ensemble = Door("runtime.studies.ensemble.ensemble:ensemble")
-    equilibrium = Door("runtime.operating.equilibrium:equilibrium")
-    modes = Door("runtime.operating.modes:modes")
-    linearise = Door("runtime.operating.linearise:linearise")
-    campbell = Door("runtime.operating.campbell:campbell")
-    unbalance_response = Door("runtime.operating.campbell:unbalance_response")
-    periodic = Door("runtime.orbits.periodic:periodic")
-    periodic_over = Door("runtime.orbits.continuation:periodic_over")
-    quasi_static_motion = Door("runtime.running.driven:quasi_static_motion")
-    gradient = Door("runtime.gradients.differentiable_run:gradient")
-    output_jacobian = Door("runtime.gradients.differentiable_run:output_jacobian")
-    fit = Door("runtime.gradients.fit:fit")
-    advise = Door("runtime.studies.advice.advise:advise")
-    report = Door("runtime.studies.advice.report:report")
-    stability = Door("runtime.studies.stability.chart:stability_chart")
-    stepper = Door("runtime.running.stepping:ModelStepper")
-    ode = Door("runtime.baselines.ode:ode")
-    export_c = Door("runtime.export.c_bundle:export_c")
-    export_fmu = Door("runtime.export.fmu:export_fmu")
 
     def __post_init__(self) -> None:
         for name in ("initial_q", "initial_q_dot"):
@@ -358,7 +328,7 @@ class Model:
         """The inputs as functions of time; see runtime.contract.signals."""
         return Signals(self.description.inputs, self.sources)
 
-    def with_inputs(self, values: Mapping[str, float | Callable[[Any], Any]]) -> Model:
+    def with_inputs(self, values: Mapping[str, float | Callable[[Any], Any]]) -> Self:
         """A copy with inputs by name: constants, or functions of time, which are called with a symbolic t.
 
         Raises ModelError or ArgumentError for an unknown input or a value that cannot be used.
@@ -412,11 +382,6 @@ class Model:
             f"<Model {self.name}: {len(self.coordinates)} coordinates, {len(self.q_i)} independent, "
             f"{len(self.constraints)} constraints>"
         )
-
-    def _repr_html_(self) -> str:
-        from runtime.views.film import model_sketch
-
-        return model_card(self.description, model_sketch(self))
 
     def kernel(self, name: str) -> ca.Function:
         """The Function `name` as runs call it, with c as its last argument. Raises ModelError if there is none."""
@@ -491,38 +456,6 @@ class Model:
             found = zip(kernel.name_out(), values, strict=True)
             self._zero_outputs[name] = frozenset(own for own, value in found if value.is_zero())
         return output in self._zero_outputs[name]
-
-    def _dynamics(self) -> Any:
-        from runtime.operating.dynamics import Dynamics
-
-        return Dynamics(self)
-
-    def inverse_dynamics(self, q: Any, v: Any, a: Any, motors: Sequence[str] = (), **where: Any) -> np.ndarray:
-        """Generalised forces tau (n_i,) [N, N m] for the motion q, v, a (n_i,); motors: inputs to solve for instead.
-
-        where: t [s], parameters, near (a configuration that closes the loops), of this and the next five methods.
-        """
-        return np.asarray(self._dynamics().inverse_dynamics(q, v, a, motors, **where))
-
-    def forward_dynamics(self, q: Any, v: Any, tau: Any = None, **where: Any) -> np.ndarray:
-        """Accelerations (n_i,) [m/s^2, rad/s^2] under the loads of the scene and tau (n_i,)."""
-        return np.asarray(self._dynamics().forward_dynamics(q, v, tau, **where))
-
-    def mass_matrix(self, q: Any, **where: Any) -> np.ndarray:
-        """Mass matrix M(q) (n_i, n_i) of the independent coordinates."""
-        return np.asarray(self._dynamics().mass_matrix(q, **where))
-
-    def gravity(self, q: Any, **where: Any) -> np.ndarray:
-        """Generalised forces (n_i,) that hold the mechanism still at q, springs and other loads included."""
-        return np.asarray(self._dynamics().gravity(q, **where))
-
-    def coriolis(self, q: Any, v: Any, **where: Any) -> np.ndarray:
-        """Generalised forces C(q, v) v (n_i,): centrifugal, gyroscopic and damping."""
-        return np.asarray(self._dynamics().coriolis(q, v, **where))
-
-    def jacobian(self, marker: str, q: Any, **where: Any) -> np.ndarray:
-        """Jacobian (6, n_i), in the plane (3, n_i): velocity and angular velocity of "body.marker" by v."""
-        return np.asarray(self._dynamics().jacobian(marker, q, **where))
 
     @cached_property
     def emitted_c_size(self) -> int:
@@ -601,7 +534,7 @@ class Model:
 # Who does not look for events refuses models that have them.
 
 
-def refuse_events(model: Model, who: str) -> None:
+def refuse_events(model: EmittedModel, who: str) -> None:
     """Raises ModelError for a model with events."""
     names = [event.name for event in model.description.events]
     if names:
@@ -612,7 +545,7 @@ def refuse_events(model: Model, who: str) -> None:
         )
 
 
-def refuse_elements(model: Model, who: str, remedy: str) -> None:
+def refuse_elements(model: EmittedModel, who: str, remedy: str) -> None:
     """Raises ModelError for a model with friction that sticks or rigid stops, of which `who` does not know."""
     kinds = sorted({bool(event.side) for event in model.mode_events})
     if kinds:
@@ -622,13 +555,13 @@ def refuse_elements(model: Model, who: str, remedy: str) -> None:
         raise ModelError(f"{names} of model {model.name}", f"{does}, which {who}", remedy + more)
 
 
-def refuse_rigid_stops(model: Model, who: str, remedy: str) -> None:
+def refuse_rigid_stops(model: EmittedModel, who: str, remedy: str) -> None:
     """Raises ModelError for a model with rigid stops, of which `who` does not know."""
     if any(event.side for event in model.mode_events):
         refuse_elements(model, who, remedy)
 
 
-def refuse_reactions(model: Model, who: str, remedy: str) -> None:
+def refuse_reactions(model: EmittedModel, who: str, remedy: str) -> None:
     """Raises ModelError for a model with friction by reactions (`mu`), of which `who` does not know."""
     if model.has("elements") and "margin" in model.kernel("elements").name_out():
         names = ", ".join(event.name for event in model.mode_events if not event.side)

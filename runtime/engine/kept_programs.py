@@ -18,7 +18,7 @@ from typing import Any
 import casadi as ca
 
 from runtime.contract.files import stamp_of
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.engine.object_cache import ObjectCache
 from runtime.engine.prepare import Prepared
 from runtime.engine.program import Call, Program, Repeat, Sequence, Until
@@ -34,7 +34,7 @@ def _code() -> str:
     return f"{stamp_of(*(folder / room for room in ROOMS))} {ca.CasadiMeta.version()}"
 
 
-def key_of(model: Model, *facts: str) -> str:
+def key_of(model: EmittedModel, *facts: str) -> str:
     """The key of what follows from a model, these facts and the code as it is; "" where nothing is kept of the model.
 
     Kept is what follows from a folder, whose text is what its digest says.

@@ -21,7 +21,7 @@ from runtime.contract.arguments import BY_NAME, NUMBER, PLACE, arguments
 from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.errors import ModelError
 from runtime.contract.files import write_text
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.tape import shared
 from runtime.engine.c_source import Code, Style, named, program_code, source, stage_code, tape_code
 from runtime.engine.prepare import Prepared
@@ -51,7 +51,7 @@ class Quantity:
 class Exported:
     """A scheme on a model as it is handed on; p (n_p,), z (z_size,): its parameters and start."""
 
-    model: Model
+    model: EmittedModel
     name: str
     scheme: Scheme
     prepared: Prepared
@@ -92,7 +92,7 @@ class Exported:
 
 @arguments(options=BY_NAME, parameters=BY_NAME, dt=NUMBER)
 def exported(
-    model: Model,
+    model: EmittedModel,
     scheme: str | None = None,
     dt: float | None = None,
     m: list[int] | None = None,
@@ -126,7 +126,7 @@ def write_c(one: Exported, folder: str | Path) -> list[Path]:
 
 
 @arguments(folder=PLACE)
-def export_c(model: Model, folder: str | Path, **steps: Any) -> list[Path]:
+def export_c(model: EmittedModel, folder: str | Path, **steps: Any) -> list[Path]:
     """Write the model with a scheme as plain C into a folder. steps: scheme, dt [s], m, options, parameters, name.
 
     Returns the files. Raises ModelError or SchemeError for what cannot leave, OutputError.
@@ -435,7 +435,7 @@ int {p}finite(const double *z) {{
 """
 
 
-def _start_values(model: Model, q: np.ndarray, q_dot: np.ndarray) -> list[Quantity]:
+def _start_values(model: EmittedModel, q: np.ndarray, q_dot: np.ndarray) -> list[Quantity]:
     """What `start` takes, at a consistent state of all coordinates (n,)."""
     records = {record.name: record for record in model.description.coordinates}
     names, values, rates = list(model.coordinates), q, q_dot
@@ -452,7 +452,7 @@ def _start_values(model: Model, q: np.ndarray, q_dot: np.ndarray) -> list[Quanti
     return found
 
 
-def _parameters(model: Model, p: np.ndarray) -> list[Quantity]:
+def _parameters(model: EmittedModel, p: np.ndarray) -> list[Quantity]:
     return [Quantity(e.name, e.unit, e.meaning, float(v)) for e, v in zip(model.parameters, p, strict=True)]
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model, refuse_reactions
+from runtime.contract.model import EmittedModel, refuse_reactions
 from runtime.contract.signals import SINCE
 from runtime.contract.tape import UNUSED, Node, Tape, read_tape, shared
 from runtime.engine.c_source import Code, Style, named, number, stage_code, tape_code
@@ -68,7 +68,7 @@ def kept(scheme: Scheme) -> int:
     return 2 + KEPT_OF_A_KINK * (len(watched_events(scheme)) - len(scheme.model.description.events))
 
 
-def refuse_stops(model: Model, p: np.ndarray) -> None:
+def refuse_stops(model: EmittedModel, p: np.ndarray) -> None:
     """Raises ModelError for jumps and events that exported code does not know, by name."""
     c, name = model.constants(p), f"of model {model.name}"
     if model.sources:
@@ -100,7 +100,7 @@ def refuse_stops(model: Model, p: np.ndarray) -> None:
         )
 
 
-def _conditions(model: Model) -> ca.Function:
+def _conditions(model: EmittedModel) -> ca.Function:
     """(t, c) -> the conditions and their slopes, one after the other."""
     t, c = ca.SX.sym("t"), ca.SX.sym("c", model.c_size)
     g = ca.densify(ca.SX(model.evaluate("switching", t=t, c=c)["switching"]))
@@ -231,7 +231,7 @@ def whole_numbers(name: str, values: Sequence[int]) -> str:
     return f"static const int {name}[] = {{{', '.join(map(str, [*values, 0]))}}};"
 
 
-def _bounds(model: Model, prefix: str) -> str:
+def _bounds(model: EmittedModel, prefix: str) -> str:
     """`bounds`: of each condition and of its slope over an interval of time; may it jump there?"""
     tape: Tape = read_tape(_conditions(model))
     lines = [f"static void {prefix}bounds(I *found, int *jumps, I t, const double *c) {{"]

@@ -19,7 +19,7 @@ from typing import Any
 from runtime.contract.arguments import PLACE, arguments
 from runtime.contract.errors import CompilerError, ModelError
 from runtime.contract.files import replacing
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.engine.c_source import find_compiler
 from runtime.export.c_bundle import Exported, c_files, exported
 from runtime.export.fmu_texts import description, fmu_source
@@ -96,7 +96,7 @@ def write_fmu(one: Exported, path: str | Path, fmi: int = 2, platforms: Sequence
 
 @arguments(path=PLACE)
 def export_fmu(
-    model: Model, path: str | Path, fmi: int = 2, platforms: Sequence[str] | None = None, **steps: Any
+    model: EmittedModel, path: str | Path, fmi: int = 2, platforms: Sequence[str] | None = None, **steps: Any
 ) -> Written:
     """Write the model with a scheme as an FMU. steps: scheme, dt [s], m, options, parameters, name; see `write_fmu`."""
     return write_fmu(exported(model, **steps), path, fmi, platforms)

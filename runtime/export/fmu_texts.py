@@ -11,7 +11,7 @@ import casadi as ca
 
 from runtime.baselines.condensed_ode import CondensedOde
 from runtime.contract.coordinates import joined
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.tape import Tape, shared
 from runtime.engine.c_source import Style, named, source, tape_code
 from runtime.export.c_bundle import Exported, constant_array, quoted
@@ -57,7 +57,7 @@ int {p}next_jump(double *found, const double *c, double t, double until, double 
 """
 
 
-def state_names(model: Model) -> list[str]:
+def state_names(model: EmittedModel) -> list[str]:
     """Coordinates, rates and loop unknowns that are the states of model exchange.
 
     None where bodies turn freely: masters do not know rotations.

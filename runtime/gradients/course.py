@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import NoResult
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.running.problem import Plan
 from runtime.schemes.switching.times import ON_THE_GRID, Breaks, SwitchTime, switching_times, within
 
@@ -217,7 +217,7 @@ ALIKE = 1e-9  # of the largest entry: derivatives of the times of two conditions
 class MovingJumps:
     """Of a model; by: the entries of p that are differentiated by."""
 
-    def __init__(self, model: Model, by: Sequence[int]) -> None:
+    def __init__(self, model: EmittedModel, by: Sequence[int]) -> None:
         self._model, self._by = model, list(by)
         if model.has("switching"):
             t, p = ca.SX.sym("t"), ca.SX.sym("p", len(model.parameters))

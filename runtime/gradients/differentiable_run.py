@@ -12,7 +12,7 @@ import numpy as np
 
 from runtime.contract.arguments import BY_NAME, arguments
 from runtime.contract.errors import ArgumentError, ModelError, NoResult
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.engine.derivatives import Recorder, TangentCode, most_lanes
 from runtime.engine.native import NativeProgram
 from runtime.gradients.course import Course, MovingJumps, Stop, Turn, course
@@ -93,7 +93,7 @@ class DifferentiableRun:
     @arguments(parameters=BY_NAME, initial=BY_NAME, options=BY_NAME, inputs=BY_NAME)
     def __init__(
         self,
-        model: Model,
+        model: EmittedModel,
         outputs: Sequence[str],
         by: Sequence[str],
         *,
@@ -389,7 +389,7 @@ class Gradient:
 # The gradient of a number that a run leads to, and the Jacobian of its outputs: the doors.
 
 
-def gradient(model: Model, of: Objective, by: Sequence[str], *, mode: str = "auto", **run: Any) -> Gradient:
+def gradient(model: EmittedModel, of: Objective, by: Sequence[str], *, mode: str = "auto", **run: Any) -> Gradient:
     """Differentiate an objective `of` a run by parameters, initial values and inputs, named in `by`.
 
     mode: `forward` (one direction a lane), `reverse` (one way back for all), or by what costs less. run: the arguments
@@ -402,7 +402,7 @@ def gradient(model: Model, of: Objective, by: Sequence[str], *, mode: str = "aut
     return prepared.gradient(of, prepared.x0, mode)
 
 
-def output_jacobian(model: Model, outputs: Sequence[str], by: Sequence[str], **run: Any) -> OutputJacobian:
+def output_jacobian(model: EmittedModel, outputs: Sequence[str], by: Sequence[str], **run: Any) -> OutputJacobian:
     """Differentiate outputs (k,) at stored times by `by` (n,): (times, k, n); arguments as of `gradient`."""
     prepared = DifferentiableRun(model, outputs, by, **run)
     return prepared.jacobian(prepared.x0)

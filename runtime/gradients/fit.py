@@ -14,7 +14,7 @@ from scipy.optimize import least_squares
 
 from runtime.contract.arguments import BY_NAME, NAMES, arguments
 from runtime.contract.errors import ArgumentError, NoResult
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.gradients.differentiable_run import DifferentiableRun, OutputJacobian
 
 TOLERANCE = 1e-10
@@ -26,7 +26,7 @@ Bounds = Mapping[str, tuple[float, float]]
 
 @arguments(data=BY_NAME, parameters=NAMES, bounds=BY_NAME, guess=BY_NAME, fixed=BY_NAME)
 def fit(
-    model: Model,
+    model: EmittedModel,
     data: Mapping[str, Any],
     parameters: Sequence[str],
     *,
@@ -150,7 +150,7 @@ def _covariance(names: Sequence[str], jacobian: np.ndarray) -> np.ndarray:
     return np.asarray((directions.T / values**2) @ directions)
 
 
-def _limits(model: Model, names: Sequence[str], bounds: Bounds, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _limits(model: EmittedModel, names: Sequence[str], bounds: Bounds, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Raises ArgumentError for bounds that are none, or that the guess lies outside of."""
     signs = {parameter.name: parameter.bound for parameter in model.parameters}
     wrong = [name for name in bounds if name not in names]

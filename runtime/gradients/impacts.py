@@ -17,7 +17,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import NoResult
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.running.events import state_of
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.sparse_lu import Number, factor, solve, solve_symmetric
@@ -29,7 +29,7 @@ FOLLOWS = 1e-9  # of a row of G: what is left of one that follows from others
 MOVES = 1e-6  # of the largest rate, or slope: less is rounding
 
 
-def sizes(model: Model) -> tuple[int, int]:
+def sizes(model: EmittedModel) -> tuple[int, int]:
     """How many elements there are, and how many rigid stops."""
     found = model.kernel("elements")
     return int(found.size1_out("G")), sum(bool(event.side) for event in model.mode_events)
@@ -63,12 +63,12 @@ def thrown(equations: StageEquations, place: tuple[ca.SX, ca.SX, ca.SX], v: ca.S
     return _pushed(own, rows, speed)
 
 
-def _stop_rows(model: Model) -> list[int]:
+def _stop_rows(model: EmittedModel) -> list[int]:
     return [event.row for event in model.mode_events if event.side]
 
 
 def rows_of(
-    model: Model, at: Mapping[str, np.ndarray], c: np.ndarray, settled: Settled
+    model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray, settled: Settled
 ) -> tuple[np.ndarray, np.ndarray]:
     """(rows (n_e,), hit (n_stop,)), see `thrown`, of what elements did at a state with constants c."""
     events, G = model.mode_events, elements(model, at, c)["G"]
@@ -127,7 +127,9 @@ def held_at_start(scheme: Scheme, z: np.ndarray, c: np.ndarray, p: np.ndarray) -
     return Held(_independent(own["G"], closed), _independent(own["G"], rows), loose)
 
 
-def held_slopes(model: Model, t: float, x: np.ndarray, slopes: np.ndarray, by: Sequence[str], held: Held) -> np.ndarray:
+def held_slopes(
+    model: EmittedModel, t: float, x: np.ndarray, slopes: np.ndarray, by: Sequence[str], held: Held
+) -> np.ndarray:
     """Slopes (n_x, n) of x = (p, q_i, q_i_dot, loop unknowns) by names, with what is held at rest. Raises NoResult."""
     n_p, n_i = len(model.parameters), len(model.q_i)
     function = model.derived("held_slopes", lambda: _held_slopes(model))
@@ -150,7 +152,7 @@ def held_slopes(model: Model, t: float, x: np.ndarray, slopes: np.ndarray, by: S
     return found
 
 
-def _held_slopes(model: Model) -> ca.Function:
+def _held_slopes(model: EmittedModel) -> ca.Function:
     """(t, x, closed, rows) -> by x (n_x,) what leaves positions on stops, what leaves rates at rest, rates, gaps."""
     n_i, n_e, p = len(model.q_i), sizes(model)[0], ca.SX.sym("p", len(model.parameters))
     t, closed, rows = ca.SX.sym("t"), ca.SX.sym("closed", n_e), ca.SX.sym("rows", n_e)

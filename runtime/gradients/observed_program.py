@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.tape import shared
 from runtime.engine.derivatives import Active
 from runtime.engine.prepare import Prepared, prepare
@@ -75,7 +75,7 @@ def _acting(scheme: Scheme, prepared: Prepared, parameters: Sequence[int]) -> tu
     return tuple(sorted({int(row) for row, column in zip(*pattern.get_triplet(), strict=True) if column in wanted}))
 
 
-def check_outputs(model: Model, names: Sequence[str]) -> tuple[str, ...]:
+def check_outputs(model: EmittedModel, names: Sequence[str]) -> tuple[str, ...]:
     """The names as they are kept. Raises ModelError for one that is not an output, and where there is none."""
     if isinstance(names, str) or not names:
         raise ModelError(f"outputs must be a list of names such as {model.q_i[:1]}, not {names!r}")

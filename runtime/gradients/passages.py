@@ -11,7 +11,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import ArgumentError, NoResult
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.signals import SINCE
 from runtime.gradients.course import ALIKE, EventPassage, Hold
 from runtime.gradients.impacts import rows_of
@@ -30,7 +30,7 @@ GRAZING = 1e-3  # least slope of a passage, over that of the way to it since the
 class Passages:
     """Of a plan of its own, whose scheme gets the fields of events."""
 
-    def __init__(self, model: Model, plan: Plan) -> None:
+    def __init__(self, model: EmittedModel, plan: Plan) -> None:
         self._model, self._plan = model, plan
         self._events = watched_events(plan.scheme)
         self._names = [event.name for event in self._events]

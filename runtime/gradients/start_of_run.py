@@ -12,7 +12,7 @@ import numpy as np
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
 from runtime.contract.coordinates import independent, independent_slopes, joined, loop_part, parameter_columns
 from runtime.contract.errors import NoResult
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import angular_velocity, chart_rates, exponential, parameter_rates, product
 from runtime.contract.tape import shared
 from runtime.gradients.impacts import held_at_start, held_slopes
@@ -142,7 +142,7 @@ OPEN = 1e-8  # of the largest slope: more means that what was given had to move
 
 
 def start_slopes(
-    model: Model,
+    model: EmittedModel,
     p: np.ndarray,
     t0: float,
     state: ConsistentState,
@@ -170,7 +170,7 @@ def start_slopes(
     return np.concatenate([dp, *independent_slopes(model, state.q, state.q_dot, dq, dv)])
 
 
-def _open(model: Model, given: Mapping[str, float], rates: bool) -> list[int]:
+def _open(model: EmittedModel, given: Mapping[str, float], rates: bool) -> list[int]:
     """Coordinates (or rates) that the assembly finds, in the way of runtime.operating.given_state."""
     end = "_dot" if rates else ""
     named = {name for name in model.coordinates if name + end in given}
@@ -179,12 +179,12 @@ def _open(model: Model, given: Mapping[str, float], rates: bool) -> list[int]:
     return [k for k, name in enumerate(model.coordinates) if name not in named | kept]
 
 
-def _independent_parameters(model: Model) -> list[int]:
+def _independent_parameters(model: EmittedModel) -> list[int]:
     """Columns of q of the Euler parameters of orientations that are independent."""
     return [int(column) for k in independent_turns(model) for column in model.places.parameters[k]]
 
 
-def turned_start(model: Model, given: Given, by: Variables, x: np.ndarray) -> dict[str, float]:
+def turned_start(model: EmittedModel, given: Given, by: Variables, x: np.ndarray) -> dict[str, float]:
     """Initial values by name, with the Euler parameters and their rates of orientations that x (n,) turns.
 
     Raises InitialStateError for an orientation that is given by Euler angles.
@@ -222,7 +222,7 @@ def _rotation(by: Variables, body: str, x: np.ndarray) -> np.ndarray:
 
 
 def _turn_slopes(
-    model: Model, state: ConsistentState, by: Variables, x: np.ndarray, dq: np.ndarray, dv: np.ndarray
+    model: EmittedModel, state: ConsistentState, by: Variables, x: np.ndarray, dq: np.ndarray, dv: np.ndarray
 ) -> None:
     """Fill the rows of Euler parameters: e moves by e o (0, turn) / 2, and the angular velocity is kept."""
     for k, body, axis, is_rate in by.turns:
@@ -236,7 +236,7 @@ def _turn_slopes(
 
 
 def _require_kept(
-    model: Model, given: Mapping[str, float], free: list[int], wanted: np.ndarray, found: np.ndarray, end: str
+    model: EmittedModel, given: Mapping[str, float], free: list[int], wanted: np.ndarray, found: np.ndarray, end: str
 ) -> None:
     """What the assembly was to keep, it kept. Raises InitialStateError."""
     for k, name in enumerate(model.coordinates):
@@ -250,7 +250,7 @@ def _require_kept(
 
 
 def _assembled(
-    model: Model,
+    model: EmittedModel,
     p: np.ndarray,
     t0: float,
     state: ConsistentState,
@@ -267,7 +267,7 @@ def _assembled(
     dv[free_v] = _solved(model, C_q, free_v, -(rate_p @ dp + rate_q @ dq + C_q @ dv))
 
 
-def _solved(model: Model, C_q: np.ndarray, free: list[int], side: np.ndarray) -> np.ndarray:
+def _solved(model: EmittedModel, C_q: np.ndarray, free: list[int], side: np.ndarray) -> np.ndarray:
     matrix = C_q[:, free]
     values = np.linalg.svd(matrix, compute_uv=False) if free else np.ones(1)
     if len(values) < len(free) or values[-1] < RANK * values[0]:
@@ -281,7 +281,7 @@ def _solved(model: Model, C_q: np.ndarray, free: list[int], side: np.ndarray) ->
     return np.asarray(found)
 
 
-def _slopes(model: Model) -> ca.Function:
+def _slopes(model: EmittedModel) -> ca.Function:
     """(q, q_dot, t, p) -> C_q, C_p, and the slopes of C_q q_dot + C_t by q and p."""
     n = len(model.coordinates)
     q, v, t, p = ca.SX.sym("q", n), ca.SX.sym("v", n), ca.SX.sym("t"), ca.SX.sym("p", len(model.parameters))
@@ -298,7 +298,13 @@ def _slopes(model: Model) -> ca.Function:
 
 
 def settled_slopes(
-    model: Model, p: np.ndarray, c: np.ndarray, t: float, given: ConsistentState, slopes: np.ndarray, unstable: bool
+    model: EmittedModel,
+    p: np.ndarray,
+    c: np.ndarray,
+    t: float,
+    given: ConsistentState,
+    slopes: np.ndarray,
+    unstable: bool,
 ) -> np.ndarray:
     """d(p, q_i, q_i_dot, loop unknowns) (n_x, n) of the quasi-static start, from those of the state that was given."""
     elastic = [k for k, name in enumerate(model.q_i) if name in model.elastic]
@@ -341,7 +347,7 @@ def settled_slopes(
     return found
 
 
-def _equilibrium_slopes(model: Model, elastic: list[int]) -> ca.Function:
+def _equilibrium_slopes(model: EmittedModel, elastic: list[int]) -> ca.Function:
     """(t, q_i, q_i_dot, loop unknowns, p) -> the slopes of R by q_i, q_i_dot, p and t."""
     n = len(model.q_i)
     t, q, v = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n)
@@ -351,7 +357,7 @@ def _equilibrium_slopes(model: Model, elastic: list[int]) -> ca.Function:
     return ca.Function("equilibrium_slopes", [t, q, v, loop, p], outputs)
 
 
-def _rate_slopes(model: Model) -> ca.Function:
+def _rate_slopes(model: EmittedModel) -> ca.Function:
     """(t, q_i, q_i_dot, loop unknowns, p) -> the slopes of all rates by (q_i, q_i_dot, p)."""
     n = len(model.q_i)
     t, q, v = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n)

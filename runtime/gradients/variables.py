@@ -10,7 +10,7 @@ import numpy as np
 
 from runtime.contract.coordinates import OMEGA
 from runtime.contract.errors import ArgumentError, ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.gradients.course import Hold
 from runtime.running.inputs import InputValue, Sampled, Schedule, bound, scheduled, started
 from runtime.running.problem import Plan
@@ -55,18 +55,18 @@ class Variables:
         return values
 
 
-def starting_values(model: Model) -> dict[str, tuple[int, bool]]:
+def starting_values(model: EmittedModel) -> dict[str, tuple[int, bool]]:
     """{name of an initial value: (column of q, is it a rate?)}."""
     found = {name: (k, False) for k, name in enumerate(model.coordinates)}
     return {**found, **{f"{name}_dot": (k, True) for k, name in enumerate(model.coordinates)}}
 
 
-def independent_turns(model: Model) -> list[int]:
+def independent_turns(model: EmittedModel) -> list[int]:
     """Positions of the orientations whose turns are all in q_i."""
     return [k for k, turns in enumerate(model.places.turns) if (turns < len(model.q_i)).all()]
 
 
-def starting_turns(model: Model) -> dict[str, tuple[str, int, bool]]:
+def starting_turns(model: EmittedModel) -> dict[str, tuple[str, int, bool]]:
     """{name: (body, axis, is it an angular velocity?)} of orientations that are independent.
 
     `body.turn_x` [rad] turns the start further, with y and z as one rotation vector in axes of the body;
@@ -77,7 +77,7 @@ def starting_turns(model: Model) -> dict[str, tuple[str, int, bool]]:
     return turns | {f"{one.body}.{name}": (one.body, k, True) for one in records for k, name in enumerate(OMEGA)}
 
 
-def variables_of(model: Model, by: Sequence[str], held: Sequence[HeldSample] = ()) -> Variables:
+def variables_of(model: EmittedModel, by: Sequence[str], held: Sequence[HeldSample] = ()) -> Variables:
     """Checked names. Raises ModelError for a name that is neither a parameter nor a coordinate nor its rate.
 
     The name of a sampled input stands for all its samples, which are called `input[number]`.
@@ -106,7 +106,7 @@ def variables_of(model: Model, by: Sequence[str], held: Sequence[HeldSample] = (
     )
 
 
-def _unknown(model: Model, name: str, known: list[str]) -> ModelError:
+def _unknown(model: EmittedModel, name: str, known: list[str]) -> ModelError:
     near = get_close_matches(name, known, 1)
     meant = f" (did you mean {near[0]!r}?)" if near else ""
     listed = ", ".join(parameter.name for parameter in model.parameters if parameter.kind != "data")
@@ -137,7 +137,7 @@ class HeldSample:
         return f"{self.input}[{self.number}]"
 
 
-def driven_by(model: Model, inputs: Inputs | None) -> Model:
+def driven_by(model: EmittedModel, inputs: Inputs | None) -> EmittedModel:
     """The model with these inputs. Raises ModelError, and ArgumentError for what is not differentiated."""
     moving = {entry.name for entry in model.description.inputs if entry.rates or entry.filter}
     for name, value in (inputs or {}).items():
@@ -150,7 +150,7 @@ def driven_by(model: Model, inputs: Inputs | None) -> Model:
     return bound(model, inputs)
 
 
-def held_samples(model: Model, inputs: Inputs | None, plan: Plan) -> list[HeldSample]:
+def held_samples(model: EmittedModel, inputs: Inputs | None, plan: Plan) -> list[HeldSample]:
     """Of all sampled inputs, those that a run sees, by step. Raises ModelError for samples that cannot be used."""
     scheduled(model, inputs, plan.t0, plan.grid.dt_L)
     last: dict[tuple[str, int], HeldSample] = {}
@@ -175,6 +175,6 @@ def holds_of(plan: Plan, samples: list[HeldSample], names: tuple[str, ...]) -> l
     ]
 
 
-def parameters_at(model: Model, values: Mapping[str, float], t0: float) -> np.ndarray:
+def parameters_at(model: EmittedModel, values: Mapping[str, float], t0: float) -> np.ndarray:
     """p (n_p,) of a run that begins at t0 [s], the numbers of its inputs included. Raises ModelError."""
     return started(model, model.parameter_vector(values), Schedule(model.signals), t0)

@@ -9,14 +9,16 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
 from runtime.contract.coordinates import parts, rate_parts
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 
 ON_IT = 1e-9  # m or rad: so far beyond a stop is on it
 MOST = 20  # corrections
 Assemble = Callable[[Mapping[str, float]], ConsistentState]
 
 
-def within_stops(model: Model, c: np.ndarray, t: float, state: ConsistentState, assemble: Assemble) -> ConsistentState:
+def within_stops(
+    model: EmittedModel, c: np.ndarray, t: float, state: ConsistentState, assemble: Assemble
+) -> ConsistentState:
     """The state (with constants c at t [s]), or one that is moved to the stops which it is beyond.
 
     assemble: coordinates by name that are kept -> a state. Raises InitialStateError by the name of a stop.
@@ -53,7 +55,9 @@ def within_stops(model: Model, c: np.ndarray, t: float, state: ConsistentState, 
     return replace(state, changed={**begun.changed, **changed})
 
 
-def gaps(model: Model, c: np.ndarray, t: float, q: np.ndarray, q_dot: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def gaps(
+    model: EmittedModel, c: np.ndarray, t: float, q: np.ndarray, q_dot: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """(n_stop,) gaps of rigid stops, and G (n_e, n_i) of the directions that they are of."""
     (q_i, q_d), (v, v_d) = parts(model, q), rate_parts(model, q, q_dot)
     found = model.evaluate("elements", q_i=q_i, q_d=q_d, q_i_dot=v, q_d_dot=v_d, t=t, c=c)

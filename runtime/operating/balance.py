@@ -10,7 +10,7 @@ import numpy as np
 
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import turned_by
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.operating.functions import ALREADY_CLOSED, PointFunctions, PointValues, rates_and_forces, row_names
 from runtime.operating.mode_solver import State
 from runtime.schemes.stage_equations import StageEquations
@@ -183,7 +183,7 @@ class Clamped:
     It remembers the loop unknowns of the last state, from which the next closure starts.
     """
 
-    model: Model
+    model: EmittedModel
     functions: PointFunctions
     t: float
     v: np.ndarray
@@ -302,7 +302,7 @@ TRIM_TOLERANCE = 1e-12  # of the largest correction, relative to the largest val
 BALANCED = 1e-9  # what may be left of the forces, relative to those before
 
 
-def force_by_parameters(model: Model, names: Sequence[str], drives_move: bool = True) -> ca.Function:
+def force_by_parameters(model: EmittedModel, names: Sequence[str], drives_move: bool = True) -> ca.Function:
     """(t, q_i, q_i_dot, a, loop unknowns, p) -> d(Q_hat - M_hat a)/d(p of these names) (n_i x k), q_d = f(q_i, p)."""
     index = [[parameter.name for parameter in model.parameters].index(name) for name in names]
     n = len(model.q_i)
@@ -329,7 +329,7 @@ class Trimmed:
     converged: bool
 
 
-def trimmed(model: Model, clamped: Clamped, q_i: np.ndarray, p: np.ndarray, names: Sequence[str]) -> Trimmed:
+def trimmed(model: EmittedModel, clamped: Clamped, q_i: np.ndarray, p: np.ndarray, names: Sequence[str]) -> Trimmed:
     """Newton on Q_hat(q_i, p) = 0 and the clamped coordinates' values, over q_i and the named parameters.
 
     It begins at the equilibrium with holding forces. `clamped` is left with the constants of the last p.

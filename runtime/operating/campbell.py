@@ -13,7 +13,7 @@ from runtime.contract.arguments import BY_NAME, NAMES, NUMBER, NUMBERS, argument
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.files import write_text
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.operating.equilibrium import Equilibrium, equilibrium, turning_name
 from runtime.operating.linearisation import Linearisation
 from runtime.operating.linearise import linearise
@@ -149,7 +149,7 @@ class Campbell(Followed):
     over: what changes, is_speed: is it a rate; coordinates (n_x): of the shapes; remarked: what `remarks()` gives.
     """
 
-    model: Model
+    model: EmittedModel
     over: str
     values: np.ndarray
     coordinates: list[str]
@@ -188,7 +188,7 @@ class Campbell(Followed):
 
 @arguments(held=BY_NAME, rates=BY_NAME, parameters=BY_NAME, locked=NAMES, t=NUMBER)
 def campbell(
-    model: Model,
+    model: EmittedModel,
     over: str,
     values: Sequence[float] | np.ndarray,
     *,
@@ -235,7 +235,7 @@ class Sweep:
 
     def __init__(
         self,
-        model: Model,
+        model: EmittedModel,
         over: str,
         held: Mapping[str, float],
         rates: Mapping[str, float],
@@ -263,7 +263,7 @@ class Sweep:
         return linearise(self.model, self._last, inputs=self.inputs, outputs=self.outputs, locked=self.locked)
 
 
-def _rate_of(model: Model, over: str) -> str:
+def _rate_of(model: EmittedModel, over: str) -> str:
     """The coordinate or turn whose rate is meant: by the rate's name, its own, or `hub.omega`. Raises ModelError."""
     return next((name for name in model.coordinates if over == f"{name}_dot"), None) or turning_name(model, over)
 
@@ -282,7 +282,7 @@ class UnbalanceResponse:
 
 @arguments(speeds=NUMBERS, at=NAMES, unbalance=NUMBER, outputs=NAMES, held=BY_NAME, parameters=BY_NAME, locked=NAMES)
 def unbalance_response(
-    model: Model,
+    model: EmittedModel,
     over: str,
     speeds: Sequence[float] | np.ndarray,
     *,

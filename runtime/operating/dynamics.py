@@ -16,7 +16,7 @@ import numpy as np
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import at_home, dependent_part, whole
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model, refuse_rigid_stops
+from runtime.contract.model import EmittedModel, refuse_rigid_stops
 from runtime.operating.given_state import closed
 
 POSSIBLE = 1e-9  # of the largest force: what motors may leave over
@@ -42,7 +42,7 @@ class Dynamics:
     arrays of another length and unknown names, InitialStateError for q at which the loops do not close.
     """
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: EmittedModel) -> None:
         refuse_rigid_stops(model, "is open at a state by itself", "take a scene without them, or step it")
         self.model = model
 

@@ -21,7 +21,7 @@ from runtime.contract.coordinates import (
     parameter_columns,
 )
 from runtime.contract.errors import ModelError, NoResult
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import angle_names, angles
 from runtime.contract.signals import SUFFIXES
 from runtime.operating.balance import Balance, Clamped, Found, balanced, clamped_directions, steady_rates, trimmed
@@ -56,7 +56,7 @@ class Equilibrium:
     in `eigenvalues`; locked (k, n_i): the directions of q_i in which they do.
     """
 
-    model: Model
+    model: EmittedModel
     q: np.ndarray
     q_dot: np.ndarray
     parameters: np.ndarray
@@ -106,7 +106,7 @@ class Equilibrium:
 
 @arguments(held=BY_NAME, rates=BY_NAME, inputs=BY_NAME, parameters=BY_NAME, initial=START, t=NUMBER, at_time=NUMBER)
 def equilibrium(
-    model: Model,
+    model: EmittedModel,
     held: Mapping[str, float] | None = None,
     rates: Mapping[str, float] | None = None,
     inputs: Mapping[str, float | None] | None = None,
@@ -168,14 +168,14 @@ def equilibrium(
     return told
 
 
-def _places(model: Model, initial: Initial) -> Mapping[str, float]:
+def _places(model: EmittedModel, initial: Initial) -> Mapping[str, float]:
     """Changes by name; of what has a state its coordinates, since `rates` says what moves."""
     if initial is None or isinstance(initial, Mapping):
         return initial or {}
     return {name: value for name, value in initial.initial_values().items() if name in model.coordinates}
 
 
-def named(model: Model, name: str) -> str:
+def named(model: EmittedModel, name: str) -> str:
     """The coordinate that a name means: itself, or `hub.omega` for the one angle that hub has. Raises ModelError."""
     if name in model.coordinates:
         return name
@@ -191,23 +191,23 @@ def named(model: Model, name: str) -> str:
     raise ModelError(f"model {model.name} has no coordinate {name!r}; it has {_listed(model)}")
 
 
-def turning_name(model: Model, name: str) -> str:
+def turning_name(model: EmittedModel, name: str) -> str:
     """The coordinate or turn whose rate is given: `body.turn_x` for `body.omega_x`. Raises ModelError."""
     turns = {model.q_i[k] for k in independent_turns(model)}
     turn = name.replace(".omega_", ".turn_")
     return turn if turn in turns else named(model, name)
 
 
-def force_unit(model: Model, name: str) -> str:
+def force_unit(model: EmittedModel, name: str) -> str:
     """SI unit of the generalised force on a coordinate."""
     return "N m" if name not in model.coordinates or model.coordinate(name).turns else "N"
 
 
-def _listed(model: Model) -> str:
+def _listed(model: EmittedModel) -> str:
     return ", ".join(model.coordinates[:20]) + (", ..." if len(model.coordinates) > 20 else "")
 
 
-def _check_trim(model: Model, trim: list[str], fixed: list[str]) -> None:
+def _check_trim(model: EmittedModel, trim: list[str], fixed: list[str]) -> None:
     model.parameter_vector({name: 1.0 for name in trim})
     if trim and len(trim) != len(fixed):
         raise ModelError(
@@ -216,7 +216,7 @@ def _check_trim(model: Model, trim: list[str], fixed: list[str]) -> None:
         )
 
 
-def names_rates(model: Model, names: Iterable[str]) -> bool:
+def names_rates(model: EmittedModel, names: Iterable[str]) -> bool:
     """Does a name stand for a rate or acceleration of an input?"""
     rates = {f"{entry.name}{suffix}" for entry in model.description.inputs for suffix in SUFFIXES[1:]}
     return not rates.isdisjoint(names)
@@ -360,7 +360,7 @@ def _of_when(clamped: Clamped) -> str:
     )
 
 
-def _failure(model: Model, clamped: Clamped, found: Found) -> NoEquilibrium:
+def _failure(model: EmittedModel, clamped: Clamped, found: Found) -> NoEquilibrium:
     at = clamped.values(found.x)
     if at is None:
         return NoEquilibrium(
@@ -409,7 +409,7 @@ MOST_RETURNS = 30
 class AllCoordinates:
     """A model at rest at time t [s] with constants c (c_size,), coordinates `rows` of q clamped at `goal`."""
 
-    def __init__(self, model: Model, c: np.ndarray, t: float, rows: Sequence[int], goal: np.ndarray) -> None:
+    def __init__(self, model: EmittedModel, c: np.ndarray, t: float, rows: Sequence[int], goal: np.ndarray) -> None:
         self.c, self.t, self.rows, self.goal = c, t, list(rows), goal
         self._function = model.derived("balance_of_all_coordinates", lambda: _built(model))
         self._basis: np.ndarray | None = None
@@ -464,7 +464,7 @@ class AllCoordinates:
         return np.asarray(Z @ U @ W)
 
 
-def _built(model: Model) -> ca.Function:
+def _built(model: EmittedModel) -> ca.Function:
     """(t, q, lam, c) -> M, Q*, C, C_q, d(Q* - C_q^T lam)/dq, all at rest."""
     n, n_c = len(model.coordinates), len(model.constraints)
     t, q, lam, c = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("lam", n_c), ca.SX.sym("c", model.c_size)

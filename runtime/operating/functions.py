@@ -9,7 +9,7 @@ import numpy as np
 
 from runtime.contract.coordinates import joined
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.operating.mode_solver import State, axes_turning, in_moving_axes
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, along_rotations
 
@@ -67,7 +67,7 @@ class PointFunctions:
     drives_move: do prescribed motions have their rates and accelerations, or are they held where they are at t?
     """
 
-    def __init__(self, model: Model, c: np.ndarray, drives_move: bool = True) -> None:
+    def __init__(self, model: EmittedModel, c: np.ndarray, drives_move: bool = True) -> None:
         if not model.q_i:
             raise ModelError(
                 f"every coordinate of model {model.name} is driven: it has no equilibrium and no modes of its own"
@@ -109,22 +109,22 @@ class PointFunctions:
         return np.asarray(self._pull(state.t, state.q_i, state.loop, force, self.c))
 
 
-def independent_turns(model: Model) -> np.ndarray:
+def independent_turns(model: EmittedModel) -> np.ndarray:
     """Positions in q_i of turns."""
     return np.array([k for k in model.places.turns.ravel() if k < len(model.q_i)], dtype=int)
 
 
-def row_names(model: Model) -> list[str]:
+def row_names(model: EmittedModel) -> list[str]:
     """Names of what can be held or has a rate: coordinates, and independent turns."""
     return [*model.coordinates, *(model.q_i[k] for k in independent_turns(model))]
 
 
-def all_coordinates(model: Model, q_i: ca.SX, q_d: ca.SX) -> ca.SX:
+def all_coordinates(model: EmittedModel, q_i: ca.SX, q_d: ca.SX) -> ca.SX:
     """q in the order of model.coordinates."""
     return ca.densify(joined(model, q_i, q_d))
 
 
-def tangents(model: Model, equations: StageEquations, motion: ClosedConfiguration) -> ca.SX:
+def tangents(model: EmittedModel, equations: StageEquations, motion: ClosedConfiguration) -> ca.SX:
     """S = dq/dq_i (n x n_i), along rotations for turns: the rates are affine in q_i_dot."""
     v = ca.SX.sym("v", len(model.q_i))
     rates = equations.rates(motion, v)
@@ -134,7 +134,7 @@ def tangents(model: Model, equations: StageEquations, motion: ClosedConfiguratio
     return ca.densify(ca.horzcat(*(joined(model, unit[:, k], B[:, k]) for k in range(len(model.q_i)))))
 
 
-def has_drives(model: Model) -> bool:
+def has_drives(model: EmittedModel) -> bool:
     """Does a joint prescribe a motion?"""
     return bool(model.q_d) and "t" in model.kernel("closure").name_in()
 
@@ -173,7 +173,7 @@ def driven_inertia(equations: StageEquations, motion: ClosedConfiguration) -> ca
     return ca.mtimes(tangents(model, equations, motion).T, momenta)
 
 
-def _built(model: Model, drives_move: bool) -> ca.Function:
+def _built(model: EmittedModel, drives_move: bool) -> ca.Function:
     """(t, q_i, q_i_dot, a, loop unknowns, c) -> the entries of PointValues."""
     n = len(model.q_i)
     t, q, v, a = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n), ca.SX.sym("a", n)
@@ -200,7 +200,7 @@ def _rate_of_loads(equations: StageEquations, motion: ClosedConfiguration, v: ca
     return ca.substitute(ca.jacobian(Q, t), t, motion.t)
 
 
-def _pull(model: Model) -> ca.Function:
+def _pull(model: EmittedModel) -> ca.Function:
     """(t, q_i, loop unknowns, force, c) -> d(S^T force)/dq_i."""
     t, q = ca.SX.sym("t"), ca.SX.sym("q", len(model.q_i))
     loop, c = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)

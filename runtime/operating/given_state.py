@@ -37,7 +37,7 @@ from runtime.contract.coordinates import (
     parameter_columns,
     values_by_name,
 )
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import angle_names, parameter_rates
 
 # ---- Dependent coordinates from independent ones by the closure alone: a pure function, so runs in lanes share
@@ -52,7 +52,7 @@ from runtime.contract.orientations import angle_names, parameter_rates
 FINITE = 1e300  # less than this are all numbers that are no NaN
 
 
-def closing(model: Model) -> ca.Function:
+def closing(model: EmittedModel) -> ca.Function:
     """(q_i, q_d, t, c) -> (q_d after one more Newton step, was it open before?), built once for a model."""
 
     def build() -> ca.Function:
@@ -71,7 +71,7 @@ def closing(model: Model) -> ca.Function:
     return model.derived("closing", build)
 
 
-def fitting(model: Model) -> ca.Function:
+def fitting(model: EmittedModel) -> ca.Function:
     """(q_i, q_i_dot, q_d, t, c) -> (q, q_dot, does it fit?), built once for a model."""
 
     def build() -> ca.Function:
@@ -92,12 +92,12 @@ def fitting(model: Model) -> ca.Function:
     return model.derived("fitting", build)
 
 
-def closable(model: Model) -> bool:
+def closable(model: EmittedModel) -> bool:
     """Does the model have what this needs?"""
     return bool(model.constraints) and all(model.has(name) for name in ("closure", "velocities", "constraints"))
 
 
-def closed(model: Model, c: np.ndarray, t: float, q_i: np.ndarray, q_d: np.ndarray) -> tuple[np.ndarray, bool]:
+def closed(model: EmittedModel, c: np.ndarray, t: float, q_i: np.ndarray, q_d: np.ndarray) -> tuple[np.ndarray, bool]:
     """(q_d (n_d,) at q_i (n_i,) from a guess of it, do the loops close?)."""
     step, open_ = closing(model), True
     for _ in range(MAX_ITERATIONS):
@@ -109,7 +109,7 @@ def closed(model: Model, c: np.ndarray, t: float, q_i: np.ndarray, q_d: np.ndarr
 
 
 def closed_state(
-    model: Model, c: np.ndarray, t: float, q_i: np.ndarray, q_i_dot: np.ndarray, q_d: np.ndarray
+    model: EmittedModel, c: np.ndarray, t: float, q_i: np.ndarray, q_i_dot: np.ndarray, q_d: np.ndarray
 ) -> ConsistentState | None:
     """The state with these q_i and q_i_dot (n_i,) exactly, from a guess q_d (n_d,); None if it does not fit."""
     q_d, closes = closed(model, c, t, q_i, q_d)
@@ -119,7 +119,7 @@ def closed_state(
     return ConsistentState(np.asarray(q).ravel(), np.asarray(q_dot).ravel(), {})
 
 
-def _symbols(model: Model, *names: str) -> list[ca.SX]:
+def _symbols(model: EmittedModel, *names: str) -> list[ca.SX]:
     n_i, n_d = len(model.q_i), len(model.q_d)
     sizes = {"q_i": n_i, "q_i_dot": n_i, "q_d": n_d, "t": 1, "c": model.c_size}
     return [ca.SX.sym(name, sizes[name]) for name in names]
@@ -130,7 +130,7 @@ def _scale(values: ca.SX) -> ca.SX:
 
 
 def given_position(
-    model: Model, p: np.ndarray, c: np.ndarray, t: float, changes: Mapping[str, float]
+    model: EmittedModel, p: np.ndarray, c: np.ndarray, t: float, changes: Mapping[str, float]
 ) -> tuple[np.ndarray, np.ndarray]:
     """(q_i, guess of the loop unknowns) with some coordinates changed; assembled only where it has to be.
 
@@ -147,7 +147,7 @@ def given_position(
     return independent_part(model, state.q), loop_part(model, state.q)
 
 
-def given_state(model: Model, p: np.ndarray, c: np.ndarray, t0: float, initial: Initial) -> ConsistentState:
+def given_state(model: EmittedModel, p: np.ndarray, c: np.ndarray, t0: float, initial: Initial) -> ConsistentState:
     """Consistent q and q_dot for parameters p at t0 [s], keeping the model's q_i except for the changes.
 
     initial: what has a state (see runtime.contract.coordinates), or changes by name: coordinates,
@@ -181,23 +181,23 @@ def given_state(model: Model, p: np.ndarray, c: np.ndarray, t0: float, initial: 
     return _assembled(model, c, t0, coordinates, rates)
 
 
-def keeps_independent(model: Model, coordinates: Iterable[str], rates: Iterable[str]) -> bool:
+def keeps_independent(model: EmittedModel, coordinates: Iterable[str], rates: Iterable[str]) -> bool:
     """Are the coordinates, and those of the rates, all independent ones? Then q_d follows from the closure."""
     return {*coordinates, *rates} <= set(model.q_i)
 
 
-def spin_names(model: Model) -> list[str]:
+def spin_names(model: EmittedModel) -> list[str]:
     """Names of the angular velocities in body axes."""
     return [f"{body}.{axis}" for body in parameter_columns(model) for axis in OMEGA]
 
 
-def angle_starts(model: Model) -> list[str]:
+def angle_starts(model: EmittedModel) -> list[str]:
     """Names of the Euler angles that can be given, and of their rates."""
     return [f"{name}{end}" for body in model.description.bodies for name in body.angles for end in ("", "_dot")]
 
 
 def _with_spins(
-    model: Model, state: ConsistentState, others: Mapping[str, float], spins: Mapping[str, float]
+    model: EmittedModel, state: ConsistentState, others: Mapping[str, float], spins: Mapping[str, float]
 ) -> tuple[dict[str, float], dict[str, float]]:
     """Coordinates and rates given by name, with rates of Euler parameters for angular velocities at a state.
 
@@ -223,7 +223,7 @@ def _with_spins(
 
 
 def _split(
-    model: Model, changes: Mapping[str, float], known: Iterable[str] = ()
+    model: EmittedModel, changes: Mapping[str, float], known: Iterable[str] = ()
 ) -> tuple[dict[str, float], dict[str, float]]:
     coordinates: dict[str, float] = {}
     rates: dict[str, float] = {}
@@ -246,7 +246,7 @@ def _split(
 
 
 def _assembled(
-    model: Model, c: np.ndarray, t0: float, coordinates: dict[str, float], rates: dict[str, float]
+    model: EmittedModel, c: np.ndarray, t0: float, coordinates: dict[str, float], rates: dict[str, float]
 ) -> ConsistentState:
     shape = (len(model.constraints), len(model.coordinates))
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from runtime.contract.errors import ModelError, NoResult
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.operating.mode_solver import State
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ class Linearisation:
     controllers: the last so many of x are integrals of controller states, which are left out of the first-order form.
     """
 
-    model: Model
+    model: EmittedModel
     parameters: np.ndarray
     state: State
     M: np.ndarray

@@ -12,7 +12,7 @@ import numpy as np
 from runtime.contract.arguments import BY_NAME, NAMES, NUMBER, Kind, arguments
 from runtime.contract.coordinates import independent, independent_rates, loop_part
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.operating.balance import clamped_directions, force_by_parameters
 from runtime.operating.equilibrium import (
     Equilibrium,
@@ -52,7 +52,7 @@ AT = Kind(_is_place, "give an equilibrium, coordinates by name, a solution, or (
 
 @arguments(at=AT, inputs=NAMES, outputs=NAMES, parameters=BY_NAME, locked=NAMES, t=NUMBER)
 def linearise(
-    model: Model,
+    model: EmittedModel,
     at: Place = None,
     *,
     inputs: Sequence[str] | None = None,
@@ -127,7 +127,7 @@ class _Point:
     locked: tuple[np.ndarray, ...] = ()
 
 
-def _point(model: Model, at: Place, parameters: Mapping[str, float] | None, t: float) -> _Point:
+def _point(model: EmittedModel, at: Place, parameters: Mapping[str, float] | None, t: float) -> _Point:
     if at is None:
         at = equilibrium(model, rates=starting_rates(model), parameters=parameters, at_time=t)
     elif parameters and not isinstance(at, Mapping | State):
@@ -147,12 +147,12 @@ def _point(model: Model, at: Place, parameters: Mapping[str, float] | None, t: f
     return _Point(State(t, *independent(model, found.q, found.q_dot), loop_part(model, found.q)), p)
 
 
-def starting_rates(model: Model) -> dict[str, float]:
+def starting_rates(model: EmittedModel) -> dict[str, float]:
     """The rates of rigid independent coordinates at the scene's start that are not zero, `body.omega_x` of turns."""
     return rigid_rates(model, model.initial_q, model.initial_q_dot)
 
 
-def rigid_rates(model: Model, q: np.ndarray, q_dot: np.ndarray) -> dict[str, float]:
+def rigid_rates(model: EmittedModel, q: np.ndarray, q_dot: np.ndarray) -> dict[str, float]:
     """Those of a state (n,) and (n,)."""
     left_out = {*model.elastic, *(model.q_i[k] for k in model.states)}
     turns = set(independent_turns(model).tolist())
@@ -165,7 +165,9 @@ def rigid_rates(model: Model, q: np.ndarray, q_dot: np.ndarray) -> dict[str, flo
     }
 
 
-def _held_slope(model: Model, functions: PointFunctions, point: _Point, S: np.ndarray, Q: np.ndarray) -> np.ndarray:
+def _held_slope(
+    model: EmittedModel, functions: PointFunctions, point: _Point, S: np.ndarray, Q: np.ndarray
+) -> np.ndarray:
     """What constant holding forces on dependent coordinates add to dQ_hat/dq_i."""
     force = point.holding
     dependent = [] if force is None else [k for k in np.flatnonzero(force) if model.coordinates[k] in model.q_d]
@@ -174,13 +176,13 @@ def _held_slope(model: Model, functions: PointFunctions, point: _Point, S: np.nd
     return functions.pull_slope(point.state, force)
 
 
-def _names(model: Model, Z: np.ndarray) -> list[str]:
+def _names(model: EmittedModel, Z: np.ndarray) -> list[str]:
     """Names of x: coordinates where each direction is one of them."""
     single = all(np.count_nonzero(column) == 1 for column in Z.T)
     return [model.q_i[int(np.abs(column).argmax())] if single else f"free{k + 1}" for k, column in enumerate(Z.T)]
 
 
-def _input(model: Model, name: str) -> str:
+def _input(model: EmittedModel, name: str) -> str:
     if name in [parameter.name for parameter in model.parameters]:
         return name
     try:
@@ -193,7 +195,7 @@ def _input(model: Model, name: str) -> str:
         ) from None
 
 
-def _inputs(model: Model, point: _Point, a: np.ndarray, names: Sequence[str], S: np.ndarray) -> np.ndarray:
+def _inputs(model: EmittedModel, point: _Point, a: np.ndarray, names: Sequence[str], S: np.ndarray) -> np.ndarray:
     """(n_i, n_u) generalised forces on q_i of unit inputs."""
     B = np.zeros((len(model.q_i), len(names)))
     of_loads = [name for name in names if name not in model.coordinates and name not in model.q_i]
@@ -212,7 +214,9 @@ def _inputs(model: Model, point: _Point, a: np.ndarray, names: Sequence[str], S:
     return B
 
 
-def _outputs(model: Model, point: _Point, inputs: Sequence[str], names: Sequence[str]) -> tuple[np.ndarray, np.ndarray]:
+def _outputs(
+    model: EmittedModel, point: _Point, inputs: Sequence[str], names: Sequence[str]
+) -> tuple[np.ndarray, np.ndarray]:
     """(n_y, 2 n_i) and (n_y, n_u): derivatives of the outputs by (q_i, q_i_dot) and by the inputs."""
     n, state = len(model.q_i), point.state
     through = np.zeros((len(names), len(inputs)))
@@ -227,7 +231,7 @@ def _outputs(model: Model, point: _Point, inputs: Sequence[str], names: Sequence
     return np.asarray(by_state).reshape(len(names), 2 * n), through
 
 
-def _units(model: Model, names: Sequence[str], inputs: Sequence[str]) -> dict[str, str]:
+def _units(model: EmittedModel, names: Sequence[str], inputs: Sequence[str]) -> dict[str, str]:
     """SI units of coordinates, rates, measures and parameters; of an input coordinate that of its force."""
     known = {measure.name: measure.unit for measure in model.description.measures}
     known |= {parameter.name: parameter.unit for parameter in model.parameters}
@@ -245,7 +249,9 @@ def _units(model: Model, names: Sequence[str], inputs: Sequence[str]) -> dict[st
 SHOWN = 30  # names that an error lists
 
 
-def output_slopes(model: Model, names: Sequence[str], inputs: Sequence[str], drives_move: bool = True) -> ca.Function:
+def output_slopes(
+    model: EmittedModel, names: Sequence[str], inputs: Sequence[str], drives_move: bool = True
+) -> ca.Function:
     """(t, q_i, q_i_dot, loop unknowns, p) -> dy/d(q_i, q_i_dot) (n_y x 2 n_i), dy/d(p of these inputs) (n_y x k).
 
     q_d = f(q_i, t, p) is differentiated through. Raises ModelError for a name that is neither a measure, nor a

@@ -13,7 +13,7 @@ import numpy as np
 
 from runtime.contract.consistent_state import dense_eigenvalues, one_thread
 from runtime.contract.coordinates import independent, loop_part
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import tilde
 from runtime.results.solution import Solution
 from runtime.schemes.stage_equations import StageEquations, is_long_tree, turning_and_rate
@@ -23,7 +23,7 @@ from runtime.schemes.stage_equations import StageEquations, is_long_tree, turnin
 
 
 def axes_turning(
-    model: Model, c: np.ndarray, t: float, q_i: np.ndarray, v: np.ndarray, a: np.ndarray, loop: np.ndarray
+    model: EmittedModel, c: np.ndarray, t: float, q_i: np.ndarray, v: np.ndarray, a: np.ndarray, loop: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """(W, W') (n_i x n_i) at a state, where q_i_ddot = a."""
     if not model.places.all_independent:
@@ -43,7 +43,7 @@ def in_moving_axes(
     return J_q + J_v @ W - M @ rate, J_v - M @ W
 
 
-def _built(model: Model) -> ca.Function:
+def _built(model: EmittedModel) -> ca.Function:
     """(t, q_i, q_i_dot, q_i_ddot, loop unknowns, c) -> W, W'."""
     n = len(model.q_i)
     t, q, v, a = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n), ca.SX.sym("a", n)
@@ -69,16 +69,16 @@ class State:
 class ModeSolver:
     """Linear systems of a model with constants c. Raises ModelError if it was generated without its Jacobians."""
 
-    def __init__(self, model: Model, c: np.ndarray) -> None:
+    def __init__(self, model: EmittedModel, c: np.ndarray) -> None:
         self.model, self.n, self.c = model, len(model.q_i), c
 
     @staticmethod
-    def possible(model: Model) -> bool:
+    def possible(model: EmittedModel) -> bool:
         """Was the model generated with the Jacobians that modes need?"""
         return model.has("residual_jacobian")
 
     @staticmethod
-    def _built(model: Model) -> ca.Function:
+    def _built(model: EmittedModel) -> ca.Function:
         """(t, q_i, q_i_dot, loop unknowns, c) -> M_hat, J_q, J_v, q_i_ddot."""
         n = len(model.q_i)
         t, q, v = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n)
@@ -125,7 +125,7 @@ class ModeSolver:
         return np.linalg.solve(M, J_q), np.linalg.solve(M, J_v)
 
     @staticmethod
-    def _along(model: Model) -> ca.Function:
+    def _along(model: EmittedModel) -> ca.Function:
         """(t, q_i, q_i_dot, loop unknowns, c, direction) -> derivatives of q_i_ddot by q_i and by q_i_dot along it,
         and q_i_ddot; of turns along rotations.
         """

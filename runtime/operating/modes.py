@@ -11,7 +11,7 @@ import numpy as np
 from runtime.contract.arguments import BY_NAME, NAMES, NUMBER, arguments
 from runtime.contract.coordinates import mechanism_length, turning_columns
 from runtime.contract.errors import ArgumentError, ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.operating.linearisation import Linearisation
 from runtime.operating.linearise import AT, Place, linearise
@@ -100,7 +100,7 @@ class ModeTable:
 
 @arguments(at=AT, parameters=BY_NAME, locked=NAMES, t=NUMBER)
 def modes(
-    model: Model,
+    model: EmittedModel,
     at: Place = None,
     *,
     parameters: Mapping[str, float] | None = None,
@@ -143,7 +143,9 @@ def mode_motion(system: Linearisation, mode: int, frames: int = 24, amplitude: f
     return assemble_solution(model, t, q, q_dot, q_ddot, system.parameters, c, name, float(t[1]), [], {}, ended)
 
 
-def visible(model: Model, state: tuple[np.ndarray, np.ndarray, float], c: np.ndarray, shape: np.ndarray) -> float:
+def visible(
+    model: EmittedModel, state: tuple[np.ndarray, np.ndarray, float], c: np.ndarray, shape: np.ndarray
+) -> float:
     """The factor by which a shape (n,) about a state (q, q_dot, t) is seen: by TURNED and MOVED."""
     length = 1.0
     if model.constraints:

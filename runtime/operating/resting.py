@@ -9,7 +9,7 @@ import numpy as np
 
 from runtime.contract.coordinates import at_home, dependent_part, rate_parts
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model, refuse_reactions
+from runtime.contract.model import EmittedModel, refuse_reactions
 from runtime.operating.at_stops import MOST, ON_IT, gaps
 from runtime.operating.balance import HALVINGS, LARGEST_STEP, MOST_PLACINGS, Clamped, Found
 from runtime.operating.functions import PointValues, independent_turns
@@ -40,7 +40,7 @@ class Unlocked:
         return None if sides is None else free + by @ balancing(A, b, -self.holds, self.holds, sides)
 
 
-def with_modes(model: Model, values: np.ndarray, modes: np.ndarray) -> np.ndarray:
+def with_modes(model: EmittedModel, values: np.ndarray, modes: np.ndarray) -> np.ndarray:
     """p or c, whose last entries are the inputs, with modes (n_m,)."""
     found = values.copy()
     found[len(found) - model.signals.size + model.element_modes] = modes
@@ -56,7 +56,7 @@ def state_of(clamped: Clamped, at: PointValues, q_i: np.ndarray) -> tuple[dict[s
     return {**state, "t": np.array(clamped.t)}, c
 
 
-def signs(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:
+def signs(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:
     """(n_m,) of the rates of joints with friction, zero at rest, one of stops; at: q_i, q_d, q_i_dot, q_d_dot, t."""
     refuse_reactions(model, "is open at a state by itself", "give coulomb, or step it")
     rate = elements(model, at, c)["v_rel"][[one.row for one in model.mode_events]]
@@ -65,7 +65,7 @@ def signs(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarr
     return np.where(sides != 0, 1.0, np.where(np.abs(rate) <= rest, 0.0, np.sign(rate)))
 
 
-def unlocked(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> Unlocked:
+def unlocked(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray) -> Unlocked:
     """At a state: q_i, q_d, q_i_dot, q_d_dot, t, with constants c."""
     modes = signs(model, at, c)
     own = elements(model, at, with_modes(model, c, modes))
@@ -73,7 +73,7 @@ def unlocked(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> Unloc
     return Unlocked(own["M_hat"], own["Q_hat"], own["G"][rest], own["G_bias"][rest], own["holds"][rest])
 
 
-def held(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> tuple[dict[str, float], dict[str, float]]:
+def held(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray) -> tuple[dict[str, float], dict[str, float]]:
     """(forces of what friction or a closed stop holds at rest, those of them that are beyond what it can), by name.
 
     c: with their modes; nothing accelerates.
@@ -160,7 +160,7 @@ def _placed(clamped: Clamped, q_i: np.ndarray, closed: np.ndarray) -> np.ndarray
     return None
 
 
-def refuse_beyond(model: Model, c: np.ndarray, t: float, q: np.ndarray, q_dot: np.ndarray) -> None:
+def refuse_beyond(model: EmittedModel, c: np.ndarray, t: float, q: np.ndarray, q_dot: np.ndarray) -> None:
     """Raises ModelError where an equilibrium is beyond a rigid stop all the same: what is held or turns is."""
     stops, (gap, _) = [one for one in model.mode_events if one.side], gaps(model, c, t, q, q_dot)
     beyond = {stops[k].name: -float(gap[k]) for k in np.flatnonzero(gap < -ON_IT)}

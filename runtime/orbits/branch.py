@@ -12,7 +12,7 @@ import numpy as np
 
 from runtime.contract.errors import ArgumentError
 from runtime.contract.files import replacing, write_text
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.orbits.controllers import remembering
 from runtime.orbits.floquet import UNSTABLE, Floquet
 from runtime.orbits.motion import PeriodicMotion
@@ -63,7 +63,7 @@ class PeriodicBranch:
     with; stopped: why it ended before the range did, "" otherwise; branches: of twice the period, from its flips.
     """
 
-    model: Model
+    model: EmittedModel
     over: str
     span: tuple[float, float]
     points: tuple[Point, ...] = field(repr=False)

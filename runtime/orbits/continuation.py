@@ -23,7 +23,7 @@ from scipy.optimize import brentq
 
 from runtime.contract.arguments import NUMBER, NUMBERS, arguments
 from runtime.contract.errors import ArgumentError, SymgenError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.orbits.branch import KeptBranch, PeriodicBranch, Place, Point, Special
 from runtime.orbits.controllers import period_map, refuse_samples, samples_in
 from runtime.orbits.floquet import FLIP, FOLD, NEIMARK_SACKER, REAL, UNSTABLE, floquet
@@ -45,7 +45,7 @@ Progress = Callable[[float, float], None]
 
 @arguments(span=NUMBERS, step=NUMBER)
 def periodic_over(
-    model: Model,
+    model: EmittedModel,
     over: str,
     span: tuple[float, float],
     *,
@@ -108,7 +108,7 @@ class _Walk:
     """Along a branch. Numbers of the curve: states over their scale, the period over the first where free, value."""
 
     def __init__(
-        self, model: Model, over: str, span: tuple[float, float], first: PeriodicMotion, longest: float,
+        self, model: EmittedModel, over: str, span: tuple[float, float], first: PeriodicMotion, longest: float,
         folder: Path | None, name: str = "branch",
     ) -> None:  # fmt: skip
         self._model, self._over, self._span, self._first, self._longest = model, over, span, first, longest

@@ -16,7 +16,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import ArgumentError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.gradients.differentiable_run import DifferentiableRun
 from runtime.orbits.shooting import PeriodMap, Setting, Shot, told
 from runtime.orbits.states import States
@@ -39,7 +39,7 @@ def refuse_samples(inputs: Inputs, period: str) -> None:
         )
 
 
-def refuse_controllers(model: Model, inputs: Inputs, free: bool) -> None:
+def refuse_controllers(model: EmittedModel, inputs: Inputs, free: bool) -> None:
     """Raises ArgumentError for controllers that have no derivative; free: is the period unknown?"""
     if free:
         refuse_samples(inputs, "is not known")
@@ -73,7 +73,7 @@ def _times(period: float, name: str, controller: Sampled) -> int:
 class RememberingStates(States):
     """States of a motion, and behind them what its controllers remember, one after the other."""
 
-    def __init__(self, model: Model, controllers: Mapping[str, Sampled]) -> None:
+    def __init__(self, model: EmittedModel, controllers: Mapping[str, Sampled]) -> None:
         super().__init__(model)
         self.motion = States(model)
         self._first = np.array([number for one in controllers.values() for number in one.memory or ()], dtype=float)
@@ -97,7 +97,7 @@ class RememberingStates(States):
         return np.append(self.motion.sizes(x[:n], period), np.maximum(kept, 1e-6 * kept.max(initial=1e-6)))
 
 
-def states_of(model: Model, inputs: Inputs) -> States:
+def states_of(model: EmittedModel, inputs: Inputs) -> States:
     """What the numbers of x are."""
     controllers = controllers_in(inputs)
     return RememberingStates(model, controllers) if controllers else States(model)

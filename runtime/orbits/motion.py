@@ -14,13 +14,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from runtime.contract.arguments import Door
 from runtime.contract.errors import ArgumentError
-from runtime.contract.model import Model
+from runtime.contract.lazy_method import LazyMethod
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.gradients.differentiable_run import DifferentiableRun, Gradient
 from runtime.gradients.objectives import Objective, Weighed
@@ -36,6 +36,9 @@ from runtime.results.solution import Solution
 from runtime.running.inputs import InputValue
 from runtime.running.simulate import simulate
 
+if TYPE_CHECKING:
+    from runtime.orbits.response import harmonic_response as _harmonic_response
+
 LONGER = 1e-5  # of the period: of a central difference by it
 SINGULAR = 1e-10  # of the largest singular value of I - M
 
@@ -50,7 +53,7 @@ class PeriodicMotion:
     doublings: flips that its branch has passed.
     """
 
-    model: Model
+    model: EmittedModel
     period: float
     x: np.ndarray
     turns: dict[str, int]
@@ -134,7 +137,15 @@ class PeriodicMotion:
         """
         return _gradient(self, of, by)
 
-    response = Door("runtime.orbits.response:harmonic_response")
+    if TYPE_CHECKING:
+        response = _harmonic_response
+    else:
+
+        @LazyMethod
+        def response():
+            from runtime.orbits.response import harmonic_response
+
+            return harmonic_response
 
     def remarks(self) -> list[str]:
         """What to know about it."""

@@ -12,7 +12,7 @@ import numpy as np
 from runtime.contract.arguments import BY_NAME, NUMBER, START, Kind, arguments
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import ArgumentError, SymgenError
-from runtime.contract.model import Model, refuse_events
+from runtime.contract.model import EmittedModel, refuse_events
 from runtime.gradients.variables import parameters_at
 from runtime.operating.given_state import given_state
 from runtime.orbits.controllers import controllers_in, period_map, refuse_controllers, samples_in, states_of
@@ -42,7 +42,7 @@ BEGINNING = Kind(
 
 @arguments(parameters=BY_NAME, inputs=BY_NAME, start=BEGINNING, options=BY_NAME, t0=NUMBER)
 def periodic(
-    model: Model,
+    model: EmittedModel,
     *,
     period: float | str | None = None,
     speed: str | None = None,
@@ -96,7 +96,7 @@ def periodic(
         x, first = motion.x, motion.period
 
 
-def refuse_events_that_end(model: Model) -> None:
+def refuse_events_that_end(model: EmittedModel) -> None:
     """Raises ModelError for events that are terminal."""
     if any(event.terminal for event in model.description.events):
         refuse_events(model, "a periodic motion")
@@ -106,7 +106,7 @@ def refuse_events_that_end(model: Model) -> None:
 class _Asked:
     """What `periodic` was asked for."""
 
-    model: Model
+    model: EmittedModel
     period: float | str | None
     speed: str | None
     turns: float

@@ -22,7 +22,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from runtime.contract.errors import ArgumentError, NoResult, SymgenError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.gradients.differentiable_run import DifferentiableRun
 from runtime.orbits.states import States
 
@@ -65,7 +65,7 @@ class Shot:
 class Setting:
     """What is run: a model with a scheme, so many steps a part, so many parts a period, from t0 [s] on."""
 
-    model: Model
+    model: EmittedModel
     scheme: str
     steps: int
     parts: int

@@ -14,7 +14,7 @@ import numpy as np
 
 from runtime.contract.coordinates import OMEGA, independent_slopes, parts, rate_parts
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import chart_rates, exponential, rotation_vector
 from runtime.gradients.variables import independent_turns
 
@@ -22,7 +22,7 @@ from runtime.gradients.variables import independent_turns
 class States:
     """Of a model. Raises ModelError where loops hold some, but not all, turns of a body."""
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: EmittedModel) -> None:
         at = model.places
         if at.split:
             raise ModelError(

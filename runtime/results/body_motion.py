@@ -9,7 +9,7 @@ import numpy as np
 
 from runtime.contract.errors import ModelError
 from runtime.contract.flexible import BodyMotion, MarkerForce, cross_matrix
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.engine.rows import evaluate
 from runtime.results.samples import Samples
 
@@ -69,7 +69,7 @@ LONGEST = 256  # samples at once
 T = TypeVar("T")
 
 
-def attached_markers(model: Model, body: str) -> dict[str, list[str]]:
+def attached_markers(model: EmittedModel, body: str) -> dict[str, list[str]]:
     """Joints and loads on a body -> the names of their markers on it."""
     described, found = model.description, {}
     markers = {f"{body}.{marker}": marker for one in described.bodies if one.name == body for marker in one.markers}
@@ -138,7 +138,7 @@ def into_body(frame: FrameMotion, world: np.ndarray) -> np.ndarray:
     return np.asarray(np.einsum("sji,sj->si", frame.A, world))
 
 
-def poses_of(model: Model, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def poses_of(model: EmittedModel, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(N, bodies, 3) [m] and (N, bodies, 3, 3) of the drawn bodies, by one call for all q side by side."""
     count, kernel = len(model.description.drawing.poses), model.kernel("poses")
     flat = np.asarray(kernel(q=q.T)["poses"]).reshape(12, len(q), count)

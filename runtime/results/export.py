@@ -15,7 +15,7 @@ import numpy as np
 from runtime.contract.coordinates import OMEGA, angular_velocities, euler_angles, parameter_columns
 from runtime.contract.errors import ModelError
 from runtime.contract.files import OutputError, replacing
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import angle_motion, angle_names
 from runtime.contract.records import as_plain, description
 from runtime.contract.status import Event, Status
@@ -59,7 +59,7 @@ def write_npz(solution: Samples, path: str | Path) -> None:
         np.savez_compressed(stream, allow_pickle=False, header=np.array(json.dumps(header)), **arrays)
 
 
-def read_npz(path: str | Path, model: Model | None) -> dict[str, Any]:
+def read_npz(path: str | Path, model: EmittedModel | None) -> dict[str, Any]:
     """The fields of a Solution.
 
     Raises OutputError if the file is none or damaged, ModelError if it is of another format or model.
@@ -81,7 +81,7 @@ def read_npz(path: str | Path, model: Model | None) -> dict[str, Any]:
     return fields
 
 
-def read_stream(path: str | Path, model: Model | None) -> dict[str, Any]:
+def read_stream(path: str | Path, model: EmittedModel | None) -> dict[str, Any]:
     """The fields of a Solution from a stream of whole samples. Raises ModelError."""
     header = read_header(path)
     if header.get("outputs"):
@@ -116,7 +116,7 @@ def run_header(solution: Samples) -> dict[str, Any]:
     }
 
 
-def read_run_header(header: dict[str, Any], path: str | Path, model: Model | None) -> dict[str, Any]:
+def read_run_header(header: dict[str, Any], path: str | Path, model: EmittedModel | None) -> dict[str, Any]:
     """Fields of a Solution from `run_header`'s dictionary. Raises ModelError if it belongs to another model."""
     recorded = _recorded_model(header["model"])
     for key in ("coordinates", "q_i", "constraints", "measures"):
@@ -131,9 +131,9 @@ def read_run_header(header: dict[str, Any], path: str | Path, model: Model | Non
     }
 
 
-def _recorded_model(header: dict[str, Any]) -> Model:
+def _recorded_model(header: dict[str, Any]) -> EmittedModel:
     """A model with names but without functions."""
-    return Model(
+    return EmittedModel(
         description=description(header["description"]),
         initial_q=np.array(header["initial_q"], dtype=float),
         initial_q_dot=np.array(header["initial_q_dot"], dtype=float),
@@ -145,7 +145,9 @@ def _plain(value: Any) -> Any:
     return value.item() if isinstance(value, np.generic) else value
 
 
-def read_angles(model: Model, q: np.ndarray, q_dot: np.ndarray, q_ddot: np.ndarray, body: str) -> dict[str, np.ndarray]:
+def read_angles(
+    model: EmittedModel, q: np.ndarray, q_dot: np.ndarray, q_ddot: np.ndarray, body: str
+) -> dict[str, np.ndarray]:
     """(N,) angles [rad] by name, from -pi to pi and the middle one in half of it, with their `_dot` and `_ddot`."""
     e = parameter_columns(model)[body]
     moved = angle_motion(euler_angles(model)[body], q[:, e], q_dot[:, e], q_ddot[:, e])
@@ -185,7 +187,7 @@ def columns(solution: Samples) -> dict[str, np.ndarray]:
     return found | {f"measure.{name}": solution.measures[:, k] for k, name in enumerate(model.measures)}
 
 
-def column_units(model: Model) -> dict[str, str]:
+def column_units(model: EmittedModel) -> dict[str, str]:
     """SI units of these columns, and of energies and measures by their own names."""
     described = model.description
     units = {"t": "s", "constraint_error": "m or rad", "constraint_rate_error": "m/s or rad/s"}

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from runtime.contract.coordinates import at_home, parts, rate_parts
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.engine.rows import evaluate
 from runtime.results.samples import Samples, integrals
 
@@ -89,7 +89,7 @@ def friction_columns(solution: Samples) -> dict[str, np.ndarray]:
     return columns | {f"{joint}.stop_force": joint_stop(solution, joint).force for joint in stopping(solution.model)}
 
 
-def friction_units(model: Model) -> dict[str, str]:
+def friction_units(model: EmittedModel) -> dict[str, str]:
     """SI units of the columns."""
     slides = {joint.name for joint in model.description.joints if joint.drawing == "slide"}
     units = {True: ("N", "m/s", "W", "J"), False: ("N m", "rad/s", "W", "J")}
@@ -101,22 +101,22 @@ def friction_units(model: Model) -> dict[str, str]:
     return found | {f"{joint}.stop_force": units[joint in slides][0] for joint in stopping(model)}
 
 
-def rubbing(model: Model) -> dict[str, int]:
+def rubbing(model: EmittedModel) -> dict[str, int]:
     """Joints with friction that sticks, by name, and the row of each among what may be held."""
     return _rows(model, ("friction",))
 
 
-def stopping(model: Model) -> dict[str, int]:
+def stopping(model: EmittedModel) -> dict[str, int]:
     """The same of joints with rigid stops."""
     return _rows(model, ("limits.lower", "limits.upper"))
 
 
-def _rows(model: Model, ends: tuple[str, ...]) -> dict[str, int]:
+def _rows(model: EmittedModel, ends: tuple[str, ...]) -> dict[str, int]:
     joints = {f"{joint.name}.{end}": joint.name for joint in model.description.joints for end in ends}
     return {joints[event.name]: event.row for event in model.mode_events if event.name in joints}
 
 
-def frictions(model: Model, values: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:
+def frictions(model: EmittedModel, values: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:
     """(N, n_e, 2) forces and velocities of what may be held at N states; values: q, q_dot, q_ddot and t, by rows."""
     if not model.mode_events or not model.has("element_forces"):
         return np.zeros((len(values["t"]), max((1 + event.row for event in model.mode_events), default=0), 2))

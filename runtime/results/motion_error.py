@@ -10,14 +10,14 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from runtime.contract.coordinates import followed
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 
 # ---- What errors of coordinates are measured by.
 
 SHARE = 1e-6  # of the largest amplitude of the same kind and unit: below this a coordinate does not move
 
 
-def floored(model: Model, amplitudes: np.ndarray, share: float = SHARE) -> np.ndarray:
+def floored(model: EmittedModel, amplitudes: np.ndarray, share: float = SHARE) -> np.ndarray:
     """Amplitudes (N,) of what tells the motion (`followed`), none below a share of the largest of its kind and unit.
 
     1 where none of them moves.
@@ -28,7 +28,7 @@ def floored(model: Model, amplitudes: np.ndarray, share: float = SHARE) -> np.nd
     return np.where(found > 0, found, 1.0)
 
 
-def _kinds(model: Model) -> tuple[np.ndarray, np.ndarray]:
+def _kinds(model: EmittedModel) -> tuple[np.ndarray, np.ndarray]:
     """Of `followed` (N): which are of the kind and unit of which (N, N); which are angles of bodies (N,)."""
 
     def found() -> tuple[np.ndarray, np.ndarray]:
@@ -41,7 +41,7 @@ def _kinds(model: Model) -> tuple[np.ndarray, np.ndarray]:
     return model.derived("kinds of what tells a motion", found)
 
 
-def _largest_of_kind(model: Model, values: np.ndarray) -> np.ndarray:
+def _largest_of_kind(model: EmittedModel, values: np.ndarray) -> np.ndarray:
     """(N,) of each of `followed` the largest value (N,) of its kind and unit."""
     return np.asarray(np.where(_kinds(model)[0], values, -np.inf).max(axis=1, initial=-np.inf))
 
@@ -106,14 +106,14 @@ class MotionError:
         )
 
 
-def amplitudes(model: Model, q: np.ndarray) -> np.ndarray:
+def amplitudes(model: EmittedModel, q: np.ndarray) -> np.ndarray:
     """(n_told,) RMS about the mean of what tells a motion, from samples q (N, n_told); a turn's of what turns on."""
     found = np.sqrt(np.mean((q - q.mean(axis=0)) ** 2, axis=0))
     return np.asarray(np.where(_kinds(model)[1] & (np.ptp(q, axis=0) > ROUND), np.minimum(found, TURN), found))
 
 
 def motion_error(
-    model: Model,
+    model: EmittedModel,
     t: np.ndarray,
     q: np.ndarray,
     other: np.ndarray,
@@ -140,7 +140,7 @@ def motion_error(
     return MotionError(by_name(rms), by_name(off[-1]), by_name(sizes), by_name(rms / least), by, reliable_until=until)
 
 
-def _of_rates(model: Model, v: np.ndarray, other: np.ndarray) -> np.ndarray:
+def _of_rates(model: EmittedModel, v: np.ndarray, other: np.ndarray) -> np.ndarray:
     """(n_told,) what moves less than others of its kind is not judged by its own size."""
     sizes = np.sqrt(np.mean(np.concatenate([v, other]) ** 2, axis=0))
     rms = np.sqrt(np.mean((v - other) ** 2, axis=0))

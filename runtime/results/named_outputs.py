@@ -10,7 +10,7 @@ import casadi as ca
 
 from runtime.contract.coordinates import euler_angles, joined, parameter_columns
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import angle_names, angles_of
 from runtime.results.samples import FORCE_PARTS
 from runtime.schemes.scheme import Scheme
@@ -48,7 +48,7 @@ class Column:
         return _spin(e, ca.vertsplit(whole("_dot")[own]), AXES.index(self.part))
 
 
-def column(model: Model, name: str) -> Column:
+def column(model: EmittedModel, name: str) -> Column:
     """What an output is called by, as in `simulate`. Raises ModelError for an unknown name."""
     known = {**_reactions(model), **_quantities(model)}
     if name not in known:
@@ -72,7 +72,7 @@ def column(model: Model, name: str) -> Column:
     return found
 
 
-def _quantities(model: Model) -> dict[str, Column]:
+def _quantities(model: EmittedModel) -> dict[str, Column]:
     """Energies, measures and coordinates by name; of two that share a name, the last counts."""
     found: dict[str, Column] = {}
     if model.has("energy"):
@@ -89,7 +89,7 @@ def _quantities(model: Model) -> dict[str, Column]:
     return found
 
 
-def _reactions(model: Model) -> dict[str, Column]:
+def _reactions(model: EmittedModel) -> dict[str, Column]:
     """Multipliers and joint forces by name."""
     if not model.constraints or not model.has("reactions"):
         return {}

@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.coordinates import at_home, independent_part, whole
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.engine.rows import evaluate
 from runtime.results.samples import Later
@@ -24,7 +24,7 @@ from runtime.schemes.scheme import Scheme
 
 
 def joint_reactions(
-    model: Model, values: Mapping[str, np.ndarray], C_q: np.ndarray, c: np.ndarray
+    model: EmittedModel, values: Mapping[str, np.ndarray], C_q: np.ndarray, c: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """(lam (N, n_c), world forces and moments of the joints (N, joints, 3)) at N states.
 
@@ -51,7 +51,7 @@ MOST_CLOSURES = 8
 
 
 def observe_samples(
-    model: Model,
+    model: EmittedModel,
     scheme: Scheme,
     samples: np.ndarray,
     p: np.ndarray,
@@ -75,7 +75,7 @@ def observe_samples(
     return assemble_solution(model, t, q, q_dot, q_ddot, p, c, name, scheme.grid.dt_L, scheme.grid.m, stats, status)
 
 
-def _close_tightly(model: Model, observed: dict[str, np.ndarray], c: np.ndarray) -> None:
+def _close_tightly(model: EmittedModel, observed: dict[str, np.ndarray], c: np.ndarray) -> None:
     """More Newton steps for samples whose constraints do not hold to rounding; their rates follow (Eq. 36).
 
     Turns are observed at zero, so the charts are where the bodies are.
@@ -94,7 +94,7 @@ def _close_tightly(model: Model, observed: dict[str, np.ndarray], c: np.ndarray)
 
 
 def assemble_solution(
-    model: Model,
+    model: EmittedModel,
     t: np.ndarray,
     q: np.ndarray,
     q_dot: np.ndarray,
@@ -139,17 +139,17 @@ def assemble_solution(
     )
 
 
-def _energies(model: Model, values: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
+def _energies(model: EmittedModel, values: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
     return {key: column[:, 0] for key, column in evaluate(model.kernel("energy"), dict(values), c).items()}
 
 
-def _measures(model: Model, values: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:
+def _measures(model: EmittedModel, values: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:
     if not model.measures:
         return np.zeros((len(values["t"]), 0))
     return evaluate(model.kernel("measures"), dict(values), c)["measures"]
 
 
-def _load_forces(model: Model, values: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:
+def _load_forces(model: EmittedModel, values: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:
     n = len(values["t"])
     if not model.has("load_actions"):
         return np.zeros((n, len(model.description.loads), _parts(model)))
@@ -157,7 +157,7 @@ def _load_forces(model: Model, values: Mapping[str, np.ndarray], c: np.ndarray) 
     return flat.reshape(n, -1, _parts(model))
 
 
-def _constraint_forces(model: Model, values: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
+def _constraint_forces(model: EmittedModel, values: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
     """Multipliers, joint forces, power of the drives and how well the constraints hold."""
     n = len(values["t"])
     if not model.constraints:
@@ -173,11 +173,11 @@ def _constraint_forces(model: Model, values: Mapping[str, np.ndarray], c: np.nda
     return {"lam": lam, "joint_forces": forces, "power_driven": driven, **errors}
 
 
-def _parts(model: Model) -> int:
+def _parts(model: EmittedModel) -> int:
     return 6 if model.description.drawing.space == "spatial" else 3
 
 
-def concatenated(parts: Sequence[Solution], model: Model) -> Solution:
+def concatenated(parts: Sequence[Solution], model: EmittedModel) -> Solution:
     """One Solution from parts that follow each other, perhaps with other q_i: q_i become those of `model`."""
     if len(parts) == 1 and parts[0].model is model:
         return parts[0]
@@ -190,7 +190,7 @@ def concatenated(parts: Sequence[Solution], model: Model) -> Solution:
     return replace(parts[-1], **arrays, energy=energy, model=model, q_i=independent_part(model, arrays["q"]))
 
 
-def _constraint_errors(model: Model) -> ca.Function:
+def _constraint_errors(model: EmittedModel) -> ca.Function:
     """(q, q_dot, t, c) -> C, C_t, C_dot = C_q q_dot + C_t."""
     n = len(model.coordinates)
     values = {

@@ -15,7 +15,7 @@ from runtime.contract.coordinates import (
     named_values,
 )
 from runtime.contract.errors import ArgumentError, ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import Event, Status
 from runtime.results.motion_error import MotionError
 
@@ -205,7 +205,7 @@ class Samples(WithLater):
     sample, "t" first (all other arrays then hold the first and the last sample only); error: see MotionError.
     """
 
-    model: Model
+    model: EmittedModel
     scheme: str
     dt: float
     m: list[int]

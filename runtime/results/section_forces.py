@@ -24,7 +24,7 @@ from runtime.contract.flexible import (
     panels_for,
     stretching_shapes,
 )
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.results.body_motion import (
     LONGEST,
     FrameMotion,
@@ -84,7 +84,7 @@ class Beam:
         return len(self.turning) == 1
 
 
-def beam_of(model: Model, name: str, p: np.ndarray) -> Beam:
+def beam_of(model: EmittedModel, name: str, p: np.ndarray) -> Beam:
     """The beam `name` for the parameters p (n_p,).
 
     Raises ModelError if the model has no such beam, or no functions.

@@ -4,12 +4,28 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from runtime.contract.arguments import Door, opened
 from runtime.contract.coordinates import followed
-from runtime.contract.model import Model
+from runtime.contract.lazy_method import LazyMethod
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import badge, card, line, sparkline, table
 from runtime.results.samples import Samples
+
+if TYPE_CHECKING:
+    from runtime.results.body_motion import body_motion as _body_motion
+    from runtime.results.deflections import deflections as _deflections
+    from runtime.results.export import columns as _columns
+    from runtime.results.export import export as _export
+    from runtime.results.export import write_npz as _write_npz
+    from runtime.results.friction import joint_friction as _joint_friction
+    from runtime.results.friction import joint_stop as _joint_stop
+    from runtime.results.section_forces import section_forces as _section_forces
+    from runtime.results.stresses import stresses as _stresses
+    from runtime.views.animation import animate as _animate
+    from runtime.views.plots import coordinates as _coordinates
+    from runtime.views.report import run_report as _run_report
+    from runtime.views.viewer.page import show as _show
 
 MOST = 10  # coordinates that a notebook shows
 
@@ -55,29 +71,112 @@ class Solution(Samples):
     `run["name"]` (N,): any column. joint_force, load_force, motor, friction, section_forces, stresses; view, plot, ...
     """
 
-    view = Door("runtime.views.viewer.page:show")
-    plot = Door("runtime.views.plots:coordinates")
-    animate = Door("runtime.views.animation:animate")
-    report = Door("runtime.views.report:run_report")
-    section_forces = Door("runtime.results.section_forces:section_forces")
-    deflections = Door("runtime.results.deflections:deflections")
-    stresses = Door("runtime.results.stresses:stresses")
-    friction = Door("runtime.results.friction:joint_friction")
-    stop = Door("runtime.results.friction:joint_stop")
-    body_motion = Door("runtime.results.body_motion:body_motion")
-    save = Door("runtime.results.export:write_npz")
-    export = Door("runtime.results.export:export")
-    columns = Door("runtime.results.export:columns")
+    # Each of these is the function that it names, with the solution as its first argument.
+    if TYPE_CHECKING:
+        view = _show
+        plot = _coordinates
+        animate = _animate
+        report = _run_report
+        section_forces = _section_forces
+        deflections = _deflections
+        stresses = _stresses
+        friction = _joint_friction
+        stop = _joint_stop
+        body_motion = _body_motion
+        save = _write_npz
+        export = _export
+        columns = _columns
+    else:
+
+        @LazyMethod
+        def view():
+            from runtime.views.viewer.page import show
+
+            return show
+
+        @LazyMethod
+        def plot():
+            from runtime.views.plots import coordinates
+
+            return coordinates
+
+        @LazyMethod
+        def animate():
+            from runtime.views.animation import animate
+
+            return animate
+
+        @LazyMethod
+        def report():
+            from runtime.views.report import run_report
+
+            return run_report
+
+        @LazyMethod
+        def section_forces():
+            from runtime.results.section_forces import section_forces
+
+            return section_forces
+
+        @LazyMethod
+        def deflections():
+            from runtime.results.deflections import deflections
+
+            return deflections
+
+        @LazyMethod
+        def stresses():
+            from runtime.results.stresses import stresses
+
+            return stresses
+
+        @LazyMethod
+        def friction():
+            from runtime.results.friction import joint_friction
+
+            return joint_friction
+
+        @LazyMethod
+        def stop():
+            from runtime.results.friction import joint_stop
+
+            return joint_stop
+
+        @LazyMethod
+        def body_motion():
+            from runtime.results.body_motion import body_motion
+
+            return body_motion
+
+        @LazyMethod
+        def save():
+            from runtime.results.export import write_npz
+
+            return write_npz
+
+        @LazyMethod
+        def export():
+            from runtime.results.export import export
+
+            return export
+
+        @LazyMethod
+        def columns():
+            from runtime.results.export import columns
+
+            return columns
 
     def _repr_html_(self) -> str:
         return solution_card(self)
 
     @classmethod
-    def load(cls, path: str | Path, model: Model | None = None) -> Solution:
+    def load(cls, path: str | Path, model: EmittedModel | None = None) -> Solution:
         """Read a solution that `save` wrote, or the folder of a stream; without `model` it has no functions.
 
         A stream of chosen outputs is read by runtime.results.stream.read_blocks instead. Raises OutputError if the
         file is not a saved solution or is damaged, ModelError if it belongs to another model.
         """
-        read = opened(f"runtime.results.export:{'read_stream' if Path(path).is_dir() else 'read_npz'}")
+        from runtime.results.export import read_npz, read_stream
+
+        read = read_stream if Path(path).is_dir() else read_npz
         return cls(**read(path, model))

@@ -21,7 +21,7 @@ from runtime.contract.arguments import BY_NAME, CALLED, PLACE, arguments
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.errors import ModelError
 from runtime.contract.files import OutputError, replacing, try_writing
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import Event
 from runtime.results.solution import Solution
 from runtime.running.inputs import InputValue, bound
@@ -77,7 +77,7 @@ class Checkpoint:
                 **{f"record_{name}": values for name, values in self.arrays.items()},
             )
 
-    def check_model(self, model: Model, path: str | Path) -> None:
+    def check_model(self, model: EmittedModel, path: str | Path) -> None:
         """Raises ModelError if the checkpoint belongs to another model."""
         name, digest = self.header["model"], self.header["digest"]
         if digest != model.digest:
@@ -190,7 +190,7 @@ def checkpoint_of(run: Run) -> Checkpoint:
 
 @arguments(inputs=BY_NAME, progress=CALLED, stream=PLACE, checkpoint=PLACE, path=PLACE)
 def resume(
-    model: Model,
+    model: EmittedModel,
     path: str | Path,
     *,
     stream: str | Path | None = None,
@@ -249,7 +249,7 @@ def resume(
     return finished(run)
 
 
-def _segments(model: Model, kept: Checkpoint, engine: str, path: str | Path) -> list[SteppedModel]:
+def _segments(model: EmittedModel, kept: Checkpoint, engine: str, path: str | Path) -> list[SteppedModel]:
     """Those that the run has had, built again. Raises ModelError if z does not fit the one under way."""
     header = kept.header
     plan = Plan.of_numbers(model, header["plan"])

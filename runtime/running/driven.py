@@ -16,7 +16,7 @@ from runtime.contract.arguments import BY_NAME, NUMBER, arguments
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import at_home, dependent_part, parts, whole
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import Event, Status
 from runtime.engine.rows import evaluate
 from runtime.operating.balance import Clamped
@@ -42,7 +42,7 @@ MOST_HALVINGS = 12  # of the time from one instant to the next
 
 
 def driven_solution(
-    model: Model,
+    model: EmittedModel,
     p: np.ndarray,
     state: ConsistentState,
     t0: float,
@@ -84,7 +84,7 @@ def _instants(t0: float, t_end: float, dt: float) -> np.ndarray:
 
 
 def _motion(
-    model: Model, times: np.ndarray, c: np.ndarray, q_i: np.ndarray, q_i_dot: np.ndarray, q_d: np.ndarray
+    model: EmittedModel, times: np.ndarray, c: np.ndarray, q_i: np.ndarray, q_i_dot: np.ndarray, q_d: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """q, q_dot, q_ddot (N, n) where q_i has no acceleration (Eqs. 36, 35)."""
     still, q_d_dot, q_d_ddot = np.zeros_like(q_i_dot), np.zeros_like(q_d), np.zeros_like(q_d)
@@ -118,7 +118,7 @@ def _lost(t: float) -> Status:
 
 @dataclass
 class _Follower:
-    model: Model
+    model: EmittedModel
     c: np.ndarray
     closures: int = field(default=0)
 
@@ -182,7 +182,7 @@ QUASI_STATIC = "quasi_static"
 
 @arguments(parameters=BY_NAME, t0=NUMBER)
 def quasi_static_motion(
-    model: Model,
+    model: EmittedModel,
     *,
     t_end: float | None = None,
     seen_every: float | None = None,
@@ -216,7 +216,7 @@ def quasi_static_motion(
 
 
 def _followed(
-    model: Model, functions: PointFunctions, times: np.ndarray, q_i: np.ndarray, loop: np.ndarray
+    model: EmittedModel, functions: PointFunctions, times: np.ndarray, q_i: np.ndarray, loop: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """(q (N, n), q_i_dot (N, n_i)) of the equilibria, each reached from the one before."""
     task = Clamped(model, functions, float(times[0]), np.zeros(len(q_i)), [], np.zeros(0), loop)

@@ -11,7 +11,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import ArgumentError, ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.signals import SINCE, SUFFIXES, Signals
 from runtime.contract.status import Status
 from runtime.schemes.scheme import Scheme
@@ -38,7 +38,7 @@ class Sampled:
 InputValue = float | Callable[[Any], Any] | tuple[Sequence[float], Sequence[float]] | Sampled
 
 
-def bound(model: Model, inputs: Mapping[str, InputValue] | None) -> Model:
+def bound(model: EmittedModel, inputs: Mapping[str, InputValue] | None) -> EmittedModel:
     """The model with the constants and functions among the inputs; driven_by is a hash of functions and samples.
 
     By it a checkpoint is gone on with by a run that is driven alike. Raises ModelError and ArgumentError.
@@ -66,7 +66,7 @@ def bound(model: Model, inputs: Mapping[str, InputValue] | None) -> Model:
     return replace(found, driven_by=digest.hexdigest())
 
 
-def scheduled(model: Model, inputs: Mapping[str, InputValue] | None, t0: float, dt: float) -> Schedule:
+def scheduled(model: EmittedModel, inputs: Mapping[str, InputValue] | None, t0: float, dt: float) -> Schedule:
     """The samples and controllers among the inputs on a grid of steps. Raises ModelError."""
     schedule = Schedule(model.signals)
     for name, value in (inputs or {}).items():
@@ -84,7 +84,7 @@ def scheduled(model: Model, inputs: Mapping[str, InputValue] | None, t0: float, 
     return schedule
 
 
-def _add_samples(schedule: Schedule, model: Model, name: str, value: Any, t0: float, dt: float) -> None:
+def _add_samples(schedule: Schedule, model: EmittedModel, name: str, value: Any, t0: float, dt: float) -> None:
     times, values = _arrays(name, value)
     steps = [_steps(name, float(t) - t0, dt) for t in times]
     record = next(entry for entry in model.description.inputs if entry.name == name)
@@ -141,7 +141,7 @@ def _steps(name: str, time: float, dt: float) -> int:
     return count
 
 
-def started(model: Model, p: np.ndarray, schedule: Schedule, t0: float) -> np.ndarray:
+def started(model: EmittedModel, p: np.ndarray, schedule: Schedule, t0: float) -> np.ndarray:
     """p (n_p,) with the inputs as they are at t0: samples of the start taken, and rates counted from there."""
     n = model.signals.size
     if not n:

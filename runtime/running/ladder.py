@@ -17,7 +17,7 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import independent, loop_part
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
@@ -389,7 +389,7 @@ def _chosen(problem: Problem) -> tuple[Method, str]:
     return best, f"{best.scheme}: the motion is stiff; operations of a first rung, relative to it: {others}"
 
 
-def usual_steps(model: Model, t0: float, t_end: float | None) -> tuple[str, float]:
+def usual_steps(model: EmittedModel, t0: float, t_end: float | None) -> tuple[str, float]:
     """(scheme, step [s]) with which the motion of a model as its scene has it meets the tolerance of `auto`; kept.
 
     For what is made in steps of one length many times: ensembles, derivatives, steppers. Raises SchemeError where no
@@ -429,7 +429,7 @@ def _seen_loads(problem: Problem) -> int:
     return steps_that_see_loads(problem.model, c, problem.state, problem.t0, problem.t_end)
 
 
-def _exponentials(model: Model) -> list[str]:
+def _exponentials(model: EmittedModel) -> list[str]:
     """Methods for stiff motion that the model can be stepped with, and that are not dear by its size."""
     found = ["exponential_rk4"] if model.has("deflections") else []
     n = len(model.q_i)
@@ -441,7 +441,7 @@ DENSE = 12  # operations of a step with dense matrices, over n^3
 MOST_DENSE = 400_000  # operations of such a step: some 30 s of the compiler
 
 
-def affordable(model: Model) -> bool:
+def affordable(model: EmittedModel) -> bool:
     """Is a step with dense matrices short enough to be compiled?"""
     return DENSE * len(model.q_i) ** 3 <= MOST_DENSE
 
@@ -467,7 +467,7 @@ VARIES = 1e-6  # of its largest value: a force that changes by less is constant
 MOST_LEGS = 50  # between jumps; where there are more, steps see them
 
 
-def steps_that_see_loads(model: Model, c: np.ndarray, state: ConsistentState, t0: float, t_end: float) -> int:
+def steps_that_see_loads(model: EmittedModel, c: np.ndarray, state: ConsistentState, t0: float, t_end: float) -> int:
     """The least number of steps over the time [s], which end where loads jump; 0 where no force depends on time."""
     switches = switching_times(model, c, t0, t_end)
     function = force_of_time(model, c, state) if len(switches) < MOST_LEGS else None

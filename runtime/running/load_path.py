@@ -13,7 +13,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.coordinates import whole
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import Event
 from runtime.engine.rows import ManyPoints, evaluate
 from runtime.running.run import Run
@@ -101,7 +101,7 @@ def _motion(run: Run) -> tuple[np.ndarray, np.ndarray]:
     return t[once], values[once]
 
 
-def _force_of_motion(model: Model, c: np.ndarray) -> ca.Function:
+def _force_of_motion(model: EmittedModel, c: np.ndarray) -> ca.Function:
     """[q, q_dot, t] -> Q_hat (n_i,)."""
     n = len(model.coordinates)
     moved, t = ca.SX.sym("moved", 2 * n), ca.SX.sym("t")

@@ -17,7 +17,7 @@ import numpy as np
 
 from runtime.contract.consistent_state import one_thread
 from runtime.contract.coordinates import independent_part, joined, length_rows, loop_part, mechanism_length, whole
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.schemes.scheme import Scheme, direct, verdict
@@ -50,7 +50,7 @@ class Monitor:
     """
 
     def __init__(
-        self, model: Model, scheme: Scheme, c: np.ndarray, force: bool = False, p: np.ndarray | None = None
+        self, model: EmittedModel, scheme: Scheme, c: np.ndarray, force: bool = False, p: np.ndarray | None = None
     ) -> None:
         self.model, self.scheme, self.c, self.force = model, scheme, scheme.constants(c), force
         self.good: np.ndarray | None = None
@@ -197,7 +197,7 @@ class Monitor:
         return known_slopes(model, self.c[: model.c_size], state)
 
 
-def known_slopes(model: Model, c: np.ndarray, state: State) -> tuple[np.ndarray, np.ndarray] | None:
+def known_slopes(model: EmittedModel, c: np.ndarray, state: State) -> tuple[np.ndarray, np.ndarray] | None:
     """A_q, A_v (n_i x n_i) of w'' = A_q w + A_v w' at a state; None where M_hat is singular or they are not finite."""
 
     def found() -> tuple[np.ndarray, np.ndarray] | None:
@@ -228,7 +228,7 @@ class Looked(NamedTuple):
 class CloseLook:
     """What the equations say at a state z (at least the scheme's part), by functions that a scheme keeps."""
 
-    def __init__(self, model: Model, scheme: Scheme) -> None:
+    def __init__(self, model: EmittedModel, scheme: Scheme) -> None:
         self.model, self.scheme = model, scheme
         self.constrained = bool(model.constraints) and model.has("constraints")
         self.lengths = length_rows(model)
@@ -263,7 +263,7 @@ def _symbols(scheme: Scheme) -> tuple[ca.SX, ca.SX]:
     return ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
 
 
-def _momenta(model: Model, scheme: Scheme) -> ca.Function:
+def _momenta(model: EmittedModel, scheme: Scheme) -> ca.Function:
     """(z, c, q_i_dot) -> dT/dq_i_dot at the configuration that z shows, (n_i,): M_hat q_i_dot, and a constant part."""
     (z, c), rates = _symbols(scheme), ca.SX.sym("v", len(model.q_i))
     seen, constants = scheme.observer(z=z, c=c), observed_constants(scheme, z, c)
@@ -275,7 +275,7 @@ def _momenta(model: Model, scheme: Scheme) -> ca.Function:
     return ca.Function("momenta", [z, c, rates], [ca.densify(ca.gradient(kinetic, rates))])
 
 
-def observed(model: Model, scheme: Scheme, name: str, outputs: Sequence[str]) -> ca.Function:
+def observed(model: EmittedModel, scheme: Scheme, name: str, outputs: Sequence[str]) -> ca.Function:
     """(z, c) -> outputs of a kernel of (q, q_dot, t) at the state that z shows; built once for a scheme."""
 
     def build() -> ca.Function:
@@ -293,7 +293,7 @@ def observed_constants(scheme: Scheme, z: ca.SX, c: ca.SX) -> ca.SX:
     return scheme.constants_at(scheme.layout.unpack(z[: scheme.layout.size]), c[: scheme.model.c_size])
 
 
-def flexible_bodies(model: Model, p: np.ndarray) -> list[Body]:
+def flexible_bodies(model: EmittedModel, p: np.ndarray) -> list[Body]:
     """(name, columns in q, length [m], shapes and turns of its points (points, 3, modes)) of each flexible body."""
 
     def found() -> list[Body]:

@@ -16,7 +16,7 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import Initial
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.running.inputs import InputValue, Sampled, Schedule, scheduled, started
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import LARGEST_TOLERANCE, Grid, SchemeError
@@ -35,7 +35,7 @@ class Problem:
     Everybody who makes this motion takes it: a run, its companion, the rungs of a ladder. Nobody changes it.
     """
 
-    model: Model
+    model: EmittedModel
     p: np.ndarray
     state: ConsistentState
     t0: float
@@ -45,7 +45,7 @@ class Problem:
 
     @staticmethod
     def of(
-        model: Model,
+        model: EmittedModel,
         t_end: float | None = None,
         parameters: Mapping[str, float] | None = None,
         initial: Initial = None,
@@ -86,7 +86,7 @@ class Problem:
         return all(one.memory is not None for one in self.inputs.values() if isinstance(one, Sampled))
 
 
-def span_of(model: Model, t0: Any, t_end: Any) -> tuple[float, float]:
+def span_of(model: EmittedModel, t0: Any, t_end: Any) -> tuple[float, float]:
     """(t0, t_end) [s], the scene's own end where none is given. Raises SchemeError."""
     if isinstance(t0, bool) or not isinstance(t0, int | float | np.number) or not np.isfinite(t0):
         raise SchemeError(f"t0 must be a time in seconds, not {t0!r}")
@@ -110,7 +110,7 @@ def seen_every_of(seen_every: Any, samples: Any, t0: float, t_end: float) -> flo
     return None if seen_every is None else float(seen_every)
 
 
-def own_spacing(model: Model, t0: float, t_end: float) -> float:
+def own_spacing(model: EmittedModel, t0: float, t_end: float) -> float:
     """The scene's time from sample to sample [s], 0 for every step; of a shorter motion such that it is still seen."""
     return min(float(model.simulation.get("seen_every", 0.0)), (t_end - t0) / SEEN_AT_LEAST)
 
@@ -178,7 +178,7 @@ class Plan:
         return found | {"scheme": self.name, "dt": self.grid.dt_L, "m": self.grid.m, "options": dict(self.options)}
 
     @staticmethod
-    def of_numbers(model: Model, numbers: Mapping[str, Any]) -> Plan:
+    def of_numbers(model: EmittedModel, numbers: Mapping[str, Any]) -> Plan:
         """On a model, from `numbers` as JSON gives them back. Raises SchemeError."""
         rest = dict(numbers)
         name, dt, m, options = (rest.pop(key) for key in ("scheme", "dt", "m", "options"))
@@ -225,7 +225,7 @@ class Plan:
         """The same plan with as many steps as lead to an end [s], of which the last may be shorter."""
         return replace(self, **steps_until(self.t0, end, self.grid.dt_L))
 
-    def with_steps(self, model: Model, dt: float, steps: int, options: Mapping[str, Any] | None = None) -> Plan:
+    def with_steps(self, model: EmittedModel, dt: float, steps: int, options: Mapping[str, Any] | None = None) -> Plan:
         """The same plan with so many steps of dt [s], all alike, and perhaps other options. Raises SchemeError."""
         if options is None:
             h = list(accumulate([dt, *self.grid.m], truediv))
@@ -233,7 +233,7 @@ class Plan:
         built = scheme_kind(self.name).build(self.name, model, dt, list(self.grid.m) or None, options)
         return replace(self, scheme=built, options=options, steps=steps, end=None)
 
-    def on(self, model: Model) -> Plan:
+    def on(self, model: EmittedModel) -> Plan:
         """The same plan for a variant of the model with as many groups, on the way: its step is not judged again.
 
         Raises SchemeError.
@@ -243,7 +243,7 @@ class Plan:
 
 
 def make_plan(
-    model: Model,
+    model: EmittedModel,
     t_end: float | None,
     dt: float | None,
     m: list[int] | None,
@@ -293,7 +293,7 @@ def refuse_alike(t0: float, end: float, dt: float) -> None:
 
 
 def steps_asked(
-    model: Model,
+    model: EmittedModel,
     scheme: str | None,
     dt: float | None,
     m: list[int] | None,
@@ -315,7 +315,9 @@ def steps_asked(
     return found, step if dt is None else dt
 
 
-def tolerance_of(model: Model, scheme: str | None, tolerance: float | None, dt: float | None = None) -> float | None:
+def tolerance_of(
+    model: EmittedModel, scheme: str | None, tolerance: float | None, dt: float | None = None
+) -> float | None:
     """The tolerance of a run: what was given, that of the scene where its own scheme runs without a step dt, or that of
     `auto`; None for a run with steps of its own. Raises SchemeError for one out of range, and for an unknown scheme.
     """

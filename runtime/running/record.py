@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from runtime.contract.coordinates import followed, whole
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.engine.rows import evaluate
 from runtime.results.observe import concatenated
 from runtime.results.solution import Solution
@@ -84,7 +84,7 @@ class Record:
         """At which states are kept."""
         return [int(step) for _, rows in self.samples for step in rows[:, 1]]
 
-    def told(self, model: Model, steps: Sequence[int] | None = None) -> np.ndarray:
+    def told(self, model: EmittedModel, steps: Sequence[int] | None = None) -> np.ndarray:
         """(2, N, n_told) what tells the motion of a model at these steps (None: all), and its rates."""
         parts = by_segment(self.samples)
         if steps is not None:
@@ -140,7 +140,7 @@ class Marks(Record):
         return [*early, *range(first + self.every - first % self.every, last, self.every)]
 
 
-def told_by(segment: SteppedModel, states: np.ndarray, model: Model) -> np.ndarray:
+def told_by(segment: SteppedModel, states: np.ndarray, model: EmittedModel) -> np.ndarray:
     """(2, N, n_told) what tells the motion of a model, and its rates, of states (N, n_z) of a segment with any q_i."""
     scheme, own = segment.plan.scheme, segment.model
     seen = evaluate(scheme.observer, {"z": states}, scheme.constants(segment.c))

@@ -11,7 +11,7 @@ import numpy as np
 
 from runtime.contract.arguments import BY_NAME, CALLED, FLAG, NAMES, PLACE, START, arguments
 from runtime.contract.coordinates import Initial
-from runtime.contract.model import Model, refuse_events
+from runtime.contract.model import EmittedModel, refuse_events
 from runtime.operating.given_state import given_state
 from runtime.results.motion_error import MotionError
 from runtime.results.solution import Solution
@@ -51,7 +51,7 @@ __all__ = ["simulate"]
     checkpoint=PLACE,
 )
 def simulate(
-    model: Model,
+    model: EmittedModel,
     *,
     scheme: str | None = None,
     tolerance: float | None = None,
@@ -173,7 +173,7 @@ def _seen_steps(begin: float, end: float, seen: float | None, sampled: float | N
 
 
 def _driven(
-    model: Model,
+    model: EmittedModel,
     begin: float,
     end: float,
     dt: float | None,

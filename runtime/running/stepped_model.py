@@ -14,7 +14,7 @@ from typing import Any, Self
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.results.observe import observe_samples
 from runtime.results.solution import Solution
@@ -39,7 +39,7 @@ class SteppedModel:
     tolerance so far, by time.
     """
 
-    model: Model
+    model: EmittedModel
     plan: Plan
     stepper: Stepper
     p: np.ndarray
@@ -51,7 +51,7 @@ class SteppedModel:
     broken: Any = field(default=None, init=False)
 
     @classmethod
-    def prepared(cls, model: Model, plan: Plan, p: np.ndarray, engine: str, wait: bool = False) -> Self:
+    def prepared(cls, model: EmittedModel, plan: Plan, p: np.ndarray, engine: str, wait: bool = False) -> Self:
         """Prepare and compile, for parameters p (n_p,); wait: for the best code. Raises ModelError or CompilerError."""
         c = model.constants(p)
         stepper = kept_stepper(plan.scheme, engine, wait)
@@ -59,7 +59,7 @@ class SteppedModel:
 
     @classmethod
     def of_run(
-        cls, model: Model, plan: Plan, p: np.ndarray, engine: str, begun: ConsistentState | None = None
+        cls, model: EmittedModel, plan: Plan, p: np.ndarray, engine: str, begun: ConsistentState | None = None
     ) -> SteppedModel:
         """With stops found over the time of the plan. Raises what `prepared` does."""
         found = cls.prepared(model, plan, p, engine)

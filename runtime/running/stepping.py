@@ -14,7 +14,7 @@ from runtime.contract.arguments import BY_NAME, arguments
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import Initial
 from runtime.contract.errors import ArgumentError, ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.signals import SINCE
 from runtime.contract.status import Event, Status
 from runtime.operating.equilibrium import Equilibrium
@@ -63,7 +63,7 @@ class ModelStepper:
     @arguments(options=BY_NAME, parameters=BY_NAME)
     def __init__(
         self,
-        model: Model,
+        model: EmittedModel,
         *,
         scheme: str | None = None,
         dt: float | None = None,
@@ -300,10 +300,28 @@ class ModelStepper:
         self._sample = None
 
 
-def _restored(model: Model, settings: Mapping[str, Any], kept: SteppedState) -> ModelStepper:
-    stepper = ModelStepper(model, **settings)
-    stepper.restore(kept)
-    return stepper
+@arguments(options=BY_NAME, parameters=BY_NAME)
+def stepper(
+    model: EmittedModel,
+    *,
+    scheme: str | None = None,
+    dt: float | None = None,
+    m: list[int] | None = None,
+    options: Mapping[str, Any] | None = None,
+    parameters: Mapping[str, float] | None = None,
+    engine: str = "auto",
+) -> ModelStepper:
+    """Step the model from outside; the arguments are those of `simulate`, and what comes back is a ModelStepper.
+
+    Raises SchemeError and ModelError for what cannot be used.
+    """
+    return ModelStepper(model, scheme=scheme, dt=dt, m=m, options=options, parameters=parameters, engine=engine)
+
+
+def _restored(model: EmittedModel, settings: Mapping[str, Any], kept: SteppedState) -> ModelStepper:
+    made = ModelStepper(model, **settings)
+    made.restore(kept)
+    return made
 
 
 # Steps without an end across jumps in time and events: looked for as time goes on, always over the same stretches.
@@ -311,7 +329,7 @@ def _restored(model: Model, settings: Mapping[str, Any], kept: SteppedState) -> 
 STRETCH = 4096  # steps over which jumps are looked for at a time: the same in one call or in many
 
 
-def may_jump(model: Model) -> bool:
+def may_jump(model: EmittedModel) -> bool:
     """Does a condition change with time, by the scene, by inputs that move, or by functions given for them?"""
     if not has_switching_times(model):
         return False

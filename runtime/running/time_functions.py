@@ -19,7 +19,7 @@ import numpy as np
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import parts, rate_parts
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import Event
 from runtime.engine.rows import ManyPoints
 from runtime.running.problem import Plan
@@ -37,7 +37,7 @@ LARGEST_LOAD = 1e290  # N or N m: its work overflows
 
 
 def check_time_functions(
-    model: Model, c: np.ndarray, plan: Plan, state: ConsistentState, switches: Sequence[SwitchTime] | None = None
+    model: EmittedModel, c: np.ndarray, plan: Plan, state: ConsistentState, switches: Sequence[SwitchTime] | None = None
 ) -> list[Event]:
     """What steps of the plan miss, in events. Raises ModelError for a prescribed motion that jumps.
 
@@ -64,7 +64,7 @@ def check_time_functions(
 
 
 def refuse_position_jumps(
-    model: Model, c: np.ndarray, state: ConsistentState, switches: Sequence[SwitchTime], t0: float, t_end: float
+    model: EmittedModel, c: np.ndarray, state: ConsistentState, switches: Sequence[SwitchTime], t0: float, t_end: float
 ) -> None:
     """Raises ModelError for a prescribed motion whose position jumps at one of these times, by what it does else."""
     function = _of_time(model, c, state, "constraints", "C") if model.constraints and switches else None
@@ -83,7 +83,7 @@ def refuse_position_jumps(
         )
 
 
-def depends_on_time(model: Model) -> bool:
+def depends_on_time(model: EmittedModel) -> bool:
     """Does anything of the equations but their state, a load or a prescribed motion, change with time?"""
     names = ("constraints", "forward_dynamics" if is_long_tree(model) else "condensed")
     return has_switching_times(model) or any(model.has(one) and "t" in model.kernel(one).name_in() for one in names)
@@ -92,7 +92,7 @@ def depends_on_time(model: Model) -> bool:
 OfTime = Callable[[np.ndarray], np.ndarray]  # (n, N) at times (N,)
 
 
-def _of_time(model: Model, c: np.ndarray, state: ConsistentState, name: str, output: str) -> OfTime | None:
+def _of_time(model: EmittedModel, c: np.ndarray, state: ConsistentState, name: str, output: str) -> OfTime | None:
     """An output of a kernel at the state; None if it does not depend on t."""
     if not model.has(name) or "t" not in model.kernel(name).name_in():
         return None
@@ -100,7 +100,9 @@ def _of_time(model: Model, c: np.ndarray, state: ConsistentState, name: str, out
     return model.of_numbers("of time", numbers, lambda: _with_time_left(model, c, state, name, output))
 
 
-def _with_time_left(model: Model, c: np.ndarray, state: ConsistentState, name: str, output: str) -> OfTime | None:
+def _with_time_left(
+    model: EmittedModel, c: np.ndarray, state: ConsistentState, name: str, output: str
+) -> OfTime | None:
     t = ca.SX.sym("t")
     (q_i, q_d), (q_i_dot, q_d_dot) = parts(model, state.q), rate_parts(model, state.q, state.q_dot)
     values = {
@@ -119,7 +121,7 @@ def _with_time_left(model: Model, c: np.ndarray, state: ConsistentState, name: s
     return lambda times: points(times[:, None]).T
 
 
-def force_of_time(model: Model, c: np.ndarray, state: ConsistentState) -> OfTime | None:
+def force_of_time(model: EmittedModel, c: np.ndarray, state: ConsistentState) -> OfTime | None:
     """Q_hat (n_i, N) at the state; None if it does not depend on t."""
     if is_long_tree(model) and "t" not in model.kernel("forward_dynamics").name_in():
         return None
@@ -127,7 +129,7 @@ def force_of_time(model: Model, c: np.ndarray, state: ConsistentState) -> OfTime
 
 
 def _refuse_jumps(
-    model: Model, c: np.ndarray, state: ConsistentState, times: np.ndarray, ends: Sequence[float]
+    model: EmittedModel, c: np.ndarray, state: ConsistentState, times: np.ndarray, ends: Sequence[float]
 ) -> None:
     function = _of_time(model, c, state, "constraints", "C_t") if model.constraints else None
     if function is None:
@@ -173,7 +175,7 @@ def _ends_between(ends: Sequence[float], low: float, high: float) -> bool:
 
 
 def all_stops(
-    model: Model, c: np.ndarray, t0: float, t_end: float, state: ConsistentState, step: float = np.inf
+    model: EmittedModel, c: np.ndarray, t0: float, t_end: float, state: ConsistentState, step: float = np.inf
 ) -> list[SwitchTime]:
     """Times that no step of a run should cross: jumps and kinks, and places within short pulses of loads.
 
@@ -193,7 +195,7 @@ def all_stops(
     return sorted([*known, *pulse_times(short, t0, t_end, known, step)], key=lambda one: one.time)
 
 
-def _forces_nearby(model: Model, c: np.ndarray, state: ConsistentState) -> OfTime | None:
+def _forces_nearby(model: EmittedModel, c: np.ndarray, state: ConsistentState) -> OfTime | None:
     """Q_hat at a state, and below it at a turned one that moves; None where no load depends on t.
 
     What is not finite at the second is left out: nothing says that the motion comes there.
@@ -214,7 +216,7 @@ def _forces_nearby(model: Model, c: np.ndarray, state: ConsistentState) -> OfTim
     return forces
 
 
-def _moved(model: Model, state: ConsistentState) -> ConsistentState:
+def _moved(model: EmittedModel, state: ConsistentState) -> ConsistentState:
     """Coordinates that are not elastic by TURNED, all rates by RATES; loops need not close, loads do not ask."""
     entries = {entry.name: entry for entry in model.description.coordinates}
     rigid = [entries[name].unit in ("rad", "m") and not entries[name].elastic for name in model.coordinates]
@@ -225,7 +227,7 @@ def _moved(model: Model, state: ConsistentState) -> ConsistentState:
 
 
 def _missed_loads(
-    model: Model, c: np.ndarray, state: ConsistentState, times: np.ndarray, points: int, broken: np.ndarray
+    model: EmittedModel, c: np.ndarray, state: ConsistentState, times: np.ndarray, points: int, broken: np.ndarray
 ) -> list[Event]:
     loads = _forces_nearby(model, c, state)
     if loads is None:

@@ -22,7 +22,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.coordinates import whole
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.engine.program import Fields, Program, Until
 from runtime.engine.program import Sequence as InTurn
 from runtime.schemes.one_step import Attempt, Method
@@ -105,7 +105,7 @@ TURN = np.pi  # rad: what turns on and on is not measured by how far it has come
 LEAST = 1e-10  # m or rad: a motion that begins as a power of time is as large as its error for ever
 
 
-def weights(model: Model, low: ca.SX, high: ca.SX) -> ca.SX:
+def weights(model: EmittedModel, low: ca.SX, high: ca.SX) -> ca.SX:
     """(n_i) what squares of errors are multiplied by, of coordinates seen between low and high."""
     scale = amplitudes(model, (high - low) / 2)
     return 1 / (2 * len(model.q_i) * scale * scale)
@@ -116,7 +116,7 @@ def mean_square(weight: ca.SX, dq: ca.SX, h_dv: ca.SX) -> ca.SX:
     return ca.dot(weight, dq * dq + h_dv * h_dv)
 
 
-def amplitudes(model: Model, half_ranges: ca.SX) -> ca.SX:
+def amplitudes(model: EmittedModel, half_ranges: ca.SX) -> ca.SX:
     """(n_i) what errors are measured by."""
     entries = {entry.name: entry for entry in model.description.coordinates}
     of_bodies = {name: ("angle", "rad") for record in model.description.orientations for name in record.turns}

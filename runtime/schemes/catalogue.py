@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any, Literal, cast, get_type_hints
 
-from runtime.contract.arguments import opened
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.schemes.options import Options, SchemeError, make_grid
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.watched import watch_events
@@ -22,10 +21,10 @@ class SchemeKind:
 
     ratios: what m is. `groups`: one ratio between each two groups of the partition; `sub_steps`: one number of
     sub-steps for all coordinates; `none`: no m. default_m: m where neither the user nor the scene gives one that fits.
-    class_at: `file:name` of this folder.
+    load: what imports the class.
     """
 
-    class_at: str
+    load: Callable[[], type[Scheme]]
     title: str
     ratios: Ratios
     default_m: int = 1
@@ -33,7 +32,7 @@ class SchemeKind:
     @property
     def make(self) -> type[Scheme]:
         """The class."""
-        return cast(type[Scheme], opened(f"runtime.schemes.{self.class_at}"))
+        return self.load()
 
     @property
     def options(self) -> type[Options]:
@@ -45,7 +44,7 @@ class SchemeKind:
         """Does it take sub-steps?"""
         return self.ratios != "none"
 
-    def build(self, name: str, model: Model, dt: Any, m: list[Any] | None, changes: Mapping[str, Any]) -> Scheme:
+    def build(self, name: str, model: EmittedModel, dt: Any, m: list[Any] | None, changes: Mapping[str, Any]) -> Scheme:
         """The scheme on a model, which keeps what does not depend on the step for the next one who asks.
 
         Raises SchemeError for a step, ratios or options that cannot be used.
@@ -86,7 +85,7 @@ class SchemeKind:
                 raise SchemeError(f"{name} has no option {option!r}{_meant(option, known)}")
         return self.options(**changes)
 
-    def _usual_m(self, model: Model, options: Options) -> list[int]:
+    def _usual_m(self, model: EmittedModel, options: Options) -> list[int]:
         """m of the scene where it has the right number of ratios, else default_m."""
         if self.ratios == "none":
             return []
@@ -97,27 +96,83 @@ class SchemeKind:
         return given if len(given) == needed else [self.default_m] * needed
 
 
+def _single_rate() -> type[Scheme]:
+    from runtime.schemes.central_difference import SingleRate
+
+    return SingleRate
+
+
+def _printed() -> type[Scheme]:
+    from runtime.schemes.printed import Printed
+
+    return Printed
+
+
+def _coupled() -> type[Scheme]:
+    from runtime.schemes.coupled import Coupled
+
+    return Coupled
+
+
+def _exponential() -> type[Scheme]:
+    from runtime.schemes.exponential import Exponential
+
+    return Exponential
+
+
+def _exponential_runge_kutta() -> type[Scheme]:
+    from runtime.schemes.exponential_rk4 import ExponentialRungeKutta
+
+    return ExponentialRungeKutta
+
+
+def _exponential_adams() -> type[Scheme]:
+    from runtime.schemes.exponential_adams import ExponentialAdams
+
+    return ExponentialAdams
+
+
+def _classical_runge_kutta() -> type[Scheme]:
+    from runtime.schemes.runge_kutta import ClassicalRungeKutta
+
+    return ClassicalRungeKutta
+
+
+def _dormand_prince_5() -> type[Scheme]:
+    from runtime.schemes.runge_kutta import DormandPrince5
+
+    return DormandPrince5
+
+
+def _dormand_prince_8() -> type[Scheme]:
+    from runtime.schemes.runge_kutta import DormandPrince8
+
+    return DormandPrince8
+
+
+def _radau() -> type[Scheme]:
+    from runtime.schemes.radau import Radau
+
+    return Radau
+
+
 SCHEMES: dict[str, SchemeKind] = {
-    "single_rate": SchemeKind(
-        "central_difference:SingleRate", "central difference, one step for all coordinates", "none"
-    ),
-    "printed": SchemeKind("printed:Printed", "the paper's sub-cycling", "groups"),
-    "coupled": SchemeKind("coupled:Coupled", "sub-steps that solve the coupled system", "groups"),
-    "exponential": SchemeKind(
-        "exponential:Exponential", "exponential Rosenbrock, order 4 or 5", "sub_steps", default_m=4
-    ),
+    "single_rate": SchemeKind(_single_rate, "central difference, one step for all coordinates", "none"),
+    "printed": SchemeKind(_printed, "the paper's sub-cycling", "groups"),
+    "coupled": SchemeKind(_coupled, "sub-steps that solve the coupled system", "groups"),
+    "exponential": SchemeKind(_exponential, "exponential Rosenbrock, order 4 or 5", "sub_steps", default_m=4),
     "exponential_rk4": SchemeKind(
-        "exponential_rk4:ExponentialRungeKutta", "exponential Runge-Kutta on the stiff deflections, order 4", "none"
+        _exponential_runge_kutta, "exponential Runge-Kutta on the stiff deflections, order 4", "none"
     ),
     "exponential_adams": SchemeKind(
-        "exponential_adams:ExponentialAdams",
+        _exponential_adams,
         "exponential Adams on the stiff deflections with a point inside the step, order 4",
         "none",
     ),
-    "rk4": SchemeKind("runge_kutta:ClassicalRungeKutta", "classical Runge-Kutta, order 4", "none"),
-    "dopri5": SchemeKind("runge_kutta:DormandPrince5", "Dormand-Prince, order 5(4)", "none"),
-    "dop853": SchemeKind("runge_kutta:DormandPrince8", "Dormand-Prince, order 8, fixed step", "none"),
-    "radau": SchemeKind("radau:Radau", "Radau IIA, order 5, fixed step", "none"),
+    "rk4": SchemeKind(_classical_runge_kutta, "classical Runge-Kutta, order 4", "none"),
+    "dopri5": SchemeKind(_dormand_prince_5, "Dormand-Prince, order 5(4)", "none"),
+    "dop853": SchemeKind(_dormand_prince_8, "Dormand-Prince, order 8, fixed step", "none"),
+    "radau": SchemeKind(_radau, "Radau IIA, order 5, fixed step", "none"),
 }
 
 

@@ -14,7 +14,7 @@ from math import factorial
 
 import casadi as ca
 
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 
 
 class Charts:
@@ -24,7 +24,7 @@ class Charts:
     vectors as a whole: in those of q_i on the ones that are independent.
     """
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: EmittedModel) -> None:
         at = model.places
         self.turns = [[int(k) for k in turns] for turns in at.turns]
         self.n, self.size = at.n_i, 4 * len(self.turns)
@@ -79,7 +79,7 @@ class Charts:
         seen = self._each(x, {n: turn_since(end[own], x[own]) for n, own in self._in(x)})
         return self.accelerations(seen, self.rates(seen, v), v, a)
 
-    def seen_in(self, model: Model, q: ca.SX, rate: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
+    def seen_in(self, model: EmittedModel, q: ca.SX, rate: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
         """(q_i, q_d) of all coordinates q, every chart where its body is; or of their rates or accelerations at q."""
         at, source = model.places, q if rate is None else rate
         found = ca.SX.zeros(self.n + len(model.q_d))

@@ -28,7 +28,7 @@ from math import ceil, factorial
 import casadi as ca
 import numpy as np
 
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.engine.program import Fields, Program, Repeat, Sequence
 from runtime.schemes.linear_propagation import StoredSystem, factors_of, polynomial, propagate
 from runtime.schemes.options import MOST_UNROLLED, ClosureOptions, Grid, SchemeError, one_of, whole_number
@@ -72,7 +72,7 @@ class Exponential(Scheme):
 
     options: ExponentialOptions
 
-    def __init__(self, model: Model, grid: Grid, options: ExponentialOptions) -> None:
+    def __init__(self, model: EmittedModel, grid: Grid, options: ExponentialOptions) -> None:
         options, m = options.checked(len(grid.groups)), grid.m[0]
         self.order, self.nodes = options.order, NODES[options.order]
         self.forces = ("G0", "G1", "G2", "G3")[: self.order - 1]

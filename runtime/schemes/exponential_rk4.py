@@ -28,7 +28,7 @@ from functools import partial
 import casadi as ca
 import numpy as np
 
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.engine.program import Fields
 from runtime.schemes.linear_propagation import polynomial
 from runtime.schemes.one_step import Attempt, Method
@@ -81,7 +81,7 @@ def krogstad(
     return KrogstadStages(middle, before, motion.to(2, b1, b2), motion.all_of(b1), motion.all_of(b2))
 
 
-def along_tree(model: Model) -> bool:
+def along_tree(model: EmittedModel) -> bool:
     """Are there so many deflections along a tree that no matrix of them is formed?"""
     return model.has("shifted_solution")
 

@@ -23,7 +23,7 @@ from collections.abc import Collection, Sequence
 
 import casadi as ca
 
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.engine.kept_programs import kept_function, key_of
 from runtime.engine.program import Fields
 from runtime.schemes.options import SchemeError
@@ -124,7 +124,10 @@ class StoredSystem:
     """
 
     def __init__(
-        self, model: Model, shifts: tuple[complex, ...] | None = None, matrices: Collection[str] = tuple(MATRICES)
+        self,
+        model: EmittedModel,
+        shifts: tuple[complex, ...] | None = None,
+        matrices: Collection[str] = tuple(MATRICES),
     ) -> None:
         self._complex = [bool(r.imag) for r in (shifts if shifts is not None else (pole.r for pole in poles()))]
         found = kept_function(key_of(model, "patterns"), lambda: _patterns(model))
@@ -172,7 +175,7 @@ class StoredSystem:
         return tuple(found)
 
 
-def _patterns(model: Model) -> ca.Function:
+def _patterns(model: EmittedModel) -> ca.Function:
     """() -> M_hat, J_q, J_v and the factors, 1 where they are not zero. Raises SchemeError where factors are long."""
     n = len(model.q_i)
     q, v, t = ca.SX.sym("q", n), ca.SX.sym("v", n), ca.SX.sym("t")
@@ -187,7 +190,7 @@ def _patterns(model: Model) -> ca.Function:
     return ca.Function("patterns", [], [ca.SX(shape, 1) for shape in shapes])
 
 
-def _require_short(model: Model, cells: Cells) -> None:
+def _require_short(model: EmittedModel, cells: Cells) -> None:
     """Raises SchemeError where the factors of a matrix with these cells take too many operations."""
     n = len(model.q_i)
     factors = filled(cells, n)
@@ -202,7 +205,7 @@ def _require_short(model: Model, cells: Cells) -> None:
         )
 
 
-def _others(model: Model) -> list[str]:
+def _others(model: EmittedModel) -> list[str]:
     """Schemes for many coordinates."""
     stiff = ["exponential_rk4"] if model.has("deflections") else []
     return [*stiff, *(["coupled"] if len(model.groups) == 2 else []), "single_rate"]

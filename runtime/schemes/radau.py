@@ -26,7 +26,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.engine.program import Fields, Program, Sequence, Until
 from runtime.schemes.linear_propagation import StoredSystem, factors_of, solve_shifted
 from runtime.schemes.options import MOST_ITERATIONS, Grid, SingleClosureOptions, tolerances, whole_number
@@ -100,7 +100,7 @@ class Radau(Scheme):
 
     options: RadauOptions
 
-    def __init__(self, model: Model, grid: Grid, options: RadauOptions) -> None:
+    def __init__(self, model: EmittedModel, grid: Grid, options: RadauOptions) -> None:
         self.stored = StoredSystem(model, SHIFTS, ("M",))
         super().__init__(model, grid, options)
 

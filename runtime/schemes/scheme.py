@@ -18,7 +18,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.coordinates import charts_in
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import StatusName
 from runtime.contract.tape import arithmetic, shared
 from runtime.engine.kept_programs import kept_function, key_of
@@ -50,7 +50,7 @@ class Scheme(ABC):
     if_not_converged: str = "Use a smaller step, a larger eps, or (printed) common_update = direct."
     starts_from_last: bool = False  # do iterations begin with the last step's values, and its rate of convergence?
 
-    def __init__(self, model: Model, grid: Grid, options: Options) -> None:
+    def __init__(self, model: EmittedModel, grid: Grid, options: Options) -> None:
         self.model = model
         self._take_steps(grid)
         self._derived: dict[str, ca.Function] = {}

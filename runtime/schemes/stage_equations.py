@@ -8,7 +8,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.coordinates import joined
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.schemes.charts import Charts, chart_rate
 from runtime.schemes.sparse_lu import Number, factor, solve, solve_general, solve_symmetric
 
@@ -52,7 +52,7 @@ class LinearisedEquations(LinearSystem):
 class StageEquations:
     """SX evaluations of a model's kernels for the stages of a scheme; h holds the steps of the groups [s]."""
 
-    def __init__(self, model: Model, c: ca.SX) -> None:
+    def __init__(self, model: EmittedModel, c: ca.SX) -> None:
         self.model, self.c, self.h = model, c[: model.c_size], c[model.c_size :]
         self.loops = [model.q_d.index(name) for name in model.loop_unknowns]
         self.charts = Charts(model)
@@ -259,12 +259,12 @@ class StageEquations:
         return ca.vertcat(*(q_d[k] for k in self.loops)) if self.loops else ca.SX(0, 1)
 
 
-def loop_blocks(model: Model) -> int:
+def loop_blocks(model: EmittedModel) -> int:
     """How many determinants the closure gives; none where every dependent coordinate has a closed form."""
     return 0 if not model.loop_unknowns else int(model.kernel("closure").size1_out("det_loop"))
 
 
-def tree_is_shorter(model: Model) -> bool:
+def tree_is_shorter(model: EmittedModel) -> bool:
     """Is there an elimination along a tree, and is it shorter than a factorisation of M_hat?
 
     M_hat of a long tree is not even looked at: it has n_i^2 entries. Masked pivots hold what sticks to the last bit.
@@ -276,12 +276,12 @@ def tree_is_shorter(model: Model) -> bool:
     return tree < factorisation or tree < model.operations_of("condensed") + factorisation
 
 
-def is_long_tree(model: Model) -> bool:
+def is_long_tree(model: EmittedModel) -> bool:
     """Is the model a tree for which M_hat and the Jacobians are too long to be derived without need?"""
     return len(model.q_i) > LONG_TREE and tree_is_shorter(model)
 
 
-def velocity_dependent(model: Model) -> bool:
+def velocity_dependent(model: EmittedModel) -> bool:
     """Does Q_hat depend on velocity at all? Where it does not, there is nothing to iterate."""
     seen = model.kernel("forward_dynamics" if tree_is_shorter(model) else "condensed").name_in()
     return any(name in seen for name in ("q_i_dot", "q_d_dot"))
@@ -318,7 +318,7 @@ class StiffResponse(StiffDeflections):
     X: ca.SX
 
 
-def stiff_directions(model: Model) -> np.ndarray:
+def stiff_directions(model: EmittedModel) -> np.ndarray:
     """B (n_i, n_s), along which stiff deflections act; found once for a model."""
 
     def found() -> np.ndarray:

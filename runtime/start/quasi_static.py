@@ -18,7 +18,7 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
 from runtime.contract.coordinates import dependent_part, independent, joined, loop_part, whole
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.operating.balance import LARGEST_STEP, LEAST_SCALE, NO_STIFFNESS, STAGNANT, TOLERANCE, Balance, balanced
 from runtime.operating.equilibrium import NoEquilibrium, equilibrium
 from runtime.operating.functions import PointFunctions
@@ -33,17 +33,17 @@ from runtime.schemes.switching.times import conditions
 CLOSURE_ITERATIONS = 4
 
 
-def positions(model: Model) -> list[int]:
+def positions(model: EmittedModel) -> list[int]:
     """Where the elastic coordinates stand in q_i."""
     return [k for k, name in enumerate(model.q_i) if name in model.elastic]
 
 
-def elastic_residual(model: Model) -> ca.Function:
+def elastic_residual(model: EmittedModel) -> ca.Function:
     """(t, q_i, q_i_dot, loop unknowns, c) -> residual r, dr/dq_e, mass of q_e, q_d, q_d_dot; built once for a model."""
     return model.derived("elastic_equilibrium", lambda: _built(model, positions(model)))
 
 
-def _built(model: Model, elastic: list[int]) -> ca.Function:
+def _built(model: EmittedModel, elastic: list[int]) -> ca.Function:
     n = len(model.q_i)
     rigid = [k for k in range(n) if k not in elastic]
     t, q, v = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n)
@@ -76,12 +76,12 @@ MOST_ELASTIC = 20  # coordinates, above which the slope is not factorised in str
 CONTRACTION = 0.25
 
 
-def settles(model: Model) -> bool:
+def settles(model: EmittedModel) -> bool:
     """Is this for the model?"""
     return 0 < len(positions(model)) <= MOST_ELASTIC and model.has("condensed")
 
 
-def settling(model: Model) -> ca.Function:
+def settling(model: EmittedModel) -> ca.Function:
     """One step of q_e: (t, q_i, q_i_dot, loop, c, work before) -> (q_i, is it open?, is it in its valley?, work).
 
     The work before the first step is LARGEST. Built once for a model.
@@ -117,7 +117,7 @@ def _is_positive(S: ca.SX) -> ca.SX:
     return found
 
 
-def leading(model: Model) -> ca.Function:
+def leading(model: EmittedModel) -> ca.Function:
     """(q_i, q_i_dot, q_d, t, c) -> time [s] in which the fastest coordinate but the elastic ones moves by SMALL_MOTION.
 
     0 at rest. Built once for a model.
@@ -139,7 +139,7 @@ def leading(model: Model) -> ca.Function:
     return model.derived("leading", build)
 
 
-def smooth_sides(model: Model) -> ca.Function:
+def smooth_sides(model: EmittedModel) -> ca.Function:
     """(t, lead, c) -> (1 where nothing jumps in time from t to a lead [s] later, the same to a lead before).
 
     Rates are differences of two equilibria, and a jump between them is no rate. Built once for a model.
@@ -159,7 +159,7 @@ def smooth_sides(model: Model) -> ca.Function:
 
 
 def settled(
-    model: Model, c: np.ndarray, t: float, q_i: np.ndarray, v: np.ndarray, q_d: np.ndarray
+    model: EmittedModel, c: np.ndarray, t: float, q_i: np.ndarray, v: np.ndarray, q_d: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray] | None:
     """(q, q_dot) with the elastic coordinates in equilibrium; None where they leave their valley.
 
@@ -186,7 +186,7 @@ Solve = Callable[[float, np.ndarray, np.ndarray], np.ndarray | None]  # (t, q_i,
 
 
 def _along(
-    model: Model, c: np.ndarray, t: float, start: tuple[np.ndarray, np.ndarray, np.ndarray], solve: Solve
+    model: EmittedModel, c: np.ndarray, t: float, start: tuple[np.ndarray, np.ndarray, np.ndarray], solve: Solve
 ) -> tuple[np.ndarray, np.ndarray] | None:
     """(q, q_dot) with elastic coordinates in equilibrium and its rates along the motion; None where `solve` gives none.
 
@@ -222,7 +222,7 @@ UNSTABLE = 1e-10  # curvature, relative to the largest one, beyond which it is m
 
 
 def quasi_static_state(
-    model: Model, c: np.ndarray, t: float, state: ConsistentState, unstable: bool = False
+    model: EmittedModel, c: np.ndarray, t: float, state: ConsistentState, unstable: bool = False
 ) -> ConsistentState:
     """The state with elastic coordinates in equilibrium. Raises InitialStateError where there is none in reach.
 
@@ -241,7 +241,7 @@ def quasi_static_state(
     return _told(model, c, t, _with_elastic(model, state, *found))
 
 
-def _with_elastic(model: Model, state: ConsistentState, q: np.ndarray, q_dot: np.ndarray) -> ConsistentState:
+def _with_elastic(model: EmittedModel, state: ConsistentState, q: np.ndarray, q_dot: np.ndarray) -> ConsistentState:
     """q and q_dot, and what of the state's elastic coordinates they change."""
     changed = {
         name: (float(state.q[k]), float(q[k]))
@@ -251,7 +251,7 @@ def _with_elastic(model: Model, state: ConsistentState, q: np.ndarray, q_dot: np
     return replace(state, q=q, q_dot=q_dot, changed={**state.changed, **changed})
 
 
-def _told(model: Model, c: np.ndarray, t: float, state: ConsistentState) -> ConsistentState:
+def _told(model: EmittedModel, c: np.ndarray, t: float, state: ConsistentState) -> ConsistentState:
     """The state, with rigid coordinates that springs pull away from it named."""
     off = unsettled(model, c, t, state)
     if not off:
@@ -261,7 +261,7 @@ def _told(model: Model, c: np.ndarray, t: float, state: ConsistentState) -> Cons
     return replace(state, told=(*state.told, ("not_settled", text)))
 
 
-def unsettled(model: Model, c: np.ndarray, t: float, state: ConsistentState) -> dict[str, float]:
+def unsettled(model: EmittedModel, c: np.ndarray, t: float, state: ConsistentState) -> dict[str, float]:
     """Rigid coordinates at rest that their springs would move by more than UNSETTLED, and by how much [rad, m]."""
     if not model.has("deflections") or not model.has("condensed"):
         return {}
@@ -275,7 +275,7 @@ def unsettled(model: Model, c: np.ndarray, t: float, state: ConsistentState) -> 
     return {model.q_i[k]: abs(Q[k]) / stiffness[k] for k in rigid if abs(Q[k]) > UNSETTLED * stiffness[k]}
 
 
-def small_motion(model: Model, q_dot: np.ndarray) -> tuple[float, int]:
+def small_motion(model: EmittedModel, q_dot: np.ndarray) -> tuple[float, int]:
     """(time [s] in which the fastest coordinate but the elastic ones moves by SMALL_MOTION, its column); 0: at rest."""
     speeds = np.abs(q_dot)
     speeds[[model.coordinates.index(name) for name in model.elastic]] = 0.0
@@ -286,7 +286,7 @@ def small_motion(model: Model, q_dot: np.ndarray) -> tuple[float, int]:
 class ElasticEquilibrium:
     """Elastic coordinates (positions in q_i) for which q_e_ddot = 0 satisfies the equations, constants c (c_size,)."""
 
-    def __init__(self, model: Model, elastic: list[int], c: np.ndarray, unstable: bool) -> None:
+    def __init__(self, model: EmittedModel, elastic: list[int], c: np.ndarray, unstable: bool) -> None:
         self.model, self.elastic, self.c, self.unstable = model, elastic, c, unstable
         self._residual = elastic_residual(model)
 
@@ -326,7 +326,9 @@ def _soft(at: Balance) -> bool:
     return bool(np.linalg.matrix_rank(at[1]) < len(at[1]))
 
 
-def equilibrium_state(model: Model, p: np.ndarray, c: np.ndarray, t0: float, state: ConsistentState) -> ConsistentState:
+def equilibrium_state(
+    model: EmittedModel, p: np.ndarray, c: np.ndarray, t0: float, state: ConsistentState
+) -> ConsistentState:
     """The equilibrium reached from a state: all coordinates settle but those that turn, which keep their rates.
 
     Prescribed motions are held while it is sought, and begin with their rates. Raises InitialStateError.

@@ -8,14 +8,14 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
 from runtime.contract.coordinates import Initial, values_by_name
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.operating.given_state import given_state
 
 STARTS = ("given", "quasi_static", "quasi_static_unstable", "equilibrium")
 
 
 def start_state(
-    model: Model, p: np.ndarray, c: np.ndarray, t0: float, initial: Initial, start: str | None = None
+    model: EmittedModel, p: np.ndarray, c: np.ndarray, t0: float, initial: Initial, start: str | None = None
 ) -> ConsistentState:
     """Consistent q and q_dot for parameters p at t0, keeping the model's q_i except for the user's changes.
 
@@ -48,5 +48,5 @@ def start_state(
     return state
 
 
-def _names_elastic(model: Model, changes: Mapping[str, float]) -> bool:
+def _names_elastic(model: EmittedModel, changes: Mapping[str, float]) -> bool:
     return any(name in changes or f"{name}_dot" in changes for name in model.elastic)

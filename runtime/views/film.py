@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from runtime.contract.errors import ArgumentError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.views.curves import COLOURS
 from runtime.views.mechanism import GROUND, Body, Scenery, scenery, sharp_edges, still
 
@@ -22,24 +22,24 @@ if TYPE_CHECKING:
 AZIMUTH, ELEVATION = np.radians(-60.0), np.radians(22.0)
 
 
-def is_spatial(model: Model) -> bool:
+def is_spatial(model: EmittedModel) -> bool:
     """Does the mechanism move in three dimensions?"""
     return bool(model.drawing.get("space") == "spatial")
 
 
-def projected(model: Model, points: np.ndarray) -> np.ndarray:
+def projected(model: EmittedModel, points: np.ndarray) -> np.ndarray:
     """Picture coordinates (2, ...) of world points (3, ...)."""
     if not is_spatial(model):
         return points[:2]
     return np.tensordot(view_axes(up_axis(model)), points, axes=1)
 
 
-def axis_labels(model: Model) -> tuple[str, str]:
+def axis_labels(model: EmittedModel) -> tuple[str, str]:
     """Labels of the picture's axes."""
     return ("across [m]", f"{'xyz'[up_axis(model)]}, seen from above [m]") if is_spatial(model) else ("x [m]", "y [m]")
 
 
-def up_axis(model: Model) -> int:
+def up_axis(model: EmittedModel) -> int:
     """The world axis that gravity is along; without gravity z, y in a planar mechanism."""
     if not is_spatial(model):
         return 1
@@ -241,7 +241,7 @@ WIDTH, HIGHEST, MARGIN = 300.0, 200.0, 14.0  # pixels
 WIDTHS = {"beam": 3.0, "body": 4.0, "outline": 1.2, "spring": 1.2, "rod": 1.5}
 
 
-def model_sketch(model: Model) -> str:
+def model_sketch(model: EmittedModel) -> str:
     """SVG of the initial position with the default parameters; "" if there is nothing to draw."""
     if not model.has("geometry"):
         return ""

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import tilde
 from runtime.contract.records import ShapeRecord
 from runtime.results.body_motion import poses_of
@@ -177,7 +177,7 @@ class Body:
         return Points([""] * n, position, np.zeros((0, 3, 3)), shapes, np.zeros((0, 3, nf)), np.zeros((n, nf, nf)))
 
 
-def bodies(model: Model, p: np.ndarray) -> list[Body]:
+def bodies(model: EmittedModel, p: np.ndarray) -> list[Body]:
     """All bodies that have points, the ground among them, for the parameters p (n_p,).
 
     Raises ModelError if the model has nothing to draw.
@@ -323,7 +323,7 @@ class Scenery:
     model.drawing["poses"]; follow: of each body, what its joints show of its deformation.
     """
 
-    model: Model
+    model: EmittedModel
     t: np.ndarray
     q: np.ndarray
     origin: np.ndarray
@@ -421,12 +421,12 @@ def scenery(solution: Solution, t: np.ndarray) -> Scenery:
     return _at(solution.model, solution.parameters, t, np.asarray(solution.interpolate(t, "q")))
 
 
-def still(model: Model) -> Scenery:
+def still(model: EmittedModel) -> Scenery:
     """The mechanism as the scene starts it, with its own parameters. Raises ModelError if there is nothing to draw."""
     return _at(model, model.parameter_vector(), np.zeros(1), model.initial_q[None, :])
 
 
-def _at(model: Model, p: np.ndarray, t: np.ndarray, q: np.ndarray) -> Scenery:
+def _at(model: EmittedModel, p: np.ndarray, t: np.ndarray, q: np.ndarray) -> Scenery:
     """With parameters p (n_p,) at coordinates q (frames, n)."""
     found = bodies(model, p)
     origin, turn = poses_of(model, q)

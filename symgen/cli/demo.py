@@ -25,7 +25,7 @@ def demo(arguments: argparse.Namespace) -> Outcome:
     energy.png, solution.npz and .csv, and a report of methods: methods.md, methods.csv, error_time.png. What is advised
     is the main run; the scene's own scheme is beside it in difference.png.
     """
-    from runtime.contract.loading import load_model
+    from runtime.model import load_model
     from runtime.studies.advice.report import PAGE, PICTURE, TABLE, report
     from runtime.views import plots
     from runtime.views.report import run_report

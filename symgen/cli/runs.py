@@ -12,7 +12,7 @@ from symgen.cli.sources import builtin_name, is_folder, leave_model, opened_mode
 from symgen.cli.words import RUN, UsageError, settings
 
 if TYPE_CHECKING:
-    from runtime.contract.model import Model
+    from runtime.model import Model
     from runtime.results.solution import Solution
 
 BALANCE_REMARK = 0.01
@@ -137,7 +137,7 @@ def run_model(model: Model, arguments: argparse.Namespace, **kept: Any) -> Solut
 
 def results_of(folder: str | Path) -> Solution:
     """What `simulate --out` left in a folder. Raises UsageError."""
-    from runtime.contract.loading import load_model
+    from runtime.model import load_model
     from runtime.results.solution import Solution
 
     path = Path(folder)

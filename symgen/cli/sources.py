@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING
 from symgen.scenes import SCENES, current_folder, generated_folder
 
 if TYPE_CHECKING:
-    from runtime.contract.model import Model
+    from runtime.contract.model import EmittedModel
+    from runtime.model import Model
     from symgen.scene import SceneRecord
 
 MAX_COUNT = 1000
@@ -107,7 +108,7 @@ def opened_model(
     Functions of a scene are derived when a run asks for them. digest: of the model that is meant, where a run goes on;
     keep: folder of the model's files if that one was generated. Raises ModelError or SceneError.
     """
-    from runtime.contract.loading import load_model
+    from runtime.model import load_model
 
     name = builtin_name(word)
     if name is not None and not made_with and (folder := current_folder(name)):
@@ -127,7 +128,7 @@ def opened_text(name: str, text: str, digest: str, keep: Path | None = None) -> 
 
     Raises ModelError or SceneError.
     """
-    from runtime.contract.loading import load_model
+    from runtime.model import load_model
 
     known = builtin_name(name)
     if known is not None and (folder := current_folder(known)) and _scene_text(folder) == text:
@@ -139,7 +140,7 @@ def opened_text(name: str, text: str, digest: str, keep: Path | None = None) -> 
 
 def _derived(scene: SceneRecord, keep: Path | None, digest: str | None) -> Model:
     """On demand, unless the digest says that it was generated: into the folder to keep, or one for this moment."""
-    from runtime.contract.loading import load_model
+    from runtime.model import load_model
     from symgen.generate import digest_on_demand, generate, model_of
 
     if digest is None or digest == digest_on_demand(scene.to_toml()):
@@ -166,7 +167,7 @@ def try_leaving_model(folder: Path) -> None:
     try_writing(folder / MANIFEST)
 
 
-def leave_model(model: Model, folder: Path) -> None:
+def leave_model(model: EmittedModel, folder: Path) -> None:
     """The files of a model that ran: those of its folder, or what was derived for the run. Raises SceneError."""
     if not model.folder:
         from symgen.generate import leave

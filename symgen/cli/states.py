@@ -13,7 +13,7 @@ from symgen.cli.sources import opened_model
 from symgen.cli.words import UsageError, settings
 
 if TYPE_CHECKING:
-    from runtime.contract.model import Model
+    from runtime.model import Model
     from runtime.operating.equilibrium import Equilibrium
 
 

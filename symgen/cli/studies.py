@@ -11,7 +11,7 @@ from symgen.cli.sources import opened_model
 from symgen.cli.words import MOTION, UsageError, motion_words, settings
 
 if TYPE_CHECKING:
-    from runtime.contract.model import Model
+    from runtime.model import Model
     from runtime.orbits.branch import PeriodicBranch
     from runtime.studies.advice.advise import Advice
     from runtime.studies.stability.chart import StabilityChart

@@ -18,7 +18,7 @@ from symgen.schema.errors import SceneError, show
 from symgen.schema.fields import Meaning, StrictModel
 
 if TYPE_CHECKING:
-    from runtime.contract.model import Model
+    from runtime.model import Model
 
 MAX_NESTING = 20
 

@@ -17,8 +17,7 @@ from typing import TYPE_CHECKING
 
 from runtime.contract.errors import ModelError
 from runtime.contract.files import cache_folder, refused_folder, stamp_of
-from runtime.contract.loading import load_model
-from runtime.contract.model import Model
+from runtime.model import Model, load_model
 
 if TYPE_CHECKING:
     from symgen.scene.scene import SceneRecord

@@ -20,7 +20,7 @@ from symgen.scene.translate import scene_errors
 from symgen.schema.errors import SceneError, raise_all, show
 
 if TYPE_CHECKING:
-    from runtime.contract.model import Model
+    from runtime.model import Model
 
 
 def scene_card(scene: SceneParts) -> str:

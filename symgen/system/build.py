@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from runtime.contract.arguments import opened
 from runtime.contract.consistent_state import GivenValues
 from symgen.algebra.parameters import ParameterTable
 from symgen.scene import BeamBody, InitialValue, SceneRecord, SpatialModalBody, with_ends
@@ -18,8 +17,6 @@ from symgen.system.orientations import Orientations, orientations_of
 from symgen.system.signals import input_units
 from symgen.system.structure import structure_equations
 from symgen.system.topology import Topology, topology_of
-
-SPACES = {"planar": "symgen.system.planar:PlanarSpace", "spatial": "symgen.system.spatial:SpatialSpace"}
 
 
 @dataclass(frozen=True)
@@ -102,20 +99,31 @@ def build_system(scene: SceneRecord) -> System:
     scene = with_ends(scene)
     table, topology, orientations = ParameterTable(scene), topology_of(scene), Orientations()
     if scene.structure is not None:
-        equations = reduced = structure_equations(scene, table)
-    else:
-        blank = _blank(scene)
-        space = opened(SPACES[scene.space])(scene, table, blank, topology)
-        built = Mechanism(scene, table, space, blank, topology)
-        equations = reduced = built.equations
-    equations.measures |= equations.u
-    equations.measure_units |= input_units(scene)
-    if scene.structure is None and scene.space == "spatial":
-        from symgen.system.reduced import reduced_equations
+        equations = reduced = _with_inputs(structure_equations(scene, table), scene)
+    elif scene.space == "planar":
+        from symgen.system.planar import PlanarSpace
 
+        blank = _blank(scene)
+        plane = PlanarSpace(scene, table, blank, topology)
+        equations = reduced = _with_inputs(Mechanism(scene, table, plane, blank, topology).equations, scene)
+    else:
+        from symgen.system.reduced import reduced_equations
+        from symgen.system.spatial import SpatialSpace
+
+        blank = _blank(scene)
+        space = SpatialSpace(scene, table, blank, topology)
+        built = Mechanism(scene, table, space, blank, topology)
+        equations = _with_inputs(built.equations, scene)
         orientations = orientations_of(scene, topology)
         reduced = reduced_equations(built, space, orientations)
     return System(equations, reduced, table, topology, requested_by(scene), orientations)
+
+
+def _with_inputs(equations: Equations, scene: SceneRecord) -> Equations:
+    """The equations, their inputs now among the measures."""
+    equations.measures |= equations.u
+    equations.measure_units |= input_units(scene)
+    return equations
 
 
 def _blank(scene: SceneRecord) -> Equations:

@@ -11,7 +11,7 @@ import pytest
 
 from runtime import InitialStateError, ModelError, SchemeError, load_model, simulate
 from runtime.contract.errors import SymgenError
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.generate import generate
 from symgen.pipeline import derive
 from symgen.scene import Scene, SceneError

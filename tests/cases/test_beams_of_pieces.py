@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from runtime import modes, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 
 pytestmark = pytest.mark.long

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from runtime import simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.results.solution import Solution
 from symgen.scene import SceneRecord
 from symgen.scenes.spatial import heavy_top, tumbling_body

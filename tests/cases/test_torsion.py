@@ -11,7 +11,7 @@ import pytest
 from scipy.linalg import eigh
 
 from runtime import equilibrium, modes
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.fe import LineMesh, Material, Section
 from symgen.fe.frame import frame_structure
 from symgen.scene import BeamBody, Scene, SceneError, SceneRecord, with_ends

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from runtime import ensemble
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.cli import main
 
 SWEEP = ["sweep", "pendulum", "--over", "length=lin:0.9:1.1:3", "--over", "rod.theta_dot=0.5,2", "--t-end", "0.02"]

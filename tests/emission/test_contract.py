@@ -23,7 +23,6 @@ MOST_BARE_NUMBERS = 0.05
 TAKING_APART = {"partition", "rpartition", "split", "rsplit", "startswith", "endswith", "removesuffix", "removeprefix"}
 # text that is no name of a coordinate, row or parameter: commands, file endings, module names, keys of arrays, methods
 READERS_OF_TEXT = {
-    "runtime/contract/arguments.py",  # paths of what is imported
     "runtime/contract/files.py",  # names of temporary files
     "runtime/engine/c_source.py",  # C
     "runtime/export/c_bundle.py",  # names in C

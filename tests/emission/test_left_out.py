@@ -10,7 +10,7 @@ import pytest
 
 from runtime import load_model, simulate
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen import generate as generating
 from symgen.cli import main
 from symgen.cli.runs import results_of

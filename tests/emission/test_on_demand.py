@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from runtime import load_model, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.running.monitor import CloseLook
 from runtime.running.problem import make_plan

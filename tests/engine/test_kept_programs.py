@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from runtime import load_model, simulate
-from runtime.contract.model import Model
 from runtime.engine import kept_programs
 from runtime.engine.object_cache import ObjectCache
+from runtime.model import Model
 from runtime.results.solution import Solution
 from runtime.schemes import scheme as schemes
 from runtime.schemes import stepper

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from runtime import ensemble, gradient, simulate
-from runtime.contract.model import Model
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.llvm_code import BEST, FIRST, Effort, Processor, host
 from runtime.engine.native import NativeProgram
 from runtime.engine.program import Form
 from runtime.gradients.objectives import End
+from runtime.model import Model
 from tests.support.step_programs import StepProgram, step_program
 
 Load = Callable[[str], Model]

@@ -11,11 +11,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runtime.contract.model import Model
 from runtime.engine import object_cache
 from runtime.engine.llvm_code import BEST, FIRST
 from runtime.engine.object_cache import ObjectCache
 from runtime.engine.program import Form
+from runtime.model import Model
 from symgen.cli import main
 from tests.support.step_programs import step_program
 

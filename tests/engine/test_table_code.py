@@ -14,7 +14,6 @@ import pytest
 
 from benchmarks.contenders.by_c_compiler import CompiledProgram
 from runtime import DifferentiableRun, ensemble, load_model, resume, simulate
-from runtime.contract.model import Model
 from runtime.contract.tape import Table, as_function, mark, read_tape, shared
 from runtime.engine.c_source import find_compiler
 from runtime.engine.llvm_code import BEST, FIRST
@@ -22,6 +21,7 @@ from runtime.engine.native import LaneCode, blocks_of, choose_engine
 from runtime.engine.program import Call, Form, operations_per_step
 from runtime.engine.rows import ManyPoints
 from runtime.gradients.objectives import End
+from runtime.model import Model
 from runtime.schemes.switching.enclosure import TableBounds
 from symgen.generate import generate
 from symgen.scene import CurveTable, Scene, SceneRecord

@@ -10,9 +10,9 @@ from pathlib import Path
 
 import numpy as np
 
-from runtime.contract.model import Model
 from runtime.engine.c_source import find_compiler
 from runtime.export.c_bundle import Exported, exported, write_c
+from runtime.model import Model
 
 STRICT = ("-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror")
 

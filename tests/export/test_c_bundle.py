@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 from runtime import ModelError
-from runtime.contract.model import Model
 from runtime.engine import c_source
 from runtime.engine.c_source import find_compiler
 from runtime.export.c_bundle import exported, write_c
+from runtime.model import Model
 from symgen.cli import main
 from symgen.scene import Scene, SceneRecord
 from tests.export.bundles import STRICT, bundle

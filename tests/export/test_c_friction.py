@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime.contract.model import Model
 from runtime.engine.c_source import find_compiler
+from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 from tests.export.bundles import bundle
 

@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 
 from runtime import ModelError, simulate
-from runtime.contract.model import Model
 from runtime.engine.c_source import find_compiler
 from runtime.export.c_bundle import exported, write_c
+from runtime.model import Model
 from symgen.scene import Scene, SceneRecord, trapezoid
 from tests.export.bundles import STRICT, Bundle, bundle
 

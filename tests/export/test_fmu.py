@@ -13,11 +13,11 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from runtime import ModelError, reference_solution, simulate
-from runtime.contract.model import Model
 from runtime.engine.c_source import find_compiler
 from runtime.export import fmu
 from runtime.export.c_bundle import exported
 from runtime.export.fmu import this_platform, write_fmu
+from runtime.model import Model
 from symgen.cli import main
 from symgen.scene import Scene, SceneRecord
 from tests.export.test_c_stops import kinks, relay

@@ -15,9 +15,9 @@ from pathlib import Path
 
 import pytest
 
-from runtime.contract.model import Model
 from runtime.export.c_bundle import exported
 from runtime.export.fmu import PLATFORMS, this_platform, write_fmu
+from runtime.model import Model
 from symgen.scene import SceneRecord
 from tests.export.test_c_rigid_stops import links
 

@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime.contract.model import Model
 from runtime.engine.c_source import find_compiler
 from runtime.export.c_bundle import exported
 from runtime.export.fmu import write_fmu
+from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 from tests.export.test_c_friction import block
 from tests.export.test_c_friction import links as rubbing

@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
-from runtime.contract.model import Model
 from runtime.engine.c_source import find_compiler
 from runtime.export.c_bundle import exported
 from runtime.export.fmu import this_platform, write_fmu
+from runtime.model import Model
 
 # all functions that fmi2Functions.h and fmi3Functions.h declare, of 2.0 and 3.0
 DECLARED = {

@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 
 from runtime import Solution, simulate
 from runtime.contract.flexible import BodyMotion, MarkerForce
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.fe import FiniteElementError, FlexibleBody, Material
 from symgen.scene import Scene, SceneRecord
 

@@ -10,7 +10,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from runtime import modes, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.fe import FiniteElementError, FlexibleBody, LineMesh, Material, Section
 from symgen.fe.inertia import stress_stiffening
 from symgen.fe.static import held_solve

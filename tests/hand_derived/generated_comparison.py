@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.model import Model
+from runtime.model import Model
 from tests.support.model_values import evaluate, make_state, relative_error
 
 TOLERANCE = 1e-12  # of the largest entry

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.modes.beam import exact_bending
 from symgen.scene import Scene, SceneRecord
 from tests.hand_derived import twin_driven_slider_crank, twin_flexible_slider_crank, twin_hub_beam

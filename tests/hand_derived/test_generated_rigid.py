@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 from tests.hand_derived import twin_double_pendulum, twin_four_bar, twin_pendulum, twin_slider_crank
 from tests.hand_derived.generated_comparison import compare

@@ -9,7 +9,9 @@ import sys
 from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 from graphlib import TopologicalSorter
+from importlib import import_module
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import pytest
@@ -17,7 +19,6 @@ import pytest
 import generated
 import runtime
 import symgen
-from runtime.contract.arguments import opened
 from runtime.schemes.catalogue import SCHEMES
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -42,7 +43,8 @@ RUNTIME_ROOMS = {
     "orbits": "contract schemes results operating running gradients",
     "studies": "baselines contract engine schemes start results operating running",
     "views": "contract results operating orbits",
-    "": "contract schemes results operating baselines running gradients orbits studies views",
+    "model": "contract operating baselines running export gradients orbits studies views",
+    "": "contract schemes results operating baselines running gradients orbits studies views model",
 }
 SYMGEN_ROOMS = {
     "notation": "",
@@ -72,12 +74,14 @@ SYMGEN_ROOMS = {
 ROOMS = {"runtime": RUNTIME_ROOMS, "symgen": SYMGEN_ROOMS}
 # Imports inside functions that point upwards, (module, what it imports): none is meant to stay.
 UPWARDS = {
-    ("runtime.contract.model", "runtime.operating.dynamics"),
-    ("runtime.contract.model", "runtime.views.film"),
     ("runtime.gradients.fit", "runtime.views.plots"),
     ("runtime.orbits.branch", "runtime.views.plots"),
     ("runtime.orbits.branch", "runtime.views.viewer.branch_page"),
     ("runtime.results.samples", "runtime.results.export"),
+    ("runtime.results.solution", "runtime.views.animation"),
+    ("runtime.results.solution", "runtime.views.plots"),
+    ("runtime.results.solution", "runtime.views.report"),
+    ("runtime.results.solution", "runtime.views.viewer.page"),
     ("runtime.running.monitor", "runtime.running.diagnose"),
     ("runtime.running.problem", "runtime.running.ladder"),
     ("runtime.running.record", "runtime.running.columns"),
@@ -185,11 +189,11 @@ def test_generated_code_imports_casadi_only() -> None:
 
 def beyond_the_contract(path: Path) -> list[str]:
     taken = [name for name in imports(path) if within(name, "runtime")]
-    return [name for name in taken if not within(name, "runtime.contract")]
+    return [name for name in taken if not within(name, "runtime.contract") and not within(name, "runtime.model")]
 
 
 def test_derivation_takes_from_the_runtime_the_contract_only() -> None:
-    """All but the command line, which is there to bring both halves together."""
+    """And the class of models, which it gives to users; the command line is there to bring both halves together."""
     found = offences(beyond_the_contract, "symgen")
     assert not {name: taken for name, taken in found.items() if not within(name, "symgen.cli")}
 
@@ -249,16 +253,21 @@ def test_imports_follow_the_map() -> None:
     assert not offences(against_the_map, "runtime", "symgen")
 
 
-def test_paths_that_are_opened_lead_somewhere() -> None:
-    """Those that are written out; of the catalogue of schemes, all that it names."""
-    found = [
-        node.args[0].value
-        for path in files("runtime", "symgen")
-        for node in ast.walk(tree(path))
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "opened"
-        if isinstance(node.args[0], ast.Constant)
-    ]
-    assert all(opened(str(place)) is not None for place in found)
+@pytest.mark.parametrize("package", [runtime, symgen], ids=lambda package: package.__name__)
+def test_public_names_are_imported_from_where_type_checkers_see_them(package: ModuleType) -> None:
+    """A package gives its names when they are asked for; the imports that it shows to type checkers say the same."""
+    content = tree(Path(str(package.__file__)))
+    (block,) = [node for node in content.body if for_types(node)]
+    shown = {
+        alias.name: node.module for node in ast.walk(block) if isinstance(node, ast.ImportFrom) for alias in node.names
+    }
+    assert set(shown) == set(package.__all__)
+    for name, module in shown.items():
+        at_home = getattr(import_module(str(module)), name, None) or import_module(f"{module}.{name}")
+        assert getattr(package, name) is at_home, name
+
+
+def test_every_scheme_of_the_catalogue_can_be_imported() -> None:
     assert all(kind.make and kind.options for kind in SCHEMES.values())
 
 

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from benchmarks.scenes.arm import arm
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.stage_equations import LinearisedEquations
 from symgen.notation.fields import FIELDS

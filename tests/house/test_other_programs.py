@@ -12,7 +12,7 @@ from benchmarks.contenders.exudyn_arm import MODULUS
 from benchmarks.contenders.exudyn_floating_arm import Mesh
 from benchmarks.harness.matched import Attempt, match
 from benchmarks.scenes.arm import arm
-from runtime.contract.model import Model
+from runtime.model import Model
 
 pytestmark = pytest.mark.long
 

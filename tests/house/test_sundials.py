@@ -11,7 +11,7 @@ import pytest
 from benchmarks.contenders.external import External
 from benchmarks.contenders.sundials import METHODS, Sundials
 from runtime.baselines.condensed_ode import start_of
-from runtime.contract.model import Model
+from runtime.model import Model
 
 Load = Callable[..., Model]
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from runtime import reference_solution
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 from tests.support.augmented import augmented_run
 

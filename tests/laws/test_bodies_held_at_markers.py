@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.bodies.spatial_moments import SpatialIntegrals, SpatialPoint
 from symgen.scene import Scene, SceneRecord
 from symgen.scenes.spatial import ROD

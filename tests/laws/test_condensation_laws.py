@@ -12,7 +12,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scenes import SCENES
 from tests.support.model_values import (
     Array,

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from runtime import simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.results import observe
 from runtime.results.observe import assemble_solution
 from runtime.schemes.catalogue import SCHEMES

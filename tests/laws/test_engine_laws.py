@@ -9,10 +9,10 @@ import pytest
 
 from benchmarks.contenders.by_c_compiler import CompiledProgram
 from runtime import simulate
-from runtime.contract.model import Model
 from runtime.engine.c_source import find_compiler
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.program import Layout, Program, Sequence, make_stage
+from runtime.model import Model
 from runtime.running.simulate import make_plan
 from runtime.schemes.stepper import start_vector
 from symgen.scenes import SCENES

@@ -11,8 +11,8 @@ import pytest
 
 from benchmarks.scenes.arm import arm
 from runtime import resume, simulate
-from runtime.contract.model import Model
 from runtime.contract.tape import arithmetic
+from runtime.model import Model
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
 from runtime.studies.stability.spectra import TangentStep

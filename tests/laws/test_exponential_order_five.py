@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.schemes import exponential
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError

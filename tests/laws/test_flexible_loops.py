@@ -14,7 +14,7 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.coordinates import independent
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.studies.stability.chart import StabilityStudy, states_along
 from runtime.studies.stability.spectra import ExactMotion
 from symgen.scene import Scene, SceneRecord

@@ -9,11 +9,11 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from runtime.contract.model import Model
 from runtime.contract.tape import as_function, read_tape
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.prepare import hoist_invariants, prepare, widened
 from runtime.engine.program import Program, Repeat, Sequence
+from runtime.model import Model
 from runtime.running.simulate import make_plan
 from runtime.schemes.stepper import start_vector
 

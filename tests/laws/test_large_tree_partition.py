@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from benchmarks.scenes.arm import arm
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import SceneRecord
 from tests.support.prepared_runs import PreparedRuns
 

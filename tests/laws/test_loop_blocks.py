@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from runtime import load_model
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.algebra.small_systems import solve_small
 from symgen.condensed.loops import order_blocks
 from symgen.generate import generate

@@ -9,7 +9,7 @@ import pytest
 
 from benchmarks.cases.hard_by_points import BY_POINTS
 from benchmarks.scenes.hard_suite import HARD_SUITE
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import SceneRecord
 from tests.support.model_values import condensed_accelerations, random_states
 

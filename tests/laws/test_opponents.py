@@ -10,9 +10,9 @@ import pytest
 
 from benchmarks.contenders.sundials import sundials_solution
 from runtime import Solution, reference_solution, simulate
-from runtime.contract.model import Model
 from runtime.engine.c_source import find_compiler
 from runtime.engine.llvm_code import find_llvm
+from runtime.model import Model
 from runtime.schemes.options import SchemeError
 from runtime.schemes.radau import NODES, SHIFTS, A
 

@@ -16,9 +16,9 @@ from scipy.integrate import solve_ivp
 
 from runtime import equilibrium, linearise, resume, simulate
 from runtime.contract.coordinates import independent
-from runtime.contract.model import Model
 from runtime.contract.tape import as_function
 from runtime.gradients.differentiable_run import DifferentiableRun
+from runtime.model import Model
 from runtime.operating.mode_solver import state_at
 from runtime.results.solution import Solution
 from runtime.schemes.catalogue import scheme_kind

@@ -17,7 +17,7 @@ from scipy.integrate import solve_ivp
 
 from runtime import ensemble, linearise, resume, simulate
 from runtime.contract.coordinates import independent, loop_part
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.studies.ensemble.starts import in_lanes
 from symgen.scene import Scene, SceneRecord

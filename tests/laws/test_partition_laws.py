@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from runtime import simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.running.problem import make_plan
 from runtime.running.singular import exchange
 from runtime.running.singular.exchange import carried, variant_of

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.pipeline import derive
 from symgen.scene import Scene, SceneRecord
 from symgen.scenes.linkages import four_bar, slider_crank

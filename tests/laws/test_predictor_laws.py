@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from runtime import reference_solution, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.running.simulate import make_plan
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import Stepper

@@ -11,8 +11,8 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.coordinates import independent
-from runtime.contract.model import Model
 from runtime.engine.interpreted import program_function
+from runtime.model import Model
 from runtime.running.simulate import make_plan
 from runtime.schemes.stepper import Stepper
 from symgen.scene import Scene, SceneRecord

@@ -9,7 +9,7 @@ import pytest
 
 from runtime import equilibrium, simulate
 from runtime.contract.consistent_state import InitialStateError
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.start.start_state import start_state
 from symgen.scene import Scene, SceneRecord
 from tests.support.model_values import Array, condensed_accelerations, evaluate, make_state

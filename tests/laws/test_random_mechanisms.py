@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.linalg import eigvals
 
 from runtime import load_model, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.generate import generate, model_of
 from symgen.scene import SceneRecord
 from tests.support.augmented import augmented_run

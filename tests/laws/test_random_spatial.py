@@ -10,7 +10,7 @@ from hypothesis import HealthCheck, Phase, assume, given, settings
 
 from runtime import load_model
 from runtime.contract.coordinates import independent_part, loop_part, turned_by
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.running.singular.exchange import by_velocities
 from symgen.generate import generate
 from symgen.scene import SceneRecord

@@ -10,7 +10,7 @@ import pytest
 from scipy.linalg import null_space
 
 from runtime import load_model, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene
 from tests.support.augmented import augmented_accelerations, augmented_run

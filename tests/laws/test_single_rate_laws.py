@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from runtime import simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 from tests.support.model_values import Array, evaluate, make_state
 

@@ -12,7 +12,7 @@ import pytest
 import sympy as sp
 
 from runtime import simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.operating.mode_solver import State
 from runtime.results.stream import StreamFile
 from runtime.running.singular.exchange import best_exchange

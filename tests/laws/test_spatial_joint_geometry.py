@@ -9,7 +9,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from runtime import simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 from tests.hand_derived.spatial.twin_flexible_nodes import scattered
 from tests.support.joint_comb import MORE, OTHERS, PLACING, comb, rigid

@@ -12,7 +12,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.generate import model_of
 from symgen.scene import SceneRecord
 from tests.support.joint_comb import (

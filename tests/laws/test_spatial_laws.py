@@ -10,7 +10,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from runtime import reference_solution
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 from tests.hand_derived.spatial import (
     spatial_scenes,

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from runtime import simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.studies.stability import chart as limits
 from runtime.studies.stability.chart import StabilityStudy, states_along
 from runtime.studies.stability.spectra import ExactMotion

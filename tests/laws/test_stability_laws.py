@@ -10,7 +10,7 @@ import pytest
 import scipy.linalg
 
 from runtime import simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.solution import Solution
 from runtime.schemes.catalogue import scheme_kind

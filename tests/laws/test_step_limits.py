@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from runtime import simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.operating.mode_solver import ModeSolver
 from runtime.schemes.runge_kutta import ClassicalRungeKutta, DormandPrince8, ExplicitRungeKutta
 from runtime.schemes.step_limit import central_difference_limit, limit_between_the_axes

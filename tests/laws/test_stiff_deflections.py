@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from benchmarks.scenes.arm import arm
-from runtime.contract.model import Model
 from runtime.contract.tape import arithmetic
 from runtime.engine.prepare import prepare
+from runtime.model import Model
 from runtime.operating.mode_solver import State
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.operating.mode_solver import State
 from runtime.schemes.catalogue import scheme_kind
 from runtime.studies.stability.chart import SHARE_OF_FREQUENCY, StabilityStudy

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from runtime import simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import SceneRecord
 from symgen.scenes import SCENES
 from tests.support.model_values import Array

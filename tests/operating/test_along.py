@@ -10,7 +10,7 @@ import pytest
 
 from runtime import plots, simulate
 from runtime.contract.errors import ArgumentError
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.operating.campbell import frequencies_along
 
 Load = Callable[[str], Model]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from runtime import load_model, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene, SceneRecord
 

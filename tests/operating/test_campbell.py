@@ -12,7 +12,7 @@ import pytest
 
 from runtime import campbell, modes, unbalance_response
 from runtime.contract.errors import ModelError, NoResult
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.views.plots import campbell_picture
 from symgen.scene import Scene, SceneRecord
 from tests.support.rotor_scenes import gimbal, jeffcott

@@ -11,8 +11,8 @@ import pytest
 
 from runtime import InitialStateError, ModelError
 from runtime.contract.coordinates import independent
-from runtime.contract.model import Model
 from runtime.contract.orientations import rotation
+from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 from tests.support.model_values import evaluate, random_states
 

@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 from runtime import NoEquilibrium, equilibrium, linearise, modes, simulate
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.start.start_state import start_state
 from symgen.scene import Scene, SceneRecord
 from tests.support.scenes import on_hinge

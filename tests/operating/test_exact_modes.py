@@ -10,7 +10,7 @@ import pytest
 from scipy.optimize import brentq
 
 from runtime import equilibrium, linearise, modes
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.operating.linearisation import modal_analysis
 from symgen.scene import Scene, SceneRecord
 from symgen.scenes.beams import spin_up_beam

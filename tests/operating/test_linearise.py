@@ -10,7 +10,7 @@ import pytest
 
 from runtime import equilibrium, linearise, mode_motion
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 from symgen.scenes.beams import hub_beam
 from tests.support.model_values import condensed_accelerations, evaluate, make_state

@@ -11,8 +11,8 @@ from scipy.linalg import expm
 
 from runtime import ensemble, equilibrium, gradient, linearise, simulate
 from runtime.contract.errors import ArgumentError
-from runtime.contract.model import Model
 from runtime.gradients.objectives import End
+from runtime.model import Model
 from runtime.operating.equilibrium import NoEquilibrium
 from symgen.scene import Scene, SceneRecord
 from tests.support.input_scenes import cart, crane, wave

@@ -11,9 +11,9 @@ import pytest
 
 from runtime import ensemble, simulate
 from runtime.contract.errors import ArgumentError, ModelError
-from runtime.contract.model import Model
 from runtime.export.c_bundle import exported
 from runtime.gradients.objectives import Formula
+from runtime.model import Model
 from tests.support.input_scenes import cart
 
 SHORT: dict[str, Any] = {"t_end": 0.01, "dt": 1e-3, "scheme": "rk4"}

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from runtime import equilibrium, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 from symgen.schema.errors import SceneError
 

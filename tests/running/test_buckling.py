@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from runtime import Solution, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.fe import STEEL, FlexibleBody, LineMesh, Section
 from symgen.scene import Scene, SceneRecord
 

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from runtime import ModelError, SchemeError, Solution, load_model, resume, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.running.checkpoint import read_checkpoint
 from runtime.schemes.catalogue import SCHEMES
 from symgen.generate import generate

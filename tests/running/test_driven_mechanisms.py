@@ -10,7 +10,7 @@ import pytest
 
 from runtime import SchemeError, simulate
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.studies.stability.chart import stability_chart
 from symgen.cli import main
 from symgen.scene import Scene, SceneRecord

@@ -13,12 +13,12 @@ import pytest
 from benchmarks.contenders.by_c_compiler import CompiledProgram, compile_source, program_source
 from runtime import load_model, simulate
 from runtime.contract.errors import CompilerError
-from runtime.contract.model import Model
 from runtime.engine import c_source, llvm_code
 from runtime.engine.c_source import find_compiler
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.llvm_code import NoLlvm
 from runtime.engine.prepare import prepare
+from runtime.model import Model
 from runtime.running.monitor import Monitor
 from runtime.running.simulate import make_plan
 from runtime.schemes.stepper import start_vector

@@ -17,7 +17,7 @@ from runtime import (
     resume,
     simulate,
 )
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.cli import main
 from symgen.scene import Scene, SceneError, SceneRecord
 from tests.support.input_scenes import cart, crane, wave

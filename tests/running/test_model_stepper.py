@@ -10,7 +10,7 @@ from scipy.linalg import expm
 
 from runtime import SchemeError, equilibrium, simulate
 from runtime.contract.errors import ArgumentError, ModelError
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import SceneRecord
 from tests.support.scenes import on_rail
 

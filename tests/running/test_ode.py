@@ -10,7 +10,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from runtime import ModelError, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 
 Load = Callable[[str], Model]

@@ -14,7 +14,7 @@ import pytest
 
 from runtime import resume, simulate
 from runtime.contract.files import STALE, OutputError, replacing, write_text
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.results.stream import ROWS, StreamFile, read_blocks
 from runtime.running.checkpoint import Checkpoint
 from runtime.schemes.options import SchemeError

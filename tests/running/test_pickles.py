@@ -14,7 +14,7 @@ import pytest
 from runtime import load_model, simulate
 from runtime.contract import loading
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.generate import generate
 from symgen.scene import SceneRecord
 from tests.support.scenes import on_rail

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from runtime import load_model, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.schemes import stepper
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import kept_stepper

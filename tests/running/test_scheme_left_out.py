@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from runtime import ensemble, output_jacobian, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.schemes.options import SchemeError
 from symgen.scene import Scene, SceneRecord
 

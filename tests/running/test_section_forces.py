@@ -11,7 +11,7 @@ import pytest
 
 from runtime import Solution, simulate
 from runtime.contract.errors import ArgumentError, ModelError
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.bodies.beam_sets import missing_share
 from symgen.cli import main
 from symgen.modes.beam import exact_bending

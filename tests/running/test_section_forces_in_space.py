@@ -10,7 +10,7 @@ import pytest
 
 from runtime import Solution, simulate
 from runtime.contract.coordinates import independent
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.results.body_motion import frame_motion
 from symgen.scene import Scene, SceneRecord
 from tests.hand_derived.spatial.twin_spatial import euler_A

@@ -12,7 +12,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from runtime import Solution, resume, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.running.singular import crossing, passage
 from runtime.running.singular.crossing import BranchLost
 from symgen.generate import model_of as model_of_scene

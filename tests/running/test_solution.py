@@ -13,7 +13,6 @@ from scipy.io import loadmat
 from runtime import load_model, simulate
 from runtime.contract.errors import ModelError
 from runtime.contract.files import OutputError, replacing, write_text
-from runtime.contract.model import Model
 from runtime.contract.records import (
     BodyRecord,
     Constraint,
@@ -27,6 +26,7 @@ from runtime.contract.records import (
     PointRecord,
 )
 from runtime.contract.status import Status
+from runtime.model import Model
 from runtime.operating.linearise import linearise
 from runtime.results.export import as_json
 from runtime.results.solution import Solution

@@ -20,8 +20,8 @@ from runtime import (
     resume,
     simulate,
 )
-from runtime.contract.model import Model
 from runtime.gradients.objectives import End
+from runtime.model import Model
 from symgen.scene import Scene, SceneError, SceneRecord
 from tests.support.augmented import augmented_run
 from tests.support.scenes import on_rail

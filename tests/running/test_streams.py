@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from runtime import ModelError, Solution, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.results.stream import read_blocks
 
 Load = Callable[[str], Model]

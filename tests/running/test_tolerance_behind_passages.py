@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from runtime import simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 from tests.support.slider_cranks import driven_slider_crank, loop
 

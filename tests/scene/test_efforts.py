@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import Scene, SceneError, SceneRecord
 from tests.support.model_values import evaluate, random_states
 

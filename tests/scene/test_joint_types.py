@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from runtime import simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.algebra.scalar import ZERO
 from symgen.joints import JOINTS
 from symgen.scene import Scene, SceneError, SceneRecord

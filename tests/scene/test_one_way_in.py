@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 import runtime
-from runtime.contract.arguments import Door
-from runtime.contract.model import Model
+from runtime.contract.lazy_method import LazyMethod
+from runtime.model import Model
 from runtime.results.solution import Solution
 from symgen import Scene, SceneError, load_model
 from symgen.generate import generate
@@ -26,7 +26,9 @@ scene = Scene("kept").rigid("rod", mass=2.0, inertia=0.3, free=True).rates({"rod
 assert scene.model().simulate(t_end=0.01).status.ok
 print(*sys.modules)
 """
-DOORS = [(kind, name) for kind in (Model, Solution) for name, one in vars(kind).items() if isinstance(one, Door)]
+METHODS = [
+    (kind, name) for kind in (Model, Solution) for name, one in vars(kind).items() if isinstance(one, LazyMethod)
+]
 
 
 def pendulum(length: float = 1.0) -> Scene:
@@ -92,7 +94,7 @@ def test_a_file_is_a_scene_to_which_more_is_added(tmp_path: Path, cache: Path) -
     assert scene.measure("angle", "coordinate", of="rod.theta").model().measures[0] == "angle"
 
 
-@pytest.mark.parametrize(("kind", "name"), DOORS, ids=[f"{kind.__name__}.{name}" for kind, name in DOORS])
+@pytest.mark.parametrize(("kind", "name"), METHODS, ids=[f"{kind.__name__}.{name}" for kind, name in METHODS])
 def test_methods_show_what_they_take(kind: type, name: str) -> None:
     """Each takes the object first, names every argument, and says what it does."""
     function = getattr(kind, name)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from runtime import load_model, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.results.solution import Solution
 from symgen.generate import generate
 from symgen.joints import JOINTS

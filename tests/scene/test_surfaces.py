@@ -12,8 +12,8 @@ import pytest
 from scipy.interpolate import CubicSpline, RegularGridInterpolator
 
 from runtime import simulate
-from runtime.contract.model import Model
 from runtime.contract.tape import read_tape
+from runtime.model import Model
 from symgen.scene import Scene, SceneError, SceneRecord, SurfaceTable
 
 Build = Callable[[SceneRecord], Model]

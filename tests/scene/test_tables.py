@@ -12,7 +12,7 @@ import pytest
 from scipy.interpolate import CubicSpline, PchipInterpolator
 
 from runtime import DifferentiableRun, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import CurveTable, Scene, SceneError, SceneRecord
 
 Build = Callable[[SceneRecord], Model]

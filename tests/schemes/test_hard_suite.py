@@ -11,7 +11,7 @@ import pytest
 from benchmarks.scenes.hard_suite import HARD_SUITE, HardCase
 from runtime import simulate
 from runtime.contract.coordinates import followed
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.results.solution import Solution
 from symgen.generate import model_of as on_demand
 from symgen.scene import SceneRecord

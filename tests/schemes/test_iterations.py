@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from runtime import simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.schemes.radau import lagrange
 from symgen.scene import SceneRecord
 from tests.support.scenes import on_rail

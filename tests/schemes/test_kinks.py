@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.running.simulate import simulate
 from runtime.running.stepping import ModelStepper
 from symgen.scene import Scene, SceneRecord

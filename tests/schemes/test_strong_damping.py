@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from runtime import simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import SceneRecord
 
 pytestmark = pytest.mark.long

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from runtime import ModelError
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.schemes.switching import times
 from runtime.schemes.switching.enclosure import Enclosure
 from runtime.schemes.switching.times import switching_times

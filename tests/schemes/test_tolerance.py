@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from runtime import SchemeError, ensemble, load_model, output_jacobian, reference_solution, resume, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.running.simulate import make_plan
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.adaptive_steps import AdaptiveSteps

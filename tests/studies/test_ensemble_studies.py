@@ -13,7 +13,7 @@ from scipy.stats import qmc
 
 from runtime import ensemble
 from runtime.contract.errors import SymgenError
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.studies.ensemble import answer
 from tests.support.pendula import SHORT, pendula
 

@@ -11,8 +11,8 @@ import pytest
 
 from runtime import ensemble, load_model, simulate
 from runtime.contract.errors import ArgumentError
-from runtime.contract.model import Model
 from runtime.engine.llvm_code import host
+from runtime.model import Model
 from runtime.running.problem import make_plan
 from runtime.schemes.catalogue import SCHEMES
 from runtime.studies.ensemble import rows

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from runtime import ensemble, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.operating.balance import balanced
 from runtime.start import quasi_static
 from runtime.start.start_state import start_state

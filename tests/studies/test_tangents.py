@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from runtime import simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.schemes.catalogue import SCHEMES, scheme_kind
 from runtime.schemes.stepper import Stepper
 from runtime.start.start_state import start_state

@@ -13,8 +13,8 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from runtime.contract.model import Model
 from runtime.contract.status import Status
+from runtime.model import Model
 from runtime.results.observe import assemble_solution
 from runtime.results.solution import Solution
 from runtime.start.start_state import start_state

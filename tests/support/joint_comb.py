@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from runtime.contract.coordinates import independent
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 from tests.hand_derived.spatial.spatial_scenes import flexible, inertia
 from tests.hand_derived.spatial.twin_flexible_nodes import Nodes, scattered

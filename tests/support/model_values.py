@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from runtime.contract.coordinates import dependent_part, independent_part, whole
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.results.observe import joint_reactions
 
 Array = NDArray[Any]

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from runtime import ensemble
-from runtime.contract.model import Model
+from runtime.model import Model
 
 SHORT: dict[str, Any] = {"t_end": 0.02, "dt": 1e-3, "scheme": "single_rate"}
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import SceneRecord
 from tests.support.model_values import Array, State, evaluate
 from tests.support.spatial_motion import full_state

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import Stepper
 from runtime.start.start_state import start_state

@@ -15,7 +15,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from runtime.contract.coordinates import parts, rate_parts
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import SceneRecord
 from tests.hand_derived.spatial.twin_flexible_nodes import Nodes
 from tests.support.model_values import Array, State, augmented_solution, evaluate, joint_forces

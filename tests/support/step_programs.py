@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from runtime.contract.model import Model
 from runtime.engine.llvm_code import Effort, Processor, ProgramCompiler
 from runtime.engine.prepare import prepare
 from runtime.engine.program import Form, Program
+from runtime.model import Model
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import start_vector
 from tests.support.model_values import Array

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from runtime import load_model, simulate
-from runtime.contract.model import Model
+from runtime.model import Model
 from runtime.views.viewer.page import view
 from runtime.views.viewer.record import torsion_factors, view_record
 from symgen.scene import Scene, SceneError, SceneRecord

@@ -16,7 +16,7 @@ import numpy as np
 
 from runtime.baselines.condensed_ode import CondensedOde, integrated
 from runtime.contract.coordinates import whole
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.engine.rows import evaluate
 from runtime.results.observe import assemble_solution
@@ -208,7 +208,9 @@ class TightIntegrator:
     asked: was Ctrl-C pressed? Then KeyboardInterrupt is raised from where it is.
     """
 
-    def __init__(self, model: Model, p: np.ndarray, c: np.ndarray, asked: Callable[[], bool] = lambda: False) -> None:
+    def __init__(
+        self, model: EmittedModel, p: np.ndarray, c: np.ndarray, asked: Callable[[], bool] = lambda: False
+    ) -> None:
         self.model, self.p, self.c, self.asked = model, p.copy(), c.copy(), asked  # events change those of the run
         self._rhs = model.derived("integrator", lambda: CondensedOde(model, CLOSURES).right_hand_side())
         self._observe = model.derived("tight_observe", lambda: CondensedOde(model, CLOSURES).observe())

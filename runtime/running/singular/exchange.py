@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from importlib.metadata import entry_points
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -29,12 +29,13 @@ from runtime.contract.coordinates import (
 )
 from runtime.contract.errors import ModelError, SymgenError
 from runtime.contract.files import cache_folder
-from runtime.contract.loading import load_model
-from runtime.contract.model import Model
+from runtime.contract.loading import load_folder
+from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import parameter_rates, product, rotation_vector
 from runtime.results.solution import Solution
 from runtime.running.stepped_model import SteppedModel
 
+M = TypeVar("M", bound=EmittedModel)
 CLEARLY = 3.0  # times larger determinant that is worth an exchange
 LIKELY = 0.5  # of the largest gain: a loop unknown with that much is preferred, as closed forms stay closed forms
 
@@ -52,7 +53,7 @@ class Exchange:
         return [self.into if name == self.out else name for name in names]
 
 
-def best_exchange(model: Model, q: np.ndarray, C_q: np.ndarray, length: float = 0.0) -> Exchange | None:
+def best_exchange(model: EmittedModel, q: np.ndarray, C_q: np.ndarray, length: float = 0.0) -> Exchange | None:
     """The exchange of a rigid coordinate that gains most at q (n,) and C_q (rows x n); None if C_qd is singular.
 
     length [m] of the mechanism elsewhere: the lever arms of C_q alone shrink to nothing where a single rod and the arm
@@ -84,7 +85,7 @@ def best_exchange(model: Model, q: np.ndarray, C_q: np.ndarray, length: float = 
 
 
 def by_velocities(
-    model: Model, q: np.ndarray, C_q: np.ndarray, length: float
+    model: EmittedModel, q: np.ndarray, C_q: np.ndarray, length: float
 ) -> tuple[list[str], np.ndarray, np.ndarray]:
     """(names, C_q by velocities, scales) of all coordinates, followed by the turns: along their angular velocities."""
     names, columns, scales = list(model.coordinates), [C_q], [np.where(turning_columns(model), length, 1.0)]
@@ -161,7 +162,7 @@ def _increment(old: SteppedModel, z: np.ndarray, seen: Solution, name: str, h: f
     return _turned(model, seen.q[0], q_d, name), float(q_d_ddot[position])
 
 
-def _thetas(model: Model, q: np.ndarray, c: np.ndarray) -> list[np.ndarray]:
+def _thetas(model: EmittedModel, q: np.ndarray, c: np.ndarray) -> list[np.ndarray]:
     """Rotation vectors from the charts in c to where the bodies are."""
     charts = c[charts_in(model)].reshape(-1, 4)
     return [
@@ -170,7 +171,7 @@ def _thetas(model: Model, q: np.ndarray, c: np.ndarray) -> list[np.ndarray]:
     ]
 
 
-def _turned(model: Model, q: np.ndarray, before: np.ndarray, name: str) -> float:
+def _turned(model: EmittedModel, q: np.ndarray, before: np.ndarray, name: str) -> float:
     """By how much a dependent coordinate changed to q (n,) from q_d before; of a turn, in the axes of its body."""
     if name in model.coordinates:
         return float(q[model.coordinates.index(name)] - before[model.q_d.index(name)])
@@ -183,7 +184,7 @@ def _turned(model: Model, q: np.ndarray, before: np.ndarray, name: str) -> float
     return float(rotation_vector(product(earlier * CONJUGATE, q[e]))[record.turns.index(name)])
 
 
-def closed(model: Model, c: np.ndarray, t: float, q_i: np.ndarray, q_d: np.ndarray) -> np.ndarray:
+def closed(model: EmittedModel, c: np.ndarray, t: float, q_i: np.ndarray, q_d: np.ndarray) -> np.ndarray:
     """q_d at q_i from a near guess, by Newton until it no longer moves."""
     for _ in range(CLOSURES):
         q_d = np.asarray(model.evaluate("closure", q_i=q_i, q_d=q_d, t=t, c=c)["q_d_next"]).ravel()
@@ -202,7 +203,7 @@ class NoVariant(ModelError):
     """A variant that cannot be had; the message says why and what to do."""
 
 
-def variant_of(model: Model, q_i: Sequence[str], q: np.ndarray) -> Model:
+def variant_of(model: M, q_i: Sequence[str], q: np.ndarray) -> M:
     """The model of the same scene with other q_i, group by group in the same places; q: coordinates where it is needed.
 
     Raises NoVariant.
@@ -216,10 +217,10 @@ def variant_of(model: Model, q_i: Sequence[str], q: np.ndarray) -> Model:
         )
     key = json.dumps([model.digest, list(q_i), groups, made_by(generate)])
     folder = cache_folder() / "variants" / hashlib.sha256(key.encode()).hexdigest()[:32]
-    found = _loaded(folder)
+    found = _loaded(folder, type(model))
     if found is None:
         _generate(generate, model, q_i, groups, q, folder)
-        found = load_model(folder)
+        found = load_folder(folder, type(model))
     same = ("coordinates", "constraints", "elastic", "measures", "joints")
     if (
         any(getattr(found, name) != getattr(model, name) for name in same)
@@ -233,9 +234,9 @@ def variant_of(model: Model, q_i: Sequence[str], q: np.ndarray) -> Model:
     return replace(found, input_values=model.input_values, sources=model.sources)
 
 
-def _loaded(folder: Path) -> Model | None:
+def _loaded(folder: Path, kind: type[M]) -> M | None:
     try:
-        return load_model(folder)
+        return load_folder(folder, kind)
     except ModelError:
         return None
 
@@ -254,7 +255,7 @@ def made_by(generate: Generate) -> str:
 
 def _generate(
     generate: Generate,
-    model: Model,
+    model: EmittedModel,
     q_i: Sequence[str],
     groups: Sequence[tuple[str, Sequence[str]]],
     q: np.ndarray,

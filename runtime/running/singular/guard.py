@@ -12,7 +12,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.coordinates import parts, rate_parts
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 
 NEAR = 0.15  # of the largest determinant so far: below this a better q_i, or a singular position, is looked for
 LOWERED = 0.3  # times the threshold, where nothing better was found and no singular position lies ahead
@@ -80,7 +80,7 @@ class Guard:
 class LoopDeterminants:
     """Evaluations on all coordinates q and q_dot of one model with constants c."""
 
-    def __init__(self, model: Model, c: np.ndarray) -> None:
+    def __init__(self, model: EmittedModel, c: np.ndarray) -> None:
         self.model, self.c = model, c
         self._determinants = model.derived("determinants_along", lambda: _determinants(model))
 
@@ -96,7 +96,7 @@ class LoopDeterminants:
         return np.asarray(values).ravel(), np.asarray(slopes).ravel()
 
 
-def _determinants(model: Model) -> ca.Function:
+def _determinants(model: EmittedModel) -> ca.Function:
     """(t, q_i, q_d, q_i_dot, q_d_dot, c) -> det_loop and its rate."""
     t, c = ca.SX.sym("t"), ca.SX.sym("c", model.c_size)
     q_i, q_d = ca.SX.sym("q_i", len(model.q_i)), ca.SX.sym("q_d", len(model.q_d))

@@ -14,7 +14,7 @@ import numpy as np
 
 from runtime.contract.coordinates import joined, parts
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model, refuse_elements
+from runtime.contract.model import EmittedModel, refuse_elements
 from runtime.contract.tape import shared
 from runtime.schemes.sparse_lu import solve_symmetric
 from runtime.schemes.switching.times import SwitchTime
@@ -30,7 +30,7 @@ class Impulse:
     jumps: np.ndarray
 
 
-def impulse_text(model: Model, impulse: Impulse) -> str:
+def impulse_text(model: EmittedModel, impulse: Impulse) -> str:
     """What it did, in plain words."""
     k = int(np.abs(impulse.jumps).argmax())
     return (
@@ -39,12 +39,12 @@ def impulse_text(model: Model, impulse: Impulse) -> str:
     )
 
 
-def moves_in_time(model: Model) -> bool:
+def moves_in_time(model: EmittedModel) -> bool:
     """Are there prescribed motions?"""
     return bool(model.constraints) and (not model.has("constraints") or "t" in model.kernel("constraints").name_in())
 
 
-def may_give_impulses(model: Model, c: np.ndarray, switches: Sequence[SwitchTime]) -> list[SwitchTime]:
+def may_give_impulses(model: EmittedModel, c: np.ndarray, switches: Sequence[SwitchTime]) -> list[SwitchTime]:
     """Those of the times at which the velocity of a prescribed motion may jump; c (c_size,): the model's constants.
 
     All of them where that depends on coordinates or inputs too, or where no function tells. Raises ModelError where
@@ -57,7 +57,7 @@ def may_give_impulses(model: Model, c: np.ndarray, switches: Sequence[SwitchTime
     return found
 
 
-def _may_jump(model: Model, c: np.ndarray, switches: Sequence[SwitchTime]) -> list[SwitchTime]:
+def _may_jump(model: EmittedModel, c: np.ndarray, switches: Sequence[SwitchTime]) -> list[SwitchTime]:
     if not model.has("constraints"):
         return list(switches)
     q, q_dot = (ca.SX.sym(name, len(model.coordinates)) for name in ("q", "q_dot"))
@@ -85,7 +85,7 @@ def _steepness(rates: ca.SX, t: ca.SX) -> ca.SX:
 
 
 def impulse_at(
-    model: Model, c: np.ndarray, q: np.ndarray, q_i_dot: np.ndarray, before: float, after: float
+    model: EmittedModel, c: np.ndarray, q: np.ndarray, q_i_dot: np.ndarray, before: float, after: float
 ) -> tuple[np.ndarray, Impulse] | None:
     """(what is added to q_i_dot (n_i,), the impulse) at a time with a clock on each side [s], by the rates before it.
 
@@ -99,14 +99,14 @@ def impulse_at(
     return (push, Impulse(float(energy[0]), jumps)) if jumps.any() else None
 
 
-def impulse_of(model: Model) -> ca.Function:
+def impulse_of(model: EmittedModel) -> ca.Function:
     """(q_i, q_d, q_i_dot, c, clock before, clock after) -> what is added to q_i_dot (n_i,), energy, jumps (n,), see
     Impulse; zero where no velocity jumps. Raises ModelError for a model without the function `energy`.
     """
     return model.derived("impulse", lambda: _impulse(model))
 
 
-def _impulse(model: Model) -> ca.Function:
+def _impulse(model: EmittedModel) -> ca.Function:
     if not model.has("energy"):
         raise ModelError(
             f"model {model.name}",
@@ -137,7 +137,7 @@ def _impulse(model: Model) -> ca.Function:
     return ca.Function("impulse", [q_i, q_d, q_i_dot, c, before, after], shared([ca.densify(one) for one in outputs]))
 
 
-def _momentum(model: Model, q: ca.SX, v: ca.SX, at: Mapping[str, ca.SX], q_i_dot: ca.SX, t: ca.SX) -> ca.SX:
+def _momentum(model: EmittedModel, q: ca.SX, v: ca.SX, at: Mapping[str, ca.SX], q_i_dot: ca.SX, t: ca.SX) -> ca.SX:
     """(n_i,) S^T M v; the kinetic energy is v^T M v / 2."""
     rates = ca.SX.sym("rates", v.numel())
     kinetic = model.evaluate("energy", q=q, q_dot=rates, t=t, c=at["c"])["kinetic"]

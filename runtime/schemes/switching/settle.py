@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.tape import shared
 from runtime.schemes.sparse_lu import Number, factor, solve
 from runtime.schemes.switching.complementarity import balancing, complementary, times
@@ -41,7 +41,7 @@ class Settled:
 
 
 def settled(
-    model: Model,
+    model: EmittedModel,
     at: Mapping[str, np.ndarray],
     c: np.ndarray,
     let_go: np.ndarray,
@@ -67,7 +67,7 @@ def settled(
 
 
 def _once(
-    model: Model,
+    model: EmittedModel,
     at: Mapping[str, np.ndarray],
     c: np.ndarray,
     let_go: np.ndarray,
@@ -107,14 +107,14 @@ def _once(
     return settled_, own["v_rel"], accelerations
 
 
-def _beyond(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray, modes: np.ndarray) -> np.ndarray:
+def _beyond(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray, modes: np.ndarray) -> np.ndarray:
     """(n_r,) frictions by reactions whose contraction is above its bound with these modes (n_m,)."""
     c = c.copy()
     c[len(c) - model.signals.size + model.element_modes] = modes
     return np.asarray(elements(model, at, c)["margin"] < 0)
 
 
-def losses(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray, found: Settled, gained: float) -> str:
+def losses(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray, found: Settled, gained: float) -> str:
     """What stops took, -sum p (v- + v+) / 2 [J]; what energy `gained` besides comes by the impulses of drives."""
     own, hits = elements(model, at, c), [(model.mode_events[hit.k], hit.impulse) for hit in found.hits]
     passing = own["v_rel"] + 0.5 * own["G"] @ found.push
@@ -123,7 +123,7 @@ def losses(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray, found: Set
     return f", {lost:.6g} J lost{given}"
 
 
-def no_mode(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> tuple[str, str]:
+def no_mode(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray) -> tuple[str, str]:
     """(cause, remedy) where `settled` finds nothing."""
     own = elements(model, at, c)
     if "margin" in own:
@@ -194,7 +194,7 @@ class _Bounds:
         return lower, upper
 
 
-def _moved(model: Model, at: Mapping[str, np.ndarray], v: np.ndarray, c: np.ndarray) -> Mapping[str, np.ndarray]:
+def _moved(model: EmittedModel, at: Mapping[str, np.ndarray], v: np.ndarray, c: np.ndarray) -> Mapping[str, np.ndarray]:
     """With other rates of q_i (n_i,)."""
     at = {**at, "q_i_dot": v}
     q_d_dot = np.asarray(model.evaluate("velocities", **at, c=c)["q_d_dot"]).ravel() if model.q_d else at["q_d_dot"]
@@ -221,12 +221,12 @@ def _at_rest(G: np.ndarray, rate: np.ndarray) -> np.ndarray:
     return push
 
 
-def elements(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
+def elements(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
     """The function `elements` at a state with constants c; vectors are flat."""
     return _arrays(model.evaluate("elements", **at, c=c))
 
 
-def weighed(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
+def weighed(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
     """What `weights` gives at a state with constants c; vectors are flat."""
     return _arrays(weights(model)(**at, c=c))
 
@@ -236,7 +236,7 @@ def _arrays(found: Mapping[str, ca.DM]) -> dict[str, np.ndarray]:
     return {name: value if name in MATRICES else value.ravel() for name, value in shaped.items()}
 
 
-def weights(model: Model) -> ca.Function:
+def weights(model: EmittedModel) -> ca.Function:
     """(q_i, q_d, q_i_dot, q_d_dot, t, c) -> what `elements` says of v = G q_i', with v' = b + A f of forces f (n_e,) on
     it: A = G by, b = G M_hat^-1 Q_hat + G_bias, by = M_hat^-1 G^T (n_i, n_e). Exported C has this function, too.
     Of friction by reactions R: b + b_R R, holds + holds_R R, and R_k = |F_0 + F_f f + F_R R|_k.

@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.schemes.switching.complementarity import balancing, complementary, times
 
 AT_REST = 1e-9  # m/s or rad/s, and of the largest rate: what is slower has come to rest
@@ -50,7 +50,7 @@ class Stops:
     hit: np.ndarray
 
     @classmethod
-    def of(cls, model: Model, c: np.ndarray, hit: np.ndarray | None) -> Stops:
+    def of(cls, model: EmittedModel, c: np.ndarray, hit: np.ndarray | None) -> Stops:
         """Of a model with constants c (c_size,)."""
         events = model.mode_events
         row, side = (np.array([getattr(one, name) for one in events], dtype=int) for name in ("row", "side"))

@@ -18,7 +18,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.tape import node_value, read_tape
 from runtime.engine.rows import ManyPoints
 from runtime.schemes.switching.enclosure import Enclosure
@@ -44,12 +44,12 @@ class SwitchTime:
     owners: tuple[str, ...]
 
 
-def has_switching_times(model: Model) -> bool:
+def has_switching_times(model: EmittedModel) -> bool:
     """May loads or prescribed motions jump or kink in time, by the scene or by the functions given for inputs?"""
     return model.has("switching") or bool(model.sources)
 
 
-def switches_by_inputs(model: Model) -> bool:
+def switches_by_inputs(model: EmittedModel) -> bool:
     """Do conditions of the scene depend on held inputs?"""
     if not model.has("switching") or not model.signals.size:
         return False
@@ -57,7 +57,7 @@ def switches_by_inputs(model: Model) -> bool:
     return bool(ca.depends_on(model.evaluate("switching", t=t, c=c)["switching"], c[-model.signals.size :]))
 
 
-def switching_times(model: Model, c: np.ndarray, t0: float, t_end: float) -> list[SwitchTime]:
+def switching_times(model: EmittedModel, c: np.ndarray, t0: float, t_end: float) -> list[SwitchTime]:
     """All of them from t0 to t_end [s], rising, for constants c (c_size,) with held inputs; no step should cross one.
 
     Raises ModelError if there are more than MOST_TIMES.
@@ -79,7 +79,7 @@ def switching_times(model: Model, c: np.ndarray, t0: float, t_end: float) -> lis
     return _merged(found, NARROW * (t_end - t0))
 
 
-def conditions(model: Model, c: ca.SX, t: ca.SX) -> Iterator[tuple[str, ca.SX]]:
+def conditions(model: EmittedModel, c: ca.SX, t: ca.SX) -> Iterator[tuple[str, ca.SX]]:
     """(owner, value that changes its sign), of the scene and of functions given for inputs; constants c (c_size,)."""
     if model.has("switching"):
         values = model.evaluate("switching", t=t, c=c)["switching"]

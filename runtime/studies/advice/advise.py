@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from runtime.contract.arguments import BY_NAME, NAMES, START, arguments, opened
+from runtime.contract.arguments import BY_NAME, NAMES, START, arguments
 from runtime.contract.coordinates import Initial
 from runtime.contract.errors import NoResult, SymgenError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import card, line, table
 from runtime.running.ladder import Ladder, Method, Rung, chosen_method
 from runtime.running.problem import AUTO, Problem, tolerance_of
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
 
 HOPELESS = 2.0  # times the operations of the best answer so far: a ladder that needs more is given up
 DIGITS = 3  # of an advised step, which is rounded down
-TRIAL = "runtime.studies.advice.reference:trial_of"
 Note = Callable[[str], None]
 
 
@@ -76,7 +75,7 @@ class Advice:
     measures errors by.
     """
 
-    model: Model
+    model: EmittedModel
     tolerance: float
     graded: list[str]
     t_end: float
@@ -144,7 +143,7 @@ class NoAdvice(NoResult):
 
 @arguments(graded=NAMES, parameters=BY_NAME, initial=START)
 def advise(
-    model: Model,
+    model: EmittedModel,
     *,
     tolerance: float = 1e-3,
     graded: Sequence[str] | None = None,
@@ -207,7 +206,11 @@ def _climbed(ladder: Ladder, method: Method, best: float, reference: Reference |
         return Climbed(method, failure=str(error).splitlines()[0])
     pairs = list(zip(rungs, rungs[1:], strict=False))
     seen = np.array([(_operations(rung), finer.differs) for rung, finer in pairs]).reshape(-1, 2)
-    trials = [] if reference is None else [opened(TRIAL)(method.label, rung, reference) for rung in rungs]
+    trials: list[Trial] = []
+    if reference is not None:
+        from runtime.studies.advice.reference import trial_of
+
+        trials = [trial_of(method.label, rung, reference) for rung in rungs]
     found = Climbed(method, failure="not reached in useful time", rungs=seen, trials=trials)
     for rung, finer in reversed(pairs):
         if not finer.differs <= ladder.tolerance:

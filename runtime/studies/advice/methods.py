@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.running.ladder import DENSE, Method, affordable
 from runtime.schemes.catalogue import SCHEMES
 
@@ -31,7 +31,7 @@ def multirate(method: Method) -> bool:
     return SCHEMES[method.scheme].multirate
 
 
-def candidates(model: Model) -> list[Method]:
+def candidates(model: EmittedModel) -> list[Method]:
     """Methods worth trying for advice, the likeliest first."""
     found = [*stiff_methods(model), *_dense(model), PREDICTED, Method("rk4"), Method("dop853")]
     if len(model.groups) > 1:
@@ -40,7 +40,7 @@ def candidates(model: Model) -> list[Method]:
     return found
 
 
-def stiff_methods(model: Model) -> list[Method]:
+def stiff_methods(model: EmittedModel) -> list[Method]:
     """Those for stiff deflections, the likeliest first; `exponential_adams` not where these are many along a tree."""
     if not model.has("deflections"):
         return []
@@ -48,7 +48,7 @@ def stiff_methods(model: Model) -> list[Method]:
     return [*([] if many else [Method("exponential_adams")]), Method("exponential_rk4")]
 
 
-def _dense(model: Model) -> list[Method]:
+def _dense(model: EmittedModel) -> list[Method]:
     if not model.has("residual_jacobian"):
         return []
     if len(model.q_i) <= LARGE:
@@ -56,7 +56,7 @@ def _dense(model: Model) -> list[Method]:
     return list(ONE_OF_EACH) if affordable(model) else []
 
 
-def left_out(model: Model) -> str:
+def left_out(model: EmittedModel) -> str:
     """What is not tried on a model; "" where all of them are."""
     n = len(model.q_i)
     if n <= LARGE:
@@ -70,7 +70,7 @@ def left_out(model: Model) -> str:
     return f"not tried with {n} coordinates: {names} and other dense methods, {price}"
 
 
-def checked_grades(model: Model, graded: Sequence[str] | None) -> list[str]:
+def checked_grades(model: EmittedModel, graded: Sequence[str] | None) -> list[str]:
     """Names of what tells the motion, all by default. Raises ModelError."""
     known = followed(model)[0]
     for name in graded or ():

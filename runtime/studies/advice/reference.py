@@ -15,7 +15,7 @@ from runtime.baselines.condensed_ode import CondensedOde, integrated
 from runtime.baselines.scipy_methods import counted, in_pieces
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import NoResult
-from runtime.contract.model import Model, refuse_events
+from runtime.contract.model import EmittedModel, refuse_events
 from runtime.engine.rows import evaluator
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.results.solution import Solution
@@ -75,7 +75,7 @@ class Reference:
 
 
 def independent_reference(
-    model: Model,
+    model: EmittedModel,
     *,
     t_end: float | None = None,
     parameters: Mapping[str, float] | None = None,
@@ -170,7 +170,7 @@ def trial_of(label: str, rung: Rung, reference: Reference) -> Trial:
     return Trial(label, dt, *made, reference.worst(error), ends, errors, rung.told.largest)
 
 
-def told(model: Model, seen: Solution) -> np.ndarray:
+def told(model: EmittedModel, seen: Solution) -> np.ndarray:
     """(N, n_told) what tells the motion, of samples."""
     return seen.q[:, followed(model)[1]]
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from runtime.contract.arguments import BY_NAME, NAMES, arguments
 from runtime.contract.files import write_text
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.studies.advice.advise import Advice, Note, advice_lines, advise
 from runtime.studies.advice.reference import Trial, independent_reference
 
@@ -19,7 +19,7 @@ PICTURE, TABLE, PAGE = "error_time.png", "methods.csv", "methods.md"
 
 @arguments(graded=NAMES, parameters=BY_NAME, initial=BY_NAME)
 def report(
-    model: Model,
+    model: EmittedModel,
     folder: str | Path | None = None,
     *,
     tolerance: float = 1e-3,

@@ -13,7 +13,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.coordinates import joined, length_rows
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import StatusName
 from runtime.engine.program import Fields
 from runtime.running.monitor import CLOSURE_LIMIT, CONSTRAINT_LIMIT, GROWTH_LIMIT, MOST_DEFLECTION, MOST_TURN, observed
@@ -133,7 +133,7 @@ LARGE = 20  # coordinates of q_i: above, M_hat is not factorised
 FOUND: tuple[StatusName, ...] = ("mass_not_positive", "constraints_lost", "deflection_too_large", "diverged")
 
 
-def looked(model: Model, scheme: Scheme, length: float, p: ca.SX, z: ca.SX, c: ca.SX) -> Mapping[str, ca.SX]:
+def looked(model: EmittedModel, scheme: Scheme, length: float, p: ca.SX, z: ca.SX, c: ca.SX) -> Mapping[str, ca.SX]:
     """The values of FIELDS at the scheme's part of z; c as the scheme's stages read it, p: parameters."""
     seen = scheme.observer(z=z, c=c)
     found = {"constraint": ca.SX(0), "pivot": ca.SX(1), "bent": ca.SX(0)}
@@ -181,7 +181,7 @@ def _least_pivot(M: ca.SX) -> ca.SX:
     return least
 
 
-def _bent(model: Model, p: ca.SX, q_i: ca.SX, q_d: ca.SX) -> ca.SX:
+def _bent(model: EmittedModel, p: ca.SX, q_i: ca.SX, q_d: ca.SX) -> ca.SX:
     """The largest deflection or turn of a drawn point of a flexible body, of its limit."""
     if not model.elastic or not model.has("geometry"):
         return ca.SX(0)

@@ -11,7 +11,7 @@ import numpy as np
 
 from runtime.contract.arguments import BY_NAME, CALLED, NAMES, arguments
 from runtime.contract.errors import ArgumentError, ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.results.meter import Meter
 from runtime.running.problem import make_plan, seen_every_of, span_of, whole_number
 from runtime.running.run import Interrupts, Progress
@@ -27,7 +27,7 @@ from runtime.studies.ensemble.starts import columns_by_name, table_of, with_func
 
 @arguments(inputs=BY_NAME, options=BY_NAME, outputs=NAMES, reduce=BY_NAME, progress=CALLED)
 def ensemble(
-    model: Model,
+    model: EmittedModel,
     parameters: Any = None,
     initial: Any = None,
     inputs: Mapping[str, Any] | None = None,

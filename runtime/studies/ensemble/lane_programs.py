@@ -12,7 +12,7 @@ import numpy as np
 
 from runtime.contract.consistent_state import MAX_ITERATIONS
 from runtime.contract.coordinates import mechanism_length
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.engine.native import LaneCode, lane_form, lane_width, once_form, program_size
 from runtime.engine.prepare import Prepared, prepare
 from runtime.engine.program import Call, Fields, Layout, Program, Repeat, Sequence, Until, make_stage
@@ -151,7 +151,7 @@ _LOCK = threading.Lock()
 _KEPT: deque[LanePrograms] = deque(maxlen=4)  # a loop that asks again and again makes programs once
 
 
-def _length(model: Model) -> float:
+def _length(model: EmittedModel) -> float:
     """Size of the mechanism at the model's own parameters [m]."""
     if not model.constraints or not model.has("constraints"):
         return 1.0
@@ -174,7 +174,7 @@ Stage = Callable[[Fields], Mapping[str, ca.SX]]
 
 
 def row_layout(
-    model: Model, scheme: Scheme, ready: int, constants: int, lane: Layout, looks: int, settle: bool
+    model: EmittedModel, scheme: Scheme, ready: int, constants: int, lane: Layout, looks: int, settle: bool
 ) -> Layout:
     """Fields of a lane's row; constants: of the scheme that steps with stops read behind `ready`, if there are any.
 
@@ -197,7 +197,7 @@ def row_layout(
 
 
 def begin_program(
-    model: Model, scheme: Scheme, prepared: Prepared, row: Layout, lane: Layout, outputs: Program, begin: Stage
+    model: EmittedModel, scheme: Scheme, prepared: Prepared, row: Layout, lane: Layout, outputs: Program, begin: Stage
 ) -> Program:
     """From what is given to z at step 0, outputs included; outputs, begin: on the fields of `lane`."""
 
@@ -257,7 +257,7 @@ def moved(program: Program, row: Layout, prefix: str) -> Program:
     return program.fold(call, lambda parts: Sequence(tuple(parts)), again)
 
 
-def _started(model: Model, scheme: Scheme, lane: Layout, z: Fields) -> ca.SX:
+def _started(model: EmittedModel, scheme: Scheme, lane: Layout, z: Fields) -> ca.SX:
     """The lane's z at step 0 (Eqs. 68-71); the account of a run begins."""
     loops = [model.q_d.index(name) for name in model.loop_unknowns]
     loop = z["q_d"][loops] if loops else ca.SX(0, 1)
@@ -289,19 +289,19 @@ USUAL_STEPS = 4
 StageMaker = Callable[[str, Callable[[Fields], Mapping[str, ca.SX]]], Call]
 
 
-def quasi_static(model: Model, start: str) -> bool:
+def quasi_static(model: EmittedModel, start: str) -> bool:
     """Do runs with this start ("" for the scene's own) begin in elastic equilibrium, and can lanes find it?"""
     chosen = start or str(model.simulation.get("start", "given"))
     return chosen in ("quasi_static", "quasi_static_unstable") and settles(model)
 
 
-def settle_fields(model: Model) -> dict[str, int]:
+def settle_fields(model: EmittedModel) -> dict[str, int]:
     """What of a row this works on, `settle` left out."""
     single = ("settled", "settle_t", "settle_open", "settle_work", "settle_lead")
     return {**dict.fromkeys(single, 1), "settle_q": len(model.q_i), "settle_ahead": len(positions(model))}
 
 
-def settle_program(model: Model, row: Layout, stage: StageMaker) -> Program:
+def settle_program(model: EmittedModel, row: Layout, stage: StageMaker) -> Program:
     """From a state that fits to one in elastic equilibrium; stage(name, body): on the fields of the row."""
     elastic = positions(model)
     rigid = [k for k in range(len(model.q_i)) if k not in elastic]

@@ -11,7 +11,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.tape import read_tape
 from runtime.engine.native import blocks_of
 from runtime.running.events import state_of
@@ -259,7 +259,7 @@ class LaneStops:
             self._find(model, starts)
         self._steps = [parts[0].astype(int) if part else np.zeros(0, dtype=int) for parts in self._parts]
 
-    def _find(self, model: Model, starts: Starts) -> None:
+    def _find(self, model: EmittedModel, starts: Starts) -> None:
         plan, used, known = self._plan, _constants_of(model), dict[bytes, int]()
         own = model.constants(starts.p)
         state = ConsistentState(model.initial_q, model.initial_q_dot, {})
@@ -304,7 +304,7 @@ class LaneStops:
         return np.array(tables)[self._of], np.array(counts)[self._of], until
 
 
-def _constants_of(model: Model) -> list[int]:
+def _constants_of(model: EmittedModel) -> list[int]:
     """Entries of c that the conditions are made of."""
     if not model.has("switching"):
         return []

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 import casadi as ca
 
 from runtime.contract.coordinates import charts_in, joined
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.engine.program import Call, Fields, Layout, Program, Until, make_stage
 from runtime.engine.program import Sequence as InSequence
 from runtime.results.named_outputs import ORDERS, Column, column
@@ -24,7 +24,7 @@ KERNELS = ("energy", "measures", "reactions")
 class Observation:
     """Outputs by name of a scheme on a model; fields: what they add to z; program(layout, c_size): the stages."""
 
-    def __init__(self, model: Model, scheme: Scheme, names: Sequence[str]) -> None:
+    def __init__(self, model: EmittedModel, scheme: Scheme, names: Sequence[str]) -> None:
         self.model, self.scheme = model, scheme
         self.columns = [column(model, name) for name in names]
         self.kernels = [name for name in KERNELS if any(one.kernel == name for one in self.columns)]

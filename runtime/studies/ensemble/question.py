@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from runtime.contract.errors import ArgumentError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.results.named_outputs import column
 from runtime.running.problem import Plan
 from runtime.studies.ensemble.account import REDUCTIONS
@@ -22,7 +22,7 @@ class Question:
     at every `plan.seen_steps`-th step.
     """
 
-    model: Model
+    model: EmittedModel
     parameters: list[str]
     initial: list[str]
     plan: Plan
@@ -33,7 +33,7 @@ class Question:
     @classmethod
     def ask(
         cls,
-        model: Model,
+        model: EmittedModel,
         names: tuple[list[str], list[str]],
         plan: Plan,
         start: str | None,
@@ -69,7 +69,7 @@ class Question:
 
 
 def _outputs(
-    model: Model, outputs: Sequence[str] | None, reduce: Mapping[str, str | Sequence[str]] | None
+    model: EmittedModel, outputs: Sequence[str] | None, reduce: Mapping[str, str | Sequence[str]] | None
 ) -> list[str]:
     """Checked names of outputs."""
     if isinstance(outputs, str):

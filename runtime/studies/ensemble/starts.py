@@ -11,7 +11,7 @@ import numpy as np
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import dependent_part, independent
 from runtime.contract.errors import ArgumentError, ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.operating.given_state import angle_starts, closable, keeps_independent, spin_names
 from runtime.running.inputs import Sampled, Schedule, bound, started
 from runtime.start.start_state import start_state
@@ -94,7 +94,7 @@ class CaseStarts:
                 q[case], q_dot[case] = found.q, found.q_dot
 
 
-def in_lanes(model: Model, initial: list[str], start: str) -> bool:
+def in_lanes(model: EmittedModel, initial: list[str], start: str) -> bool:
     """Can these starts be made in lanes? Else Python makes them one by one."""
     if set(initial) & {*spin_names(model), *angle_starts(model)}:
         return False
@@ -104,14 +104,14 @@ def in_lanes(model: Model, initial: list[str], start: str) -> bool:
     return free and (_given(model, initial, start) or settles)
 
 
-def _given(model: Model, initial: list[str], start: str) -> bool:
+def _given(model: EmittedModel, initial: list[str], start: str) -> bool:
     """Are elastic coordinates left as they are given?"""
     chosen = start or str(model.simulation.get("start", "given"))
     names = [model.coordinates[_column(model, name)] for name in initial]
     return chosen == "given" or (not start and any(name in model.elastic for name in names))
 
 
-def _column(model: Model, name: str) -> int:
+def _column(model: EmittedModel, name: str) -> int:
     """The coordinate that a value, a rate or a state of a controller by name belongs to."""
     rates = [entry.owner if entry.kind == "state" else f"{entry.name}_dot" for entry in model.description.coordinates]
     return model.coordinates.index(name) if name in model.coordinates else rates.index(name)
@@ -120,7 +120,7 @@ def _column(model: Model, name: str) -> int:
 # Samples as an array: one row a case, one column a parameter or initial value.
 
 
-def table_of(model: Model, parameters: Any, initial: Any) -> tuple[tuple[list[str], list[str]], np.ndarray]:
+def table_of(model: EmittedModel, parameters: Any, initial: Any) -> tuple[tuple[list[str], list[str]], np.ndarray]:
     """((names of parameters, names of initial values), samples (cases, names)).
 
     parameters, initial: mappings of names to arrays (cases,) or to one number for all cases, or tables with named
@@ -147,7 +147,7 @@ def table_of(model: Model, parameters: Any, initial: Any) -> tuple[tuple[list[st
     return (list(groups[0]), list(groups[1])), table
 
 
-def with_functions(model: Model, inputs: Mapping[str, Any] | None) -> tuple[Model, dict[str, Any]]:
+def with_functions(model: EmittedModel, inputs: Mapping[str, Any] | None) -> tuple[EmittedModel, dict[str, Any]]:
     """(the model with functions of time among the inputs, {name: number or array} of the others).
 
     Raises ArgumentError or ModelError.
@@ -188,7 +188,7 @@ def columns_by_name(argument: str, given: Any) -> dict[str, np.ndarray]:
     return found
 
 
-def _refuse_unusable(model: Model, parameters: list[str], names: list[str], table: np.ndarray) -> None:
+def _refuse_unusable(model: EmittedModel, parameters: list[str], names: list[str], table: np.ndarray) -> None:
     """Numbers that are none, and signs that a use does not allow. Raises ArgumentError or ModelError."""
     bad = np.argwhere(~np.isfinite(table))
     if len(bad):
@@ -206,7 +206,7 @@ def _refuse_unusable(model: Model, parameters: list[str], names: list[str], tabl
         _refuse_expressions(model, parameters, table)
 
 
-def _refuse_expressions(model: Model, parameters: list[str], table: np.ndarray) -> None:
+def _refuse_expressions(model: EmittedModel, parameters: list[str], table: np.ndarray) -> None:
     """Expressions of the scene that have lost the sign that their use asks for. Raises ModelError."""
     function = model.kernel("bounded")
     for first in range(0, len(table), 4096):
@@ -220,7 +220,7 @@ def _refuse_expressions(model: Model, parameters: list[str], table: np.ndarray) 
                 raise ModelError(f"case {case}", f"{quantity.item} would be {row.min():.6g}", "mend or drop the case")
 
 
-def vectors(model: Model, parameters: list[str], table: np.ndarray, own: np.ndarray | None = None) -> np.ndarray:
+def vectors(model: EmittedModel, parameters: list[str], table: np.ndarray, own: np.ndarray | None = None) -> np.ndarray:
     """p (cases, n_p) of rows of samples, whose first columns are these parameters; own (n_p,): of the others."""
     index = {parameter.name: k for k, parameter in enumerate(model.parameters)}
     p = np.repeat((model.parameter_vector() if own is None else own)[None, :], len(table), axis=0)

@@ -16,7 +16,7 @@ from runtime.baselines.scipy_methods import reference_solution
 from runtime.contract.arguments import BY_NAME, NUMBERS, arguments
 from runtime.contract.errors import ModelError
 from runtime.contract.files import write_text
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.operating.mode_solver import State, state_at
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
@@ -62,7 +62,7 @@ class StabilityStudy:
 
     def __init__(
         self,
-        model: Model,
+        model: EmittedModel,
         name: str,
         m: list[int] | None,
         options: Mapping[str, Any],
@@ -118,7 +118,7 @@ RTOL, ATOL = 1e-7, 1e-10
 
 
 def states_along(
-    model: Model,
+    model: EmittedModel,
     *,
     t_end: float,
     count: int = 9,
@@ -142,7 +142,7 @@ def states_along(
 
 
 def usual_steps(
-    model: Model, states: list[State], exact: ExactMotion, t_end: float, sub_steps: int, count: int
+    model: EmittedModel, states: list[State], exact: ExactMotion, t_end: float, sub_steps: int, count: int
 ) -> np.ndarray:
     """Major steps (count,) [s] to look at: around what the fastest mode allows a sub-step, at most t_end / 4."""
     fastest = max(float(frequencies(exact, state)[-1]) for state in states)
@@ -161,7 +161,7 @@ STATES, POINTS = 16, 20
 class StabilityChart:
     """Curves over the major step for each m. t_end [s] is the motion's length; states, where it was looked at."""
 
-    model: Model
+    model: EmittedModel
     scheme: str
     curves: list[StabilityCurve]
     states: list[State]
@@ -230,7 +230,7 @@ def _growth_below(curve: StabilityCurve) -> float | None:
 
 @arguments(options=BY_NAME, parameters=BY_NAME, initial=BY_NAME, dt_range=NUMBERS)
 def stability_chart(
-    model: Model,
+    model: EmittedModel,
     scheme: str | None = None,
     *,
     m: list[list[int]] | None = None,
@@ -282,7 +282,7 @@ def stability_chart(
     return StabilityChart(model, name, curves, along, end)
 
 
-def _usual_ratios(model: Model, name: str) -> list[list[int]]:
+def _usual_ratios(model: EmittedModel, name: str) -> list[list[int]]:
     kind = scheme_kind(name)
     if kind.ratios == "none":
         return [[]]

@@ -12,7 +12,7 @@ import numpy as np
 from scipy.sparse import csc_array
 
 from runtime.contract.consistent_state import dense_eigenvalues
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import angular_velocity, chart_rates, parameter_rates, rotation
 from runtime.engine.program import Repeat, Until
 from runtime.operating.mode_solver import ModeSolver, State
@@ -164,7 +164,7 @@ class Spectrum:
 class StepSpectrum:
     """Spectra of a scheme at states of a model; the step may be changed without building anything anew."""
 
-    def __init__(self, model: Model, scheme: Scheme, c: np.ndarray, exact: ExactMotion | None = None) -> None:
+    def __init__(self, model: EmittedModel, scheme: Scheme, c: np.ndarray, exact: ExactMotion | None = None) -> None:
         self.scheme, self.c = scheme, c
         self._step = _TangentFrom(scheme, c)
         self.exact = exact or ExactMotion(model, c)
@@ -197,7 +197,7 @@ class ExactMotion:
     A motion over dt goes on from the longest shorter one that is known, by steps of at most dt / FINER.
     """
 
-    def __init__(self, model: Model, c: np.ndarray) -> None:
+    def __init__(self, model: EmittedModel, c: np.ndarray) -> None:
         self._step = _TangentFrom(scheme_kind("exponential").build("exponential", model, 1.0, [4], {}), c)
         self.modes = ModeSolver(model, c)
         self._found: dict[tuple[float, float], np.ndarray] = {}

@@ -12,7 +12,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from runtime.contract.coordinates import independent, independent_part, whole
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import SceneRecord
 from tests.hand_derived.spatial import spatial_scenes as scenes
 from tests.hand_derived.spatial import (

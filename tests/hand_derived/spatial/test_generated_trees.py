@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 from tests.hand_derived.spatial.spatial_scenes import inertia, marker
 from tests.hand_derived.spatial.twin_tree import Limb, M_and_Q

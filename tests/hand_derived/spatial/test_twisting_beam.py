@@ -17,7 +17,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 from tests.hand_derived.spatial.twin_spatial import euler_A
 from tests.support.model_values import evaluate, make_state, relative_error
