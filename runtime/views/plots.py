@@ -24,10 +24,13 @@ from runtime.results.samples import Samples
 from runtime.results.section_forces import Which
 from runtime.results.section_forces import section_forces as forces_along
 from runtime.results.stresses import stresses as stresses_at
+from runtime.running.ladder import Method
+from runtime.schemes.catalogue import SCHEMES
 from runtime.views import curves
 from runtime.views.animation import snapshots as snapshots
 from runtime.views.curves import COLOURS, SPECIALS, Curves
-from runtime.views.figure import NotebookFigure, finish, grid, legend, owner, panel, prefixed, title
+from runtime.views.figure import WIDTH, NotebookFigure, finish, grid, legend, owner, panel, prefixed, title
+from runtime.views.method_styles import method_styles
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -130,6 +133,7 @@ def difference(
     if not others or not chosen or not len(t):
         raise ArgumentError("the runs share no " + ("time" if chosen else "independent coordinate; give names"))
     chosen = chosen[:MOST_FORCES]
+    colours = _run_colours([first, *others])
     about = "   and   ".join([title(first), *(f"{run.scheme}, {run.step}" for run in others)])
     figure, axes = grid(2 * len(chosen), about)
     for k, name in enumerate(chosen):
@@ -141,9 +145,23 @@ def difference(
             line.set_linestyle((0, (4, 2)))
         about = f"difference, at most {_written(np.abs(apart).max(), unit)}"
         panel(axes[2 * k + 1], t, Curves(about, unit, labels[1:] if len(others) > 1 else [""], apart))
+        for line, colour in zip([*axes[2 * k].lines, *axes[2 * k + 1].lines], [*colours, *colours[1:]], strict=False):
+            line.set_color(colour)
+        if len(others) > 1:
+            legend(axes[2 * k + 1])
+        legend(axes[2 * k])
     for ax in axes[:-2]:
         ax.set_xlabel("")
     return finish(figure, path)
+
+
+def _run_colours(runs: Sequence[Solution]) -> list[str]:
+    """Those of their methods, where each run has another one."""
+    methods = [Method(run.scheme, tuple(run.m) or None) for run in runs if run.scheme in SCHEMES]
+    styles = method_styles(methods)
+    if len(styles) == len(runs):
+        return [str(styles[method.label]["color"]) for method in methods]
+    return [COLOURS[k % len(COLOURS)] for k in range(len(runs))]
 
 
 def usual(solution: Solution, folder: Path) -> list[Path]:
@@ -415,19 +433,26 @@ def _over(figure: NotebookFigure, ax: Axes, varied: Mapping[str, np.ndarray], fo
 
 # ---- The picture of advice and reports: error against operations or time, a curve a method.
 
-MARKERS = "osD^vP*X<>hp"
-
 
 def work_precision(
-    title: str, ladders: Mapping[str, np.ndarray], tolerance: float, unit: str, path: str | Path | None = None
+    title: str,
+    ladders: Sequence[tuple[Method, np.ndarray]],
+    tolerance: float,
+    unit: str,
+    path: str | Path | None = None,
 ) -> Figure:
-    """Error over the price of every rung: of each method (N, 2), price in a unit, and error. Raises OutputError."""
+    """Error over the price of every rung: of each method (N, 2), price in a unit, and error. Raises OutputError.
+
+    A method none of whose rungs came to its end stands in the legend only, as lost.
+    """
     figure, (ax,) = grid(1, title)
-    for k, (name, rungs) in enumerate(ladders.items()):
+    figure.set_size_inches(WIDTH, 0.5 * WIDTH)
+    styles = method_styles([method for method, _ in ladders])
+    for method, rungs in ladders:
         seen = rungs[np.isfinite(rungs).all(axis=1)]
-        if len(seen):
-            style = {"color": COLOURS[k % len(COLOURS)], "marker": MARKERS[k % len(MARKERS)], "ms": 4, "lw": 1.2}
-            ax.loglog(*seen.T, label=name, **style)
+        name = method.label if len(seen) or not len(rungs) else f"{method.label} (lost)"
+        if len(rungs):
+            ax.loglog(*seen.T, label=name, ms=5, lw=1.3, **styles[method.label])
     ax.axhline(tolerance, color="0.4", lw=0.8, ls="--", label="tolerance")
     ax.set_xlabel(unit, fontsize=9)
     ax.set_ylabel("error of the motion, of its amplitudes", fontsize=9)

@@ -21,6 +21,7 @@ from runtime.studies.advice import methods
 from runtime.studies.advice.advise import Advice, NoAdvice, advice_data, advice_lines, advise, advised_command
 from runtime.studies.advice.methods import candidates, left_out
 from runtime.studies.advice.reference import NoReference, Reference, independent_reference, seconds_of, trial_of
+from runtime.studies.advice.spectrum import StepRatios
 from symgen.generate import model_of as derived
 from symgen.scene import SceneRecord
 
@@ -137,7 +138,7 @@ def test_unknown_grades_are_named(oscillators: Model) -> None:
 
 
 def test_no_advice_says_what_was_tried(oscillators: Model, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("runtime.studies.advice.advise.candidates", lambda model: [Method("printed", (4,))])
+    monkeypatch.setattr("runtime.studies.advice.advise.candidates", lambda model, ratios: [Method("printed", (4,))])
     monkeypatch.setattr("runtime.running.ladder.MOST_OPERATIONS", 1e3)
     with pytest.raises(NoAdvice, match=r"printed m=4"):
         advise(oscillators, t_end=1.0, parameters=PLAIN, initial=START, tolerance=1e-9)
@@ -155,14 +156,15 @@ def test_a_motion_without_reference_is_said_so(oscillators: Model) -> None:
 def test_dense_methods_are_left_out_for_large_models(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
     """Those that are not tried are named."""
     small, model = built_in("flexible_slider_crank_free"), derived(arm(20))
-    labels = {one.label for one in candidates(small)}
+    ratios = StepRatios((10,), 4)
+    labels = {one.label for one in candidates(small, ratios)}
     assert {"exponential m=1", "exponential m=2 order=5", "coupled m=5", "radau eps=1e-06"} <= labels
-    assert {"exponential_rk4", "exponential m=1", "radau eps=1e-06"} <= {one.label for one in candidates(model)}
+    assert {"exponential_rk4", "exponential m=1", "radau eps=1e-06"} <= {one.label for one in candidates(model, ratios)}
     assert "beside exponential, radau" in left_out(model)
     assert left_out(built_in("pendulum")) == ""
     monkeypatch.setattr(methods, "affordable", lambda model: False)
     assert "exponential, radau and other dense methods, 0.1 million operations a step" in left_out(model)
-    assert "radau eps=1e-06" not in {one.label for one in candidates(model)}
+    assert "radau eps=1e-06" not in {one.label for one in candidates(model, ratios)}
 
 
 def test_rungs_of_advice_fall_as_the_order_says(oscillators: Model, tmp_path: Path) -> None:

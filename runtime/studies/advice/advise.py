@@ -21,7 +21,8 @@ from runtime.contract.model import EmittedModel
 from runtime.contract.status import card, line, table
 from runtime.running.ladder import Ladder, Method, Rung, chosen_method
 from runtime.running.problem import AUTO, Problem, tolerance_of
-from runtime.studies.advice.methods import candidates, checked_grades, left_out, multirate
+from runtime.studies.advice.methods import always_reported, candidates, checked_grades, left_out, multirate
+from runtime.studies.advice.spectrum import step_ratios
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
     from runtime.studies.advice.reference import Reference, Trial
 
 HOPELESS = 2.0  # times the operations of the best answer so far: a ladder that needs more is given up
+SHOWN_HOPELESS, SHOWN_RUNGS = 100.0, 3  # the same of what a report always shows, unless so many rungs came to the end
 DIGITS = 3  # of an advised step, which is rounded down
 Note = Callable[[str], None]
 
@@ -39,7 +41,7 @@ class Climbed:
 
     answer: None where none met it in useful time; error: of it, as compared with the tolerance; operations: of its
     steps. rungs (N, 2): operations and error of each rung whose error is known. trials: all rungs by the independent
-    reference, of a report.
+    reference, of a report. finest: the last rung that came to its end.
     """
 
     method: Method
@@ -49,6 +51,7 @@ class Climbed:
     failure: str = ""
     rungs: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))
     trials: list[Trial] = field(default_factory=list)
+    finest: Rung | None = None
 
     @property
     def label(self) -> str:
@@ -115,12 +118,15 @@ class Advice:
         from runtime.views.plots import work_precision
 
         title = f"{self.model.title or self.model.name}, {self.t_end:g} s"
-        curves = {
-            one.label: np.array([(1e3 * trial.seconds, trial.error) for trial in one.trials]).reshape(-1, 2)
-            if self.reference
-            else one.rungs
+        curves = [
+            (
+                one.method,
+                np.array([(1e3 * trial.seconds, trial.error) for trial in one.trials]).reshape(-1, 2)
+                if self.reference
+                else one.rungs,
+            )
             for one in self.climbed
-        }
+        ]
         unit = "processor time of the steps [ms]" if self.reference else "operations"
         found: Figure = work_precision(title, curves, self.tolerance, unit, path)
         return found
@@ -166,12 +172,17 @@ def advise(
     problem = Problem.of(model, t_end, parameters, initial, start) if reference is None else reference.problem
     ladder = Ladder(problem, tolerance, graded=tuple(graded or ()))
     chosen, reason = chosen_method(problem)
-    climbed: list[Climbed] = []
-    tried = [chosen, *(one for one in candidates(model) if one.label != chosen.label)]
-    for method in tried:
+    note(f"trying {chosen.label}")
+    climbed = [_climbed(ladder, chosen, np.inf, reference)]
+    motion = climbed[0].finest
+    ratios = step_ratios(problem, None if motion is None else motion.run.seen())
+    shown = always_reported(model, ratios) if reference is not None else []
+    tried = {method.label: method for method in (*candidates(model, ratios), *shown)}
+    tried.pop(chosen.label, None)
+    for method in tried.values():
         note(f"trying {method.label}")
         least = min((one.operations for one in climbed), default=np.inf)
-        climbed.append(_climbed(ladder, method, least, reference))
+        climbed.append(_climbed(ladder, method, least, reference, always=method in shown))
     climbed.sort(key=lambda one: one.operations)
     best = climbed[0]
     if best.answer is None:
@@ -192,15 +203,18 @@ def advise(
     )
 
 
-def _climbed(ladder: Ladder, method: Method, best: float, reference: Reference | None) -> Climbed:
-    """The ladder of a method, given up where a rung is far dearer than the best answer so far."""
+def _climbed(ladder: Ladder, method: Method, best: float, reference: Reference | None, always: bool = False) -> Climbed:
+    """The ladder of a method, given up where a rung is far dearer than the best answer so far; always: is it shown
+    whatever it costs?
+    """
     rungs: list[Rung] = []
     try:
         for rung in ladder.climb(method):
             rungs.append(rung)
             if rung.status.name == "interrupted":
                 raise KeyboardInterrupt
-            if _operations(rung) > HOPELESS * best:
+            few = always and sum(not one.lost for one in rungs) < SHOWN_RUNGS
+            if _operations(rung) > (SHOWN_HOPELESS if few else HOPELESS) * best:
                 break
     except SymgenError as error:  # a scheme that this model does not allow
         return Climbed(method, failure=str(error).splitlines()[0])
@@ -211,11 +225,12 @@ def _climbed(ladder: Ladder, method: Method, best: float, reference: Reference |
         from runtime.studies.advice.reference import trial_of
 
         trials = [trial_of(method.label, rung, reference) for rung in rungs]
-    found = Climbed(method, failure="not reached in useful time", rungs=seen, trials=trials)
+    whole = next((one for one in reversed(rungs) if not one.lost), None)
+    found = Climbed(method, failure="not reached in useful time", rungs=seen, trials=trials, finest=whole)
     for rung, finer in reversed(pairs):
         if not finer.differs <= ladder.tolerance:
             break
-        found = Climbed(method, rung, finer.differs, _operations(rung), rungs=seen, trials=trials)
+        found = Climbed(method, rung, finer.differs, _operations(rung), rungs=seen, trials=trials, finest=whole)
     return found
 
 

@@ -14,15 +14,12 @@ from runtime.contract.errors import ModelError
 from runtime.contract.model import EmittedModel
 from runtime.running.ladder import DENSE, Method, affordable
 from runtime.schemes.catalogue import SCHEMES
+from runtime.studies.advice.spectrum import StepRatios
 
 LARGE = 20  # independent coordinates
 RADAU = Method("radau", None, {"eps": (1e-6,)})
 ONE_OF_EACH = (Method("exponential", (1,)), RADAU)
-DENSE_METHODS = (
-    *(Method("exponential", (m,)) for m in (1, 2)),
-    *(Method("exponential", (m,), {"order": 5}) for m in (1, 2)),
-    RADAU,
-)
+CHEAP = (1, 2)  # sub-steps of `exponential` that make a step of one stage
 PREDICTED = Method("single_rate", None, {"common_velocity": "predictor"})
 
 
@@ -31,13 +28,24 @@ def multirate(method: Method) -> bool:
     return SCHEMES[method.scheme].multirate
 
 
-def candidates(model: EmittedModel) -> list[Method]:
-    """Methods worth trying for advice, the likeliest first."""
-    found = [*stiff_methods(model), *_dense(model), PREDICTED, Method("rk4"), Method("dop853")]
+def candidates(model: EmittedModel, ratios: StepRatios) -> list[Method]:
+    """Methods worth trying for advice, the likeliest first, with ratios of steps as the motion needs them."""
+    found = [*stiff_methods(model), *_dense(model, ratios), PREDICTED, Method("rk4"), Method("dop853")]
     if len(model.groups) > 1:
-        inner = (1,) * (len(model.groups) - 2)
-        found += [Method("coupled", (*inner, ratio)) for ratio in (2, 5, 10)]
+        twice = (*(1,) * (len(model.groups) - 2), 2)
+        wanted = dict.fromkeys((twice, ratios.halved, ratios.groups))
+        found += [Method("coupled", one) for one in wanted if max(one) > 1]
     return found
+
+
+def always_reported(model: EmittedModel, ratios: StepRatios) -> list[Method]:
+    """What every report shows: the paper's sub-cycling, and central difference with one step for all coordinates.
+
+    `printed` has the ratios that the motion needs, and those of a scene that is stepped by it.
+    """
+    own = model.simulation.get("m") if model.simulation["scheme"] == "printed" else None
+    wanted = dict.fromkeys((ratios.groups, *([tuple(own)] if own else [])))
+    return [*(Method("printed", one or None) for one in wanted), Method("single_rate")]
 
 
 def stiff_methods(model: EmittedModel) -> list[Method]:
@@ -48,11 +56,13 @@ def stiff_methods(model: EmittedModel) -> list[Method]:
     return [*([] if many else [Method("exponential_adams")]), Method("exponential_rk4")]
 
 
-def _dense(model: EmittedModel) -> list[Method]:
+def _dense(model: EmittedModel, ratios: StepRatios) -> list[Method]:
     if not model.has("residual_jacobian"):
         return []
     if len(model.q_i) <= LARGE:
-        return list(DENSE_METHODS)
+        sub_steps = sorted({*CHEAP, ratios.overall})
+        fifth = [Method("exponential", (m,), {"order": 5}) for m in CHEAP]
+        return [*(Method("exponential", (m,)) for m in sub_steps), *fifth, RADAU]
     return list(ONE_OF_EACH) if affordable(model) else []
 
 
