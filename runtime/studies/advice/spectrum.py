@@ -33,7 +33,9 @@ UNKNOWN = 5  # where a model cannot be linearised
 
 @dataclass(frozen=True)
 class StepRatios:
-    """groups: of each two neighbouring groups, slow to fast; overall: of the fastest motion to the slowest group."""
+    """groups: of each two neighbouring groups, slow to fast; overall: for methods that step all coordinates alike and
+    take sub-steps of the linear part, whose steps follow what moves in earnest.
+    """
 
     groups: tuple[int, ...]
     overall: int
@@ -52,11 +54,10 @@ def step_ratios(problem: Problem, motion: Solution | None = None) -> StepRatios:
     frequencies = group_frequencies(problem, groups, motion)
     if frequencies is None:
         return StepRatios((1,) * (count - 1) + (UNKNOWN,) * min(count, 1), UNKNOWN)
-    fastest, slowest = frequencies[-1], frequencies[0]
-    if count == 0:
-        slowest = float(moving_rates(problem, motion).max(initial=0.0))
+    moved = float(moving_rates(problem, motion).max(initial=0.0))
+    fastest, needed = frequencies[-1], max(moved, frequencies[0] if count else 0.0)
     found = tuple(_ratio(b, a, MOST) for a, b in zip(frequencies, frequencies[1:], strict=False))
-    return StepRatios(found, _ratio(fastest, slowest, MOST_SUB_STEPS))
+    return StepRatios(found, _ratio(fastest, needed, MOST_SUB_STEPS))
 
 
 def _ratio(fast: float, slow: float, most: int) -> int:
