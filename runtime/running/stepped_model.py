@@ -95,7 +95,8 @@ class SteppedModel:
         whole = min(steps, plan.whole_steps - int(z[1]))
         if whole > 0:
             across(self.stepper, z, whole, self.ready, *around)
-        if plan.end is not None and whole < steps and int(z[1]) == plan.whole_steps:
+        at_last = whole < steps and int(z[1]) == plan.whole_steps
+        if plan.end is not None and at_last and self.first_event(z) is None:
             z[0] = plan.end - plan.steps * plan.grid.dt_L
             across(self.stepper, z, 1, self.ready, *around)
 
