@@ -38,6 +38,7 @@ from runtime.running.problem import (
 from runtime.running.record import Marks
 from runtime.running.run import Further, Run, begun, integrate
 from runtime.running.time_functions import OfTime, force_of_time
+from runtime.running.turns import frequency_at_start, frequency_on_the_way
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import LARGE_SYSTEM, SchemeError
 from runtime.schemes.scheme import Scheme, evaluation_operations
@@ -48,6 +49,7 @@ SEES_SHORT = 8  # steps in the time in which a load acts
 SAFETY = 0.9  # of a tolerance, and of a stability limit
 MOST = 2.5  # times the steps of the rung before
 AFTER_LOST = 3.0  # the same, where the motion was lost
+MOST_FINER = 10.0  # the same, where its steps turned a loop too far
 SHOWN = 0.8  # of the order of a method: where three rungs show that much, the error is half of the difference
 SEEN = 1000  # samples of a rung that is kept
 MOST_STEPS = 10**8
@@ -196,6 +198,7 @@ class Ladder:
     def climb(self, method: Method) -> Iterator[Rung]:
         """Rungs from the first to the one that meets the tolerance, or to the last that it is worth to make."""
         count, rungs, spent = ceil((method.first or self.first(method)) / self.unit), list[Rung](), 0.0
+        count = max(count, self._units(frequency_at_start(self.problem.model, self.problem.state)))
         seen = 0
         plan = None
         while True:
@@ -215,6 +218,8 @@ class Ladder:
                 seen = self._seen_on_the_way(rung)
             following = self.next_count(rungs, order)
             following = following if following is None else max(following, seen)
+            if (turned := min(self._turned_by(rung), ceil(MOST_FINER * count))) > count:  # it tells nothing yet
+                following = max(following or 0, turned)
             if following is None or spent * following / count > MOST_OPERATIONS or following * self.unit > MOST_STEPS:
                 return
             count = following
@@ -228,6 +233,14 @@ class Ladder:
         """Steps, in units, that see what acts on a short part of the way that a rung took."""
         shortest = min((one.end - one.start for one in passed_by(rung.run, SEES_SHORT)), default=inf)
         return ceil(SEES_SHORT * self.span / shortest / self.unit)
+
+    def _turned_by(self, rung: Rung) -> int:
+        """Steps, in units, none of which turns a loop too far to be followed, by what a rung has seen."""
+        return self._units(frequency_on_the_way(rung.run.record.states(), rung.lost))
+
+    def _units(self, frequency: float) -> int:
+        """Steps, in units, of so many in a second."""
+        return ceil(self.span * frequency / self.unit)
 
     def rung(self, plan: Plan, like: Run | None = None) -> Rung:
         """A whole motion, of which one is known with other steps; nobody looks whether steps see what loads do."""

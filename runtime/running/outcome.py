@@ -27,6 +27,7 @@ from runtime.running.record import Marks
 from runtime.running.run import Run, begun, integrate
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import INSIDE, check_time_functions
+from runtime.schemes.options import LARGEST_TOLERANCE
 
 LARGEST = 0.1  # of an amplitude: the error from which a run is not accurate
 LARGEST_OF_RATES = 0.5  # the same of rates: vibrations that hardly move anything have a part in them
@@ -309,6 +310,7 @@ def stepped_by(problem: Problem, plan: Plan, dt: float, steps: int, every: int, 
     """The plan of a companion."""
     options = None
     if plan.scheme.adaptive:
-        dt, tolerance = plan.grid.dt_L, min(plan.options["tolerance"] * (2 if ratio > 1 else 0.5), 0.1)
-        options = {**plan.options, "tolerance": tolerance}
+        dt, tolerance = plan.grid.dt_L, plan.options["tolerance"]
+        larger = ratio > 1 and 2 * tolerance <= LARGEST_TOLERANCE
+        options = {**plan.options, "tolerance": tolerance * (2 if larger else 0.5)}
     return replace(plan.with_steps(problem.model, dt, steps, options), seen_steps=every, outputs=(), force=True)

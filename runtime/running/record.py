@@ -92,6 +92,10 @@ class Record:
         found = [told_by(self.segments[k], rows, model) for k, rows in parts if len(rows)]
         return np.concatenate(found, axis=1) if found else np.zeros((2, 0, len(followed(model)[0])))
 
+    def states(self) -> list[tuple[SteppedModel, np.ndarray]]:
+        """Consecutive states (N, n_z) that were kept, and the segment that they belong to."""
+        return [(self.segments[k], rows) for k, rows in by_segment(self.samples)]
+
     def solution(self, last: tuple[int, np.ndarray]) -> Solution:
         """Of all whole states that were kept, `last` the last one."""
         found = [self.segments[segment].observed(part) for segment, part in by_segment(self.samples)]

@@ -21,11 +21,12 @@ from collections.abc import Mapping, Sequence
 import casadi as ca
 import numpy as np
 
-from runtime.contract.coordinates import whole
+from runtime.contract.coordinates import SMALLEST_ARM, length_rows, turning_columns, whole
 from runtime.contract.model import EmittedModel
 from runtime.engine.program import Fields, Program, Until
 from runtime.engine.program import Sequence as InTurn
 from runtime.schemes.one_step import Attempt, Method
+from runtime.schemes.options import LARGEST_TOLERANCE
 from runtime.schemes.scheme import LARGEST, Scheme, StateField, Step, account, given, state
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, loop_blocks
 from runtime.schemes.stepper import Stepper
@@ -59,6 +60,7 @@ from runtime.schemes.switching.watched import (
 REFUSED, AIM, LOW = 2.0, 0.5, 0.2  # of e
 FORGET, RESUMED = 0.8, 0.3  # what is left of the peak after a step, and where it begins after longer steps
 SHRINK, GROW = 0.1, 5.0  # at most, from one step to the next
+TINY = 1e-300
 SMALLEST = 1e-5  # e is taken for at least this: an error of zero says nothing about longer steps
 
 
@@ -73,6 +75,12 @@ def step_factor(square: ca.SX, peak: ca.SX, order: int) -> ca.SX:
     factor = ca.exp((2 * ca.log(AIM) - ca.log(ca.fmax(worst, SMALLEST**2))) / (2 * order))
     known = ca.if_else(square >= 0, factor, SHRINK)
     return ca.fmin(GROW, ca.fmax(SHRINK, known))
+
+
+def closing_factor(missed: ca.SX, closes: ca.SX) -> ca.SX:
+    """h_next / h, at most, with which loops that missed by C close as well as is asked; SHRINK where C is no number."""
+    factor = (CLOSER * closes / ca.fmax(missed, TINY)) ** (1 / CLOSURE_ORDER)
+    return ca.if_else(missed >= 0, ca.fmax(factor, SHRINK), SHRINK)
 
 
 def peak_after(square: ca.SX, peak: ca.SX, factor: ca.SX, order: int) -> ca.SX:
@@ -144,6 +152,10 @@ WIDER = 1.5  # ranges whose squares, weighted, add up to so much more than befor
 SHORTEST, SHORTEST_OF_TIME = 1e-12, 1e-14  # of dt and of t: shorter steps are not made
 NOTHING = 1e-12  # of a step: an interpolant is not asked for less
 ATTEMPTS = 1 << 13  # in one application of the program; the next one goes on
+# C of a loop before the last Newton step of an evaluation, in mechanism lengths, up to which a step is taken at the
+# largest tolerance; of smaller ones as C goes with steps, so that a run is compared with one of other steps
+CLOSES = 1e-3
+CLOSER, CLOSURE_ORDER = 0.5, 3  # of it, what the next step is made for; C goes at least as h^3
 # what an attempt changes although it may be refused: `before` keeps it
 RESTORED = ("closure_error", "det_now", "det_low", "det_high")
 
@@ -185,6 +197,7 @@ class AdaptiveSteps(Scheme):
             "before": account(1 + 3 * loop_blocks(self.model)),
             "stops": given(STOPS),
             **dict.fromkeys(("beside", "lands"), given(1)),
+            **dict.fromkeys(("closes", "missed"), state(min(1, loops))),
             **dict.fromkeys(("going", "stuck", "accepted", "counted", "rejected", "h_least", "h_largest"), account(1)),
         }
 
@@ -202,6 +215,7 @@ class AdaptiveSteps(Scheme):
             "q_seen": seen if self.model.description.orientations else ca.SX(0, 1),
             "q_low": seen,
             "q_high": seen,
+            "closes": self._closes(start, equations),
             "h_next": FIRST * equations.h[0],
             "fresh": ca.SX(1),
             "cold": ca.SX(1),
@@ -209,6 +223,19 @@ class AdaptiveSteps(Scheme):
             "stops": ca.SX.ones(STOPS) * LARGEST,
             "h_least": ca.SX(LARGEST),
         }
+
+    def _closes(self, start: ClosedConfiguration, equations: StageEquations) -> ca.SX:
+        """Up to which C [m or rad] loops close within a step: by the longest lever arm at the start."""
+        if not self.model.loop_unknowns:
+            return ca.SX(0, 1)
+        q = equations.joined(start.q_i, start.q_d)
+        C_q = equations.call("constraints", q=q, q_dot=ca.SX.zeros(q.numel()), t=start.t)["C_q"]
+        rows, columns = np.flatnonzero(length_rows(self.model)), np.flatnonzero(turning_columns(self.model))
+        longest = ca.SX(0)
+        for arm in ca.vertsplit(ca.vec(ca.densify(C_q[rows.tolist(), columns.tolist()]))):
+            longest = ca.fmax(longest, ca.fabs(arm))
+        share = CLOSES * (equations.h[-1] / LARGEST_TOLERANCE) ** (CLOSURE_ORDER / self.method.error_order)
+        return share * ca.if_else(longest > SMALLEST_ARM, longest, 1.0)
 
     def ranged(self, q: ca.SX, motion: ClosedConfiguration) -> ca.SX:
         """q_i of which ranges are told: twice the vector of Euler parameters for turns, which a step counts anew."""
@@ -370,6 +397,9 @@ class AdaptiveSteps(Scheme):
         peak = z["peak"] * square / ca.fmax(mean_square(z["weight"], z["q_error"], h * z["v_error"]), SMALLEST**2)
         accepted = square <= REFUSED**2
         factor = step_factor(square, peak, self.method.error_order)
+        if self.model.loop_unknowns:
+            accepted = ca.logic_and(accepted, z["missed"] <= z["closes"])
+            factor = ca.fmin(factor, closing_factor(z["missed"], z["closes"]))
         wanted = h * factor
         wanted = ca.if_else(accepted, ca.fmax(wanted, ca.if_else(h < z["h_next"], z["h_next"], 0.0)), wanted)
         t = ca.if_else(accepted, z["t_to"], z["t_from"])
@@ -452,8 +482,11 @@ class AdaptiveSteps(Scheme):
         peak = ca.fmax(square, FORGET**2 * z["peak"])
         # so far from an end another step and a half would not reach it
         usual = ca.logic_and(ca.logic_and(in_band(square, peak), t + 2 * h < z["end"]), z["wider"] <= 0)
+        ended = self._ended(z, equations, tried)
+        if self.model.loop_unknowns:
+            usual = ca.logic_and(usual, ended["missed"] <= z["closes"])
         return {
-            **self._ended(z, equations, tried),
+            **ended,
             **{"q_error": tried.dq, "v_error": tried.dv, "odd": ca.if_else(usual, 0.0, 1.0)},
             "peak": peak,
             "going": self._goal(z, equations) - t,
@@ -470,9 +503,13 @@ class AdaptiveSteps(Scheme):
             else tried.v
         )
         seen = {"q_seen": self.ranged(tried.q, on_the_way[-1])} if z["q_seen"].numel() else {}
+        missed = ca.SX(0)
+        for motion in on_the_way:
+            missed = ca.fmax(missed, motion.C_loop)
         return {
             **tried.kept,
             **seen,
+            **({"missed": missed} if self.model.loop_unknowns else {}),
             **{"q_to": tried.q, "v_to": v, "loop_to": loop, "t_to": t, "t_try": t + h},
             **self.closed(z, *on_the_way),
             "det_now": on_the_way[-1].det_loop,

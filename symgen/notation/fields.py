@@ -41,6 +41,8 @@ FIELDS_OF_TOLERANCE = (
     ("stops", "4", "s", "next times that no step crosses"),
     ("beside", "1", "s", "how far from them forces are evaluated"),
     ("lands", "1", "1", "positive where states that are seen are ends of steps"),
+    ("closes", "n_loop > 0", "m or rad", "C of a loop before the last Newton step up to which a step is taken"),
+    ("missed", "n_loop > 0", "m or rad", "the largest C of a loop in the step that was tried"),
     ("stuck", "1", "1", "positive where the least step did not meet the tolerance"),
     ("accepted", "1", "1", "accepted steps so far"),
     ("counted", "1", "1", "those that h_least and h_largest tell of"),

@@ -103,7 +103,7 @@ def by_velocities(
 
 COUNTERS = ("closure_error", "iterations", "failures")
 STEPS_MADE = ("accepted", "counted", "rejected", "h_least", "h_largest")  # those that follow from a tolerance
-OF_TOLERANCE = (*STEPS_MADE, "h_next", "lands")
+OF_TOLERANCE = (*STEPS_MADE, "h_next", "lands", "closes")
 RANGES = ("q_low", "q_high")  # what errors are measured by
 CLOSURES = 6
 CONJUGATE = np.array([1.0, -1.0, -1.0, -1.0])
