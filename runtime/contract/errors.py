@@ -5,6 +5,8 @@ Whatever is not of this family is a fault of the project itself.
 
 from __future__ import annotations
 
+from runtime.contract.escapes import shown
+
 LONGEST_MESSAGE = 2000  # characters: what was given may be as long as it likes, its echo may not
 
 
@@ -27,7 +29,12 @@ class SymgenError(Exception):
 
     def __str__(self) -> str:
         parts = f"{self.item}: {self.problem}" if self.problem else self.item
-        return clipped(f"{parts}; {self.remedy}" if self.problem and self.remedy else parts)
+        return clipped(printable(f"{parts}; {self.remedy}" if self.problem and self.remedy else parts))
+
+
+def printable(text: str) -> str:
+    """A message that moves no cursor and hides nothing: what is not printed, but for line ends, by its escape."""
+    return "\n".join(map(shown, text.split("\n")))
 
 
 def clipped(text: str) -> str:

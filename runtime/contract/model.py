@@ -13,6 +13,7 @@ from typing import Any, NamedTuple, Self, TypeVar
 import casadi as ca
 import numpy as np
 
+from runtime.contract.cards import Html, card, fold, table
 from runtime.contract.errors import ModelError
 from runtime.contract.orientations import Places, places_of
 from runtime.contract.records import (
@@ -26,7 +27,6 @@ from runtime.contract.records import (
     Parameter,
 )
 from runtime.contract.signals import Signals, as_called, traced
-from runtime.contract.status import card, fold, table
 from runtime.contract.tape import arithmetic
 
 # Values of parameters and inputs given by name, checked.
@@ -136,7 +136,7 @@ def of_parameters(kernel: ca.Function, constants: ca.Function) -> ca.Function:
 # A model in a notebook: coordinates, partition, joints, measures, constraints, operations, parameters.
 
 
-def model_card(described: Description, sketch: str = "") -> str:
+def model_card(described: Description, sketch: str = "") -> Html:
     """HTML of a model's description; sketch: a drawing of it, as SVG."""
     elastic = sum(entry.elastic for entry in described.coordinates)
     about = (

@@ -1,80 +1,11 @@
-"""How a simulation ended: a named status with time, coordinate, likely cause and advice; and the small tables, in
-HTML with their style inline and no script, by which a notebook shows that and other objects.
-"""
+"""How a simulation ended: a named status with time, coordinate, likely cause and advice."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from html import escape
 from typing import Literal
 
-import numpy as np
-
-# What a notebook shows of an object: small tables in HTML with their style inline, no script.
-
-GREEN, ORANGE, GREY = "#15803d", "#c2410c", "#6b7280"
-CELL = "text-align:left;padding:1px 10px 1px 0;border:none;vertical-align:top"
-MOST = 40  # rows of a table; further ones are counted
-SPARK = (170, 22)  # pixels
-
-
-def card(title: str, about: str, *parts: str) -> str:
-    """A box with a title, a line in grey, and parts that are HTML already."""
-    return (
-        '<div style="border:1px solid #d1d5db;border-radius:6px;padding:8px 12px;margin:4px 0;max-width:62em;'
-        f'font:13px/1.45 system-ui,sans-serif"><b style="font-size:14px">{escape(title)}</b> '
-        f'<span style="color:{GREY}">{escape(about)}</span>{"".join(parts)}</div>'
-    )
-
-
-def badge(text: str, good: bool) -> str:
-    """A word on green, or on orange."""
-    colour = GREEN if good else ORANGE
-    return f'<span style="background:{colour};color:#fff;border-radius:4px;padding:0 7px">{escape(text)}</span>'
-
-
-def line(html: str) -> str:
-    """A line of HTML."""
-    return f'<div style="margin-top:3px">{html}</div>'
-
-
-def table(rows: Iterable[Sequence[str]], header: Sequence[str] = ()) -> str:
-    """Rows of texts; what is HTML already begins with "<"."""
-    listed = list(rows)
-    head = "".join(f'<th style="{CELL};color:{GREY}">{escape(cell)}</th>' for cell in header)
-    body = "".join(
-        "<tr>"
-        + "".join(f'<td style="{CELL}">{cell if cell[:1] == "<" else escape(cell)}</td>' for cell in row)
-        + "</tr>"
-        for row in listed[:MOST]
-    )
-    more = f"<tr><td>... {len(listed) - MOST} more</td></tr>" if len(listed) > MOST else ""
-    style = "border-collapse:collapse;margin:4px 0;font:inherit"
-    return f'<table style="{style}">{f"<tr>{head}</tr>" if head else ""}{body}{more}</table>'
-
-
-def fold(title: str, html: str) -> str:
-    """Something that opens on a click."""
-    return f'<details style="margin-top:4px"><summary>{escape(title)}</summary>{html}</details>'
-
-
-def sparkline(values: np.ndarray) -> str:
-    """A small curve (SVG) of values (N,) at equal distances."""
-    width, height = SPARK
-    finite = np.nan_to_num(np.asarray(values, dtype=float))
-    low, span = float(finite.min()), float(np.ptp(finite)) or 1.0
-    chosen = np.unique(np.linspace(0, len(finite) - 1, min(len(finite), width)).astype(int))
-    x = np.linspace(1, width - 1, len(chosen))
-    y = height - 2 - (height - 4) * (finite[chosen] - low) / span
-    points = " ".join(f"{u:.1f},{v:.1f}" for u, v in zip(x, y, strict=True))
-    return (
-        f'<svg width="{width}" height="{height}"><polyline points="{points}" fill="none" stroke="#0072b2" '
-        'stroke-width="1.3"/></svg>'
-    )
-
-
-# How a simulation ended: a named status with time, coordinate, likely cause and advice.
+from runtime.contract.cards import Html, badge, html
 
 StatusName = Literal[
     "completed",
@@ -167,11 +98,11 @@ class Status:
             return ""
         return "INACCURATE" if self.whole else f"STOPPED: {self.name} at {self.time:.4g} s"
 
-    def _repr_html_(self) -> str:
-        where = f", coordinate {escape(self.coordinate)}" if self.coordinate else ""
-        cause = f"<br>{escape(self.cause)}" if self.cause else ""
-        advice = f"<br>Try: {escape(self.advice)}" if self.advice else ""
-        return f"{badge(self.name, self.ok)} at t = {self.time:.9g} s{where}{cause}{advice}"
+    def _repr_html_(self) -> Html:
+        where = f", coordinate {self.coordinate}" if self.coordinate else ""
+        cause = html(Html("<br>"), self.cause) if self.cause else Html()
+        advice = html(Html("<br>"), f"Try: {self.advice}") if self.advice else Html()
+        return html(badge(self.name, self.ok), f" at t = {self.time:.9g} s{where}", cause, advice)
 
     def __str__(self) -> str:
         where = f", coordinate {self.coordinate}" if self.coordinate else ""

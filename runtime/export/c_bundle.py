@@ -20,6 +20,7 @@ import numpy as np
 from runtime.contract.arguments import BY_NAME, NUMBER, PLACE, arguments
 from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.errors import ModelError
+from runtime.contract.escapes import c_comment, c_string
 from runtime.contract.files import write_text
 from runtime.contract.model import EmittedModel
 from runtime.contract.tape import shared
@@ -35,6 +36,8 @@ from runtime.schemes.stepper import prepared_step, start_there
 from runtime.schemes.switching.stop_program import restarted
 from runtime.schemes.switching.watched import watches
 from runtime.start.start_state import start_state
+
+NAME = "[A-Za-z][A-Za-z0-9_. -]{0,63}"
 
 
 @dataclass(frozen=True)
@@ -62,7 +65,7 @@ class Exported:
     @property
     def prefix(self) -> str:
         """Of every name in the code."""
-        return re.sub(r"\W", "_", self.name) + "_"
+        return re.sub(r"\W", "_", self.name, flags=re.ASCII) + "_"
 
     @property
     def ready(self) -> int:
@@ -103,6 +106,9 @@ def exported(
     """Prepare a model and a scheme, by default the scene's. Raises ModelError or SchemeError for what cannot leave."""
     if not model.q_i:
         raise ModelError(f"model {model.name}", "has no step: every coordinate is driven", "simulate it")
+    if name is not None and not re.fullmatch(NAME, name):
+        problem = "is no name for files and for what stands in them"
+        raise ModelError(f"name {name!r}", problem, "give a letter and up to 63 letters, digits, blanks, _, . or -")
     p = model.parameter_vector(parameters)
     refuse_stops(model, p)
     name_of_scheme, length = steps_asked(model, scheme, dt, m, options)
@@ -204,18 +210,12 @@ def _work(one: Exported, code: Mapping[str, Code]) -> int:
 # ---- text -----------------------------------------------------------------------------------------------------
 
 
-def quoted(text: str) -> str:
-    """A C string of UTF-8."""
-    plain = {34: '\\"', 92: "\\\\", 63: "\\?"}
-    return '"' + "".join(plain.get(b) or (chr(b) if 32 <= b < 127 else f"\\{b:03o}") for b in text.encode()) + '"'
-
-
 def _constant_tables(one: Exported) -> str:
     """Names, units, meanings and start values; the first state."""
     p, lines = one.prefix, list[str]()
     tables = {"parameters": one.parameters, "inputs": one.inputs, "starts": one.x, "outputs": one.outputs}
     for name, entries in tables.items():
-        rows = [f"  {{{', '.join(map(quoted, (e.name, e.unit, e.meaning)))}, {e.start!r}}}," for e in entries]
+        rows = [f"  {{{', '.join(map(c_string, (e.name, e.unit, e.meaning)))}, {e.start!r}}}," for e in entries]
         lines += [f"const {p}quantity {p}{name}[] = {{", *rows, "  {NULL, NULL, NULL, 0.0}};", ""]
     return "\n".join([*lines, constant_array(f"{p}z0", one.z), ""])
 
@@ -235,7 +235,7 @@ def _header(one: Exported, work: int) -> str:
     return _HEADER.format(
         p=p,
         guard=f"{p}H",
-        title=one.model.title or one.name,
+        title=c_comment(one.model.title or one.name),
         defined=defined,
         dt=one.scheme.grid.dt_L,
         ends=", ".join(f"{p}{name} = {number}" for name, number in ENDS.items()),

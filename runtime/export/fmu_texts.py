@@ -5,16 +5,16 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 from importlib.resources import files
-from xml.sax.saxutils import quoteattr
 
 import casadi as ca
 
 from runtime.baselines.condensed_ode import CondensedOde
 from runtime.contract.coordinates import joined
+from runtime.contract.escapes import c_string, xml_attribute
 from runtime.contract.model import EmittedModel
 from runtime.contract.tape import Tape, shared
 from runtime.engine.c_source import Style, named, source, tape_code
-from runtime.export.c_bundle import Exported, constant_array, quoted
+from runtime.export.c_bundle import Exported, constant_array
 from runtime.export.c_stops import event_table, sets_of, whole_numbers
 from runtime.running.stepping import may_jump
 from runtime.schemes.switching.times import switches_by_inputs
@@ -93,7 +93,7 @@ def fmu_source(one: Exported, fmi: int, token: str) -> str:
         stem=p[:-1],
         work=max([1, *(part.work for part in code)]),
         p=p,
-        token=quoted(token),
+        token=c_string(token),
         nx=len(states),
         events=len(model.description.events) if states else 0,
         modes=len(model.element_modes) if states else 0,
@@ -258,12 +258,12 @@ def description(one: Exported, fmi: int, token: str) -> str:
 
 
 def _second(one: Exported, token: str, known: list[Variable], states: list[str]) -> list[str]:
-    stem, title = one.prefix[:-1], quoteattr(one.model.title or one.name)
+    stem, title = one.prefix[:-1], xml_attribute(one.model.title or one.name)
     sources = f'<SourceFiles><File name="fmu.c"/><File name="{stem}.c"/></SourceFiles>'
     kept = 'canGetAndSetFMUstate="true" canSerializeFMUstate="true" providesDirectionalDerivative='
     kept += f'"{str(bool(states)).lower()}"'
     lines = [
-        f'<fmiModelDescription fmiVersion="2.0" modelName={quoteattr(one.name)} guid="{token}" description={title}',
+        f'<fmiModelDescription fmiVersion="2.0" modelName={xml_attribute(one.name)} guid="{token}" description={title}',
         '  generationTool="symgen" variableNamingConvention="flat" '
         f'numberOfEventIndicators="{len(indicator_names(one))}">',
     ]
@@ -281,8 +281,9 @@ def _second(one: Exported, token: str, known: list[Variable], states: list[str])
         real = _attributes(v, derivative=None if v.derivative is None else v.derivative + 1)
         initial = f' initial="{v.initial}"' if v.initial else ""
         lines.append(
-            f'<ScalarVariable name={quoteattr(v.name)} valueReference="{v.reference}" causality="{v.causality}" '
-            f'variability="{v.variability}"{initial} description={quoteattr(v.meaning)}><Real{real}/></ScalarVariable>'
+            f'<ScalarVariable name={xml_attribute(v.name)} valueReference="{v.reference}" causality="{v.causality}" '
+            f'variability="{v.variability}"{initial} description={xml_attribute(v.meaning)}>'
+            f"<Real{real}/></ScalarVariable>"
         )
     lines += ["</ModelVariables>", "<ModelStructure>"]
     for kind, members in _structure(known, states).items():
@@ -293,11 +294,11 @@ def _second(one: Exported, token: str, known: list[Variable], states: list[str])
 
 
 def _third(one: Exported, token: str, known: list[Variable], states: list[str]) -> list[str]:
-    stem, title = one.prefix[:-1], quoteattr(one.model.title or one.name)
+    stem, title = one.prefix[:-1], xml_attribute(one.model.title or one.name)
     kept = f'modelIdentifier="{stem}" canGetAndSetFMUState="true" canSerializeFMUState="true" '
     kept += f'providesDirectionalDerivatives="{str(bool(states)).lower()}"'
     lines = [
-        f'<fmiModelDescription fmiVersion="3.0" modelName={quoteattr(one.name)} instantiationToken="{token}"',
+        f'<fmiModelDescription fmiVersion="3.0" modelName={xml_attribute(one.name)} instantiationToken="{token}"',
         f'  description={title} generationTool="symgen" variableNamingConvention="flat">',
         *([f'<ModelExchange {kept} needsCompletedIntegratorStep="true"/>'] if states else []),
         f'<CoSimulation {kept} canHandleVariableCommunicationStepSize="true"/>',
@@ -310,8 +311,8 @@ def _third(one: Exported, token: str, known: list[Variable], states: list[str]) 
         of = None if v.derivative is None else known[v.derivative].reference
         initial = f' initial="{v.initial}"' if v.initial else ""
         lines.append(
-            f'<Float64 name={quoteattr(v.name)} valueReference="{v.reference}" causality="{v.causality}" '
-            f'variability="{v.variability}"{initial} description={quoteattr(v.meaning)}{_attributes(v, of)}/>'
+            f'<Float64 name={xml_attribute(v.name)} valueReference="{v.reference}" causality="{v.causality}" '
+            f'variability="{v.variability}"{initial} description={xml_attribute(v.meaning)}{_attributes(v, of)}/>'
         )
     lines += ["</ModelVariables>", "<ModelStructure>"]
     names = {"Outputs": "Output", "Derivatives": "ContinuousStateDerivative", "InitialUnknowns": "InitialUnknown"}
@@ -332,7 +333,7 @@ def _structure(known: list[Variable], states: list[str]) -> dict[str, list[int]]
 
 
 def _attributes(v: Variable, derivative: int | None) -> str:
-    found = f" unit={quoteattr(v.unit)}" if v.unit else ""
+    found = f" unit={xml_attribute(v.unit)}" if v.unit else ""
     found += f' min="{v.least!r}"' if v.least is not None else ""
     found += f' nominal="{v.nominal!r}"' if v.nominal != 1.0 else ""
     found += f' start="{v.start!r}"' if v.start is not None else ""
@@ -359,8 +360,8 @@ def _unit(text: str) -> str:
     powers: dict[str, int] = {}
     for sign, name, power in re.findall(r"(/?)\s*([A-Za-z1]+)(?:\^(-?\d+))?", text):
         if name not in _BASE:
-            return f"<Unit name={quoteattr(text)}/>"
+            return f"<Unit name={xml_attribute(text)}/>"
         for base, exponent in _BASE[name].items():
             powers[base] = powers.get(base, 0) + exponent * int(power or 1) * (-1 if sign else 1)
     given = "".join(f' {base}="{exponent}"' for base, exponent in powers.items() if exponent)
-    return f"<Unit name={quoteattr(text)}><BaseUnit{given}/></Unit>"
+    return f"<Unit name={xml_attribute(text)}><BaseUnit{given}/></Unit>"

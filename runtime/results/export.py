@@ -14,6 +14,7 @@ import numpy as np
 
 from runtime.contract.coordinates import OMEGA, angular_velocities, euler_angles, parameter_columns
 from runtime.contract.errors import ModelError
+from runtime.contract.escapes import csv_row
 from runtime.contract.files import OutputError, replacing
 from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import angle_motion, angle_names
@@ -235,7 +236,7 @@ def to_csv(solution: Samples, path: str | Path) -> None:
             np.column_stack(list(columns.values())),
             fmt="%.17g",
             delimiter=",",
-            header=",".join(f"{name} [{unit}]" if unit else name for name, unit in zip(columns, units, strict=True)),
+            header=csv_row(f"{name} [{unit}]" if unit else name for name, unit in zip(columns, units, strict=True)),
             comments="",
             encoding="utf-8",
         )

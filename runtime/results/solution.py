@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from runtime.contract.cards import badge, card, line, sparkline, table
 from runtime.contract.coordinates import followed
 from runtime.contract.lazy_method import LazyMethod
 from runtime.contract.model import EmittedModel
-from runtime.contract.status import badge, card, line, sparkline, table
 from runtime.results.samples import Samples
 
 if TYPE_CHECKING:
@@ -52,9 +52,7 @@ def solution_card(solution: Samples) -> str:
     return card(
         model.title or model.name,
         about,
-        line(status._repr_html_())
-        if not status.ok
-        else line(badge(status.name, True) + f" at t = {status.time:.6g} s"),
+        line(status._repr_html_()) if not status.ok else line(badge(status.name, True), f" at t = {status.time:.6g} s"),
         line(
             f"{len(solution.t)} samples, {stats.get('steps', '?')} steps{cost}; largest constraint error "
             f"{float(solution.constraint_error.max(initial=0.0)):.2g}{balance}"

@@ -14,7 +14,7 @@ from PIL import Image
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.files import OutputError, replacing
 from runtime.views.curves import COLOURS
-from runtime.views.figure import finish, grid, owner, title
+from runtime.views.figure import finish, grid, literal, owner, title
 from runtime.views.film import MAX_FRAMES, Film, Line, film, film_at, projected
 from runtime.views.mechanism import Scenery, scenery
 
@@ -108,7 +108,7 @@ def _stage(solution: Solution, shown: Film) -> tuple[Figure, Axes]:
     ax.tick_params(labelsize=8)
     ax.grid(True, color="0.92", lw=0.7)
     ax.spines[["top", "right"]].set_visible(False)
-    ax.set_title(solution.model.title or solution.model.name, fontsize=10, loc="left", pad=18)
+    ax.set_title(literal(solution.model.title or solution.model.name), fontsize=10, loc="left", pad=18)
     if shown.exaggeration != 1.0 and solution.model.elastic:
         factor = f"{shown.exaggeration:.0f}" if shown.exaggeration >= 10 else f"{shown.exaggeration:.2g}"
         ax.text(0.0, 1.02, f"deformation x {factor}", transform=ax.transAxes, fontsize=9, color="0.35")

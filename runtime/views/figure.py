@@ -56,8 +56,13 @@ def grid(
         ax.tick_params(labelbottom=True)
     for ax in axes[:count]:
         plain(ax)
-    figure.suptitle(title, fontsize=9.5, x=0.01, ha="left")
+    figure.suptitle(literal(title), fontsize=9.5, x=0.01, ha="left")
     return figure, axes[:count]
+
+
+def literal(text: str) -> str:
+    """A user's text for matplotlib, which takes what is between two $ for a formula."""
+    return text.replace("$", r"\$")
 
 
 def plain(ax: Axes) -> None:
@@ -87,7 +92,7 @@ def panel(ax: Axes, t: np.ndarray, curves: Curves, *, own: bool = True) -> None:
     if single and curves.names[0] not in heading:
         heading = f"{heading}: {curves.names[0]}" if heading else curves.names[0]
     ax.set_title(heading, fontsize=9.5, loc="left", fontweight="bold")
-    ax.set_ylabel(f"[{unit}]", fontsize=9)
+    ax.set_ylabel(literal(f"[{unit}]"), fontsize=9)
     ax.set_xlabel("time [s]", fontsize=9)
     if len(t) > 1:
         ax.set_xlim(t[0], t[-1])

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from runtime.contract.cards import Html
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import EmittedModel
 from runtime.views.curves import COLOURS
@@ -241,10 +242,10 @@ WIDTH, HIGHEST, MARGIN = 300.0, 200.0, 14.0  # pixels
 WIDTHS = {"beam": 3.0, "body": 4.0, "outline": 1.2, "spring": 1.2, "rod": 1.5}
 
 
-def model_sketch(model: EmittedModel) -> str:
+def model_sketch(model: EmittedModel) -> Html:
     """SVG of the initial position with the default parameters; "" if there is nothing to draw."""
     if not model.has("geometry"):
-        return ""
+        return Html()
     lines = lines_of(still(model), 1.0)
     points = np.concatenate([line.xy[0] for line in lines], axis=1)
     low, high = np.nanmin(points, axis=1), np.nanmax(points, axis=1)
@@ -256,7 +257,7 @@ def model_sketch(model: EmittedModel) -> str:
         for line in sorted(lines, key=lambda line: line.kind in ("joint", "slide", "ground"))
         if line.kind != "ghost"
     )
-    return f'<svg width="{WIDTH:.0f}" height="{height:.0f}" style="display:block;margin:4px 0">{drawn}</svg>'
+    return Html(f'<svg width="{WIDTH:.0f}" height="{height:.0f}" style="display:block;margin:4px 0">{drawn}</svg>')
 
 
 def _drawn(line: Line, xy: np.ndarray) -> str:

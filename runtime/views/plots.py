@@ -29,7 +29,7 @@ from runtime.schemes.catalogue import SCHEMES
 from runtime.views import curves
 from runtime.views.animation import snapshots as snapshots
 from runtime.views.curves import COLOURS, SPECIALS, Curves
-from runtime.views.figure import WIDTH, NotebookFigure, finish, grid, legend, owner, panel, prefixed, title
+from runtime.views.figure import WIDTH, NotebookFigure, finish, grid, legend, literal, owner, panel, prefixed, title
 from runtime.views.method_styles import method_styles
 
 if TYPE_CHECKING:
@@ -301,7 +301,7 @@ def section_forces(solution: Solution, body: str, path: str | Path | None = None
         ax.set_xlim(0.0, 1.0)
         about = f"{what}, at most {factor * abs(largest.value):.3g} {unit}"
         ax.set_title(about, fontsize=9.5, loc="left", fontweight="bold")
-        ax.set_ylabel(f"[{unit}]", fontsize=9)
+        ax.set_ylabel(literal(f"[{unit}]"), fontsize=9)
         ax.set_xlabel("" if k < len(drawn) - 2 else "part of the length", fontsize=9)
         legend(ax)
     return finish(figure, path)
@@ -333,7 +333,7 @@ def stresses(solution: Solution, body: str, path: str | Path | None = None) -> F
     largest = found.largest()
     about = f"at most {factor * largest.value:.3g} {unit}, {largest.gauge} at {largest.t:.4g} s"
     ax.set_title(about, fontsize=9.5, loc="left", fontweight="bold")
-    ax.set_ylabel(f"[{unit}]", fontsize=9)
+    ax.set_ylabel(literal(f"[{unit}]"), fontsize=9)
     ax.set_xlabel("t [s]", fontsize=9)
     legend(ax)
     return finish(figure, path)
@@ -514,7 +514,7 @@ def branch_picture(
     for kind, value, height in specials:
         ax.plot(value, height, "o", color=SPECIALS.get(kind, "#111827"), markersize=6)
         ax.annotate(kind, (value, height), textcoords="offset points", xytext=(6, 6), fontsize=8)
-    ax.set_xlabel(over)
+    ax.set_xlabel(literal(over))
     ax.set_ylabel(f"largest |{output}| of a period")
     return finish(figure, path)
 

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, TextIO
 
-from runtime.contract.errors import NoResult, SymgenError, clipped
+from runtime.contract.errors import NoResult, SymgenError, clipped, printable
 from runtime.results.meter import Meter
 
 OK, FAILED, WRONG_INPUT, FAULT, INTERRUPTED = 0, 1, 2, 3, 130
@@ -68,7 +68,7 @@ def report(outcome: Outcome, command: str, as_json: bool) -> None:
     if as_json:
         _write_json({"command": command, "exit_code": outcome.code, **outcome.data})
     elif outcome.lines:
-        print("\n".join(outcome.lines))
+        print(printable("\n".join(outcome.lines)))
     sys.stdout.flush()
 
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+
+from runtime.contract.escapes import markdown, markdown_lines
 from runtime.contract.records import Parameter
 from symgen.emission.description import data_text, manifest_text
 from symgen.emission.model_text import model_text
@@ -24,8 +27,8 @@ def model_page(derived: Derived) -> str:
     """Markdown page of a derived model."""
     scene = derived.scene
     parts = [
-        f"# {scene.title or scene.name}",
-        scene.description or "",
+        f"# {markdown(scene.title or scene.name)}",
+        markdown_lines(scene.description),
         _coordinates(derived),
         _bodies(derived),
         _joints(derived),
@@ -77,7 +80,8 @@ def _bodies(derived: Derived) -> str:
     ]
     for body in bodies:
         if isinstance(body, RigidBody):
-            lines.append(f"| {body.name} | rigid | mass {body.mass}, inertia {body.inertia} about the centre of mass |")
+            mass, inertia = _quantity(body.mass), _quantity(body.inertia)
+            lines.append(f"| {body.name} | rigid | mass {mass}, inertia {inertia} about the centre of mass |")
         elif isinstance(body, BeamBody):
             sets = [
                 f"{kind.replace('_', ' ')} modes {mode.ends} x {mode.modes}"
@@ -89,6 +93,11 @@ def _bodies(derived: Derived) -> str:
         elif isinstance(body, ModalBody | SpatialModalBody):
             lines.append(f"| {body.name} | given modal matrices | {len(body.M_ff)} modes |")
     return "\n".join(lines)
+
+
+def _quantity(value: object) -> str:
+    """A number or a list of them; with expressions in it as code, since their signs mean something to Markdown."""
+    return str(value) if re.fullmatch(r"[-+0-9.e(), ]*", str(value)) else f"`{value}`"
 
 
 def _joints(derived: Derived) -> str:
@@ -190,5 +199,5 @@ def _parameters(derived: Derived) -> str:
         first = entries[0]
         many = f", {len(entries)} entries `{first.name}` ..." if first.array else ""
         bound = "" if first.bound == "any" else first.bound
-        lines.append(f"| `{name}` | {first.unit} | {first.meaning}{many} | {bound} |")
+        lines.append(f"| `{name}` | {markdown(first.unit)} | {markdown(first.meaning)}{many} | {bound} |")
     return "\n".join(lines)

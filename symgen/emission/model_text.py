@@ -10,6 +10,7 @@ Names in the emitted text: of the entries of every argument, and of the rows and
 from __future__ import annotations
 
 import inspect
+import json
 import keyword
 import re
 import textwrap
@@ -18,6 +19,7 @@ from collections.abc import Iterable, Mapping, Sequence
 import casadi as ca
 
 from runtime.contract import table_function
+from runtime.contract.escapes import python_docstring, shown
 from runtime.contract.records import FunctionSpec, Signal
 from runtime.contract.tape import UNUSED, Node, Tape, marked, uses
 from symgen.notation.symbols import BY_NAME
@@ -126,7 +128,7 @@ class TapeText:
             return f"ca.if_else({self._text[node.a][0]}, {self._text[node.b][0]}, 0)", _ATOM
         if node.op == ca.OP_CALL:
             table, order = marked(node.value)
-            which = f'"{self._tables[table.key]}"' + (f", {order}" if order else "")
+            which = json.dumps(self._tables[table.key]) + (f", {order}" if order else "")
             return f"table({which})({self._text[node.a][0]})", _ATOM
         if node.op == ca.OP_ASSIGN:
             return self._text[node.a]
@@ -175,7 +177,7 @@ def _by_entry(name: str, rows: int, columns: int, entries: Sequence[str], names:
         if columns == 1:
             lines += [_noted(f"{name}[{row}] = {entry}", label) for _, entry in found]
             continue
-        lines += [f"# {label}"] if label and found else []
+        lines += [f"# {shown(label)}"] if label and found else []
         lines += [f"{name}[{row}, {column}] = {entry}" for column, entry in found]
     return lines
 
@@ -210,7 +212,7 @@ def _filled(entries: Sequence[str]) -> list[str]:
 
 
 def _noted(text: str, label: str) -> str:
-    return f"{text}  # {label}" if label else text
+    return f"{text}  # {shown(label)}" if label else text
 
 
 # what the emitted functions call their own: temporaries, arguments, outputs
@@ -307,7 +309,7 @@ def model_text(derived: Derived) -> str:
 def _header(derived: Derived) -> str:
     scene, eq = derived.scene, derived.system.reduced
     lines = [
-        f'"""{scene.title or scene.name}: equations of motion, emitted by symgen from the scene `{scene.name}`.',
+        f"{scene.title or scene.name}: equations of motion, emitted by symgen from the scene `{scene.name}`.",
         "",
         "Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.",
     ]
@@ -316,7 +318,7 @@ def _header(derived: Derived) -> str:
         if columns:
             entries = (f"{k} {eq.names[c]} [{eq.coordinates[c].unit}]" for k, c in enumerate(columns))
             lines += ["", f"{name}, the {what} coordinates by index:", *_wrapped(entries)]
-    return "\n".join([*lines, '"""', "", "import casadi as ca", ""])
+    return "\n".join([python_docstring([*lines, ""]), "", "import casadi as ca", ""])
 
 
 def _tables_text() -> str:
@@ -334,10 +336,10 @@ def _wrapped(entries: Iterable[str]) -> list[str]:
 
 def _docstring(spec: FunctionSpec) -> list[str]:
     equation = f" (Eq. {spec.equation})" if spec.equation.isdigit() else f" (Eqs. {spec.equation})"
-    lines = [f'"""{spec.meaning}{equation if spec.equation else ""}.', ""]
+    lines = [f"{spec.meaning}{equation if spec.equation else ''}.", ""]
     lines += [f"takes {_signal(signal)}" for signal in spec.inputs]
     lines += [f"gives {_signal(signal)}" for signal in spec.outputs]
-    return [*lines, f"{spec.operations} operations.", '"""']
+    return python_docstring([*lines, f"{spec.operations} operations.", ""]).split("\n")
 
 
 def _signal(signal: Signal) -> str:

@@ -39,7 +39,8 @@ from symgen.scene.surfaces import SurfaceTable
 from symgen.scene.tables import CurveTable
 from symgen.schema.errors import SceneError, did_you_mean
 from symgen.schema.expressions import Expression, parse_expression, table_name
-from symgen.schema.fields import Flag, Meaning, Name, Number, Quantity, Scope, StrictModel, Text
+from symgen.schema.fields import Flag, Meaning, Name, Number, Quantity, Scope, StrictModel
+from symgen.schema.texts import Line, Text
 
 
 class DeclaredParameter(StrictModel):
@@ -49,7 +50,7 @@ class DeclaredParameter(StrictModel):
     """
 
     default: Number
-    unit: Text = ""
+    unit: Line = ""
     description: Text = ""
 
 
@@ -61,7 +62,7 @@ class DeclaredState(StrictModel):
 
     rate: Annotated[Quantity, Meaning("rate of the state", "its unit a second", scope=Scope.STATES)]
     initial: Number = 0.0
-    unit: Text = ""
+    unit: Line = ""
     description: Text = ""
 
 
@@ -74,7 +75,7 @@ class DeclaredInput(StrictModel):
     """
 
     default: Number = 0.0
-    unit: Text = ""
+    unit: Line = ""
     description: Text = ""
     rates: Flag = False
     filter: Annotated[Number, Field(gt=0)] | None = None
@@ -203,7 +204,7 @@ class SceneParts(StrictModel):
     """The parts of a scene: each sound by itself. `SceneRecord` adds the checks across them."""
 
     name: Name
-    title: Text = ""
+    title: Line = ""
     description: Text = ""
     space: Literal["planar", "spatial"] = "planar"
     gravity: Annotated[tuple[Quantity, ...], Meaning("acceleration of gravity, (x, y) or (x, y, z)", "m/s^2")] = (

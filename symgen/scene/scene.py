@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from pydantic import ValidationError
 
-from runtime.contract.status import card, fold, table
+from runtime.contract.cards import card, fold, table
 from symgen.scene import toml_io
 from symgen.scene.checks import check_scene
 from symgen.scene.parts import SceneParts

@@ -25,8 +25,8 @@ from symgen.schema.fields import (
     Quantity,
     Scope,
     StrictModel,
-    Text,
 )
+from symgen.schema.texts import Text
 
 MAX_STEPS = 10**9
 

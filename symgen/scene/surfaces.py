@@ -12,7 +12,8 @@ from pydantic import model_validator
 
 from runtime.contract.tape import Table, table_of
 from symgen.scene.tables import along, kinks_of
-from symgen.schema.fields import Number, StrictModel, Text, refuse
+from symgen.schema.fields import Number, StrictModel, refuse
+from symgen.schema.texts import Text
 
 MOST_VALUES = 40_000  # of z: a cell holds up to 16 numbers
 

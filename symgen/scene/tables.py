@@ -19,7 +19,8 @@ from pydantic import Field, Strict, model_validator
 from runtime.contract.tape import Table, table_of
 from symgen.scene.toml_io import text_of
 from symgen.schema.errors import SceneError, show
-from symgen.schema.fields import Number, StrictModel, Text, refuse
+from symgen.schema.fields import Number, StrictModel, refuse
+from symgen.schema.texts import Line, Text
 
 MAX_POINTS = 200_000  # each is some hundred bytes of text; an evaluation costs the same whatever their number
 
@@ -39,7 +40,7 @@ class CurveTable(StrictModel):
     y: tuple[Number, ...] = ()
     interpolation: Literal["linear", "cubic", "monotone"] = "linear"
     outside: Literal["hold", "extend"] = "hold"
-    file: Text = ""
+    file: Line = ""
     columns: tuple[Annotated[int, Strict(), Field(ge=0, le=1000)], Annotated[int, Strict(), Field(ge=0, le=1000)]] = (
         0,
         1,

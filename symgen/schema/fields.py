@@ -21,9 +21,9 @@ from pydantic import BaseModel, ConfigDict, Field, PlainValidator, Strict, model
 from pydantic_core import PydanticCustomError
 
 from symgen.schema.errors import did_you_mean, show
+from symgen.schema.texts import line
 
 NAME_PATTERN = r"^[A-Za-z][A-Za-z0-9_]{0,63}$"
-MAX_TEXT = 10_000
 
 
 def refuse(problem: str, remedy: str, key: str = "") -> PydanticCustomError:
@@ -190,7 +190,7 @@ def _number(value: object) -> float:
 
 def _quantity(value: object) -> float | str:
     if isinstance(value, str):
-        return " ".join(_text(value).split())  # line breaks mean nothing in an expression
+        return " ".join(str(line(re.sub(r"[\t\r\n]", " ", value))).split())  # line breaks mean nothing in an expression
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise refuse(
             f"{show(value)} is neither a number nor an expression",
@@ -210,16 +210,6 @@ def _inertia(value: object) -> float | str | tuple[float | str, ...]:
     if any(isinstance(entry, list | tuple) for entry in value):
         raise refuse("is a matrix", "give inertia = [xx, yy, zz] and products = [xy, xz, yz]")
     return tuple(_quantity(entry) for entry in value)
-
-
-def _text(value: str) -> str:
-    if len(value) > MAX_TEXT:
-        raise refuse(f"the text is {len(value)} characters long", f"shorten it to at most {MAX_TEXT} characters")
-    try:
-        value.encode("utf-8")
-    except UnicodeEncodeError:
-        raise refuse("the text holds half a character (a lone surrogate)", "remove it") from None
-    return value
 
 
 def _reference(what: str, example: str) -> PlainValidator:
@@ -250,7 +240,6 @@ Inertia = Annotated[
 MarkerRef = Annotated[str, _reference("marker", '"body.marker", for instance "crank.origin"')]
 GaugeRef = Annotated[str, _reference("gauge", '"body.gauge", or "body.all" for the largest')]
 Coordinate = Annotated[str, PlainValidator(_coordinate, json_schema_input_type=str)]
-Text = Annotated[str, Strict(), Field(max_length=MAX_TEXT)]
 Flag = Annotated[bool, Strict()]
 Vector = tuple[Quantity, ...]
 Matrix = tuple[tuple[Quantity, ...], ...]

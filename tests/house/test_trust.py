@@ -93,7 +93,7 @@ def _environment() -> dict[str, str]:
 
 
 def test_line_ends_in_an_expression_do_not_make_the_model_look_edited(tmp_path: Path) -> None:
-    scene = Scene("wobble", title="one\r\ntwo").gravity(0, -9.81).parameter("g", 2.0)
+    scene = Scene("wobble", description="one\r\ntwo").gravity(0, -9.81).parameter("g", 2.0)
     scene = scene.rigid("bob", mass="g\r\n", inertia=1.0).revolute("pin", "ground.origin", "bob.origin")
     folder = generate(scene.build(), tmp_path / "wobble")
     assert load_model(folder).name == "wobble"

@@ -74,8 +74,8 @@ def test_round_trip_through_a_file(path: Path, tmp_path: Path) -> None:
 
 
 def test_text_and_floats_survive_the_round_trip() -> None:
-    title = 'quotes " and \\ and \n\r\t\x00\x7f and \u00e9 \U0001f600'
-    builder = Scene("a", title=title).rigid("b", mass=0.1 + 0.2, inertia=5e-324, free=True)
+    title, about = 'quotes " and \\ and \u00e9 \U0001f600', "two\n\tlines"
+    builder = Scene("a", title=title, description=about).rigid("b", mass=0.1 + 0.2, inertia=5e-324, free=True)
     scene = builder.parameter("p", 1.7976931348623157e308).parameter("q", -1e22).build()
     assert SceneRecord.from_toml_text(scene.to_toml()) == scene
 

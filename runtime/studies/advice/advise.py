@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from html import escape
 from math import floor, isfinite, log10
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,10 +14,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from runtime.contract.arguments import BY_NAME, NAMES, START, arguments
+from runtime.contract.cards import card, line, table
 from runtime.contract.coordinates import Initial
 from runtime.contract.errors import NoResult, SymgenError
 from runtime.contract.model import EmittedModel
-from runtime.contract.status import card, line, table
 from runtime.running.ladder import Ladder, Method, Rung, chosen_method
 from runtime.running.problem import AUTO, Problem, tolerance_of
 from runtime.studies.advice.methods import always_reported, candidates, checked_grades, left_out, multirate
@@ -140,7 +139,7 @@ class Advice:
         ]
         about = f"an error of {self.tolerance:g} in {', '.join(self.graded)} over {self.t_end:g} s"
         wanted = f"{self.best.label}, dt = {self.dt:g} s"
-        return card(wanted, about, line(escape(self.reason)), table(rows, ("method", "step", "operations", "error")))
+        return card(wanted, about, line(self.reason), table(rows, ("method", "step", "operations", "error")))
 
 
 class NoAdvice(NoResult):

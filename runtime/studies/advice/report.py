@@ -9,6 +9,7 @@ from math import isfinite
 from pathlib import Path
 
 from runtime.contract.arguments import BY_NAME, NAMES, arguments
+from runtime.contract.escapes import markdown
 from runtime.contract.files import write_text
 from runtime.contract.model import EmittedModel
 from runtime.studies.advice.advise import Advice, Note, advice_lines, advise
@@ -63,7 +64,7 @@ def as_markdown(found: Advice) -> str:
     """The page."""
     off = found.reference.off if found.reference is not None else float("nan")
     lines = [
-        f"# {found.model.title or found.model.name}: error against time",
+        f"# {markdown(found.model.title or found.model.name)}: error against time",
         "",
         f"{found.t_end:g} s of motion. The error is RMS over the motion, over the amplitude, of the worst of",
         f"{', '.join(found.graded)}, against DOP853 of SciPy, which is itself off by {off:.1g}.",
@@ -75,7 +76,7 @@ def as_markdown(found: Advice) -> str:
         "|---|---:|---:|---:|---:|---:|",
     ]
     for trial in trials_of(found):
-        told = trial.failure or (f"{trial.told:.2g}" if isfinite(trial.told) else "")
+        told = markdown(trial.failure) or (f"{trial.told:.2g}" if isfinite(trial.told) else "")
         size = f"{trial.setting:.3g} | {trial.steps} | {1e3 * trial.seconds:.3g}"
         lines.append(f"| {trial.label} | {size} | {trial.error:.2g} | {told} |")
     return "\n".join([*lines, "", "```", *advice_lines(found), "```", ""])

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.escapes import csv_row
 from runtime.contract.files import write_text
 from runtime.results.export import column_units
 from runtime.studies.ensemble.lane_runs import LaneResults
@@ -68,7 +69,7 @@ def write_csv(answer: Any, path: str | Path) -> None:
         full = np.repeat(full, times) if dimensions == ("case",) else full.ravel()
         head = f"{name} [{unit}]" if unit else name
         columns[head] = [str(one) if full.dtype.kind in "Ui" else f"{one:.17g}" for one in full.tolist()]
-    lines = [",".join(columns), *(",".join(row) for row in zip(*columns.values(), strict=True))]
+    lines = [csv_row(columns), *(",".join(row) for row in zip(*columns.values(), strict=True))]
     write_text(path, "\n".join(lines) + "\n")
 
 
