@@ -1,0 +1,326 @@
+"""A run of a structure: its plan, its levels of refinement, what it leaves."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from math import ceil
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from runtime.contract.status import Status
+from runtime.structures.central_difference import CentralDifference
+from runtime.structures.generalised_alpha import Coefficients, GeneralisedAlpha
+from runtime.structures.regions import Regions, checked_step, one_group
+from runtime.structures.structure import Array, StructureError
+
+if TYPE_CHECKING:
+    from runtime.structures.model import StructureModel
+
+ErrorWish = Literal["measured", "off"]
+SCHEMES = ("printed", "single_rate", "generalized_alpha")
+KEPT_BYTES = 20e6  # all coordinates are outputs below this
+SOME = 20  # outputs that nobody named
+MOST_LEVELS = 12
+ORDER = 2  # of all three methods
+INACCURATE = 0.1
+GOLDEN = 0.6180339887498949  # fields are kept at times that no period divides
+
+
+class Stepper(Protocol):
+    """What a scheme offers."""
+
+    major_step: float
+    t: float
+
+    @property
+    def x(self) -> Array: ...
+    @property
+    def rates(self) -> Array: ...
+    def start(self, x: Array, rates: Array, t: float = 0.0) -> None: ...
+    def advance(self, steps: int) -> None: ...
+    def energy(self) -> tuple[float, float]: ...
+
+
+class StructureRunError(NamedTuple):
+    """How far a run is off, by half its steps: of each output and of the whole field, of their own RMS amplitude.
+
+    order: that three levels showed, None where only two were run.
+    """
+
+    outputs: dict[str, float]
+    field: float
+    order: float | None
+
+    @property
+    def largest(self) -> float:
+        """The largest of them, NaN where nothing was measured."""
+        return max([self.field, *self.outputs.values()], default=float("nan"))
+
+    def __str__(self) -> str:
+        shown = "" if self.order is None else f", order {self.order:.1f} shown"
+        return f"{self.largest:.2g} of the amplitude{shown}"
+
+
+NOT_MEASURED = StructureRunError({}, float("nan"), None)
+
+
+@dataclass(eq=False)
+class StructureRun:
+    """What a run of a structure leaves.
+
+    Attributes
+    ----------
+    t : (N,) [s]
+        Times of the samples.
+    values : (N, outputs) [m]
+        ``run["name"]`` gives a column.
+    field_times : (F,) [s]; fields : (F, n) [m]
+        All coordinates at some times.
+    status, error, stats
+        How the run ended, how far it is off, what it took.
+    x, rates : (n,) [m, m/s]
+        The last good state.
+    energy : (N, 2) [J]
+        Kinetic and elastic, at `energy_times`.
+    """
+
+    model: StructureModel
+    scheme: str
+    t: Array
+    names: list[str]
+    values: Array
+    field_times: Array
+    fields: Array
+    energy_times: Array
+    energy: Array
+    x: Array
+    rates: Array
+    regions: Regions | None
+    status: Status
+    error: StructureRunError = NOT_MEASURED
+    stats: dict[str, Any] = field(default_factory=dict)
+
+    def __getitem__(self, name: str) -> Array:
+        if name not in self.names:
+            self.model.structure.place(name)  # raises for a name that is not there
+            raise StructureError(f"output '{name}'", "was not kept", f"run again with outputs=[..., {name!r}]")
+        return self.values[:, self.names.index(name)]
+
+    def __repr__(self) -> str:
+        return f"StructureRun({self.model.name!r}, {self.scheme}, {self.status}, error {self.error})"
+
+
+class _Level(NamedTuple):
+    """What a run with steps of one refinement left; index of samples is common to all levels."""
+
+    values: Array
+    fields: Array
+    energy: Array
+    x: Array
+    rates: Array
+    reached: int  # samples
+    failed: str
+
+
+@dataclass(frozen=True)
+class _Plan:
+    """steps: major steps of the first level; sampled, kept: after how many of them samples and fields are taken."""
+
+    steps: int
+    sampled: NDArray[np.int64]
+    kept: NDArray[np.int64]
+    outputs: NDArray[np.int64]
+
+
+def simulate(
+    model: StructureModel,
+    t_end: float,
+    *,
+    scheme: str,
+    dt: float | None,
+    m: Sequence[int] | int | None,
+    groups: Mapping[str, Sequence[str] | NDArray[np.int64]] | None,
+    tolerance: float | None,
+    initial: Mapping[str, float] | Array | None,
+    rates: Mapping[str, float] | Array | None,
+    outputs: Sequence[str] | None,
+    samples: int,
+    fields: int,
+    error: ErrorWish,
+    rho_inf: float,
+    progress: Callable[[float], None] | None,
+) -> StructureRun:
+    """See `StructureModel.simulate`."""
+    began = time.perf_counter()
+    _check_options(t_end, scheme, tolerance, samples, fields, error, m, groups)
+    x, v = model.vector("initial", initial), model.vector("rates", rates)
+    regions = None if scheme == "generalized_alpha" else model.regions(groups, m) if scheme == "printed" else one_group(model._lumped("single_rate"))
+    longest = t_end / 1000 if regions is None else regions.steps[-1]
+    if dt is not None and regions is not None:
+        limits = [group.limit / times for group, times in zip(regions.groups, regions.fastest, strict=True)]
+        checked_step(dt, min(*limits, model.step_limit) * regions.fastest[-1], "dt")
+    else:
+        checked_step(dt, np.inf, "dt")
+    first = ceil(t_end / (dt or longest) * (1 - 1e-12))
+    plan = _planned(first, samples, fields, _chosen_outputs(model, outputs, samples))
+
+    def level(refined: int, share: tuple[float, float]) -> _Level:
+        major = t_end / (plan.steps * refined)
+        stepper: Stepper = (
+            GeneralisedAlpha(model.structure, major, Coefficients.of(rho_inf))
+            if regions is None
+            else CentralDifference(model.structure, regions.with_step(major / regions.fastest[-1]))
+        )
+        stepper.start(x, v)
+        return _stepped(stepper, plan, refined, progress, share)
+
+    levels, refined = [level(1, (0.0, 1.0 if error == "off" else 1 / 3))], 1
+    found = NOT_MEASURED
+    while error == "measured" and not levels[-1].failed and len(levels) < MOST_LEVELS:
+        levels.append(level(2 * refined, (1 / 3, 1.0)))
+        if levels[-1].failed:
+            break
+        found = _measured(levels, plan, [model.names[k] for k in plan.outputs], model.structure.mass)
+        wanted = float("inf") if tolerance is None else tolerance
+        finer = _scaled(found, 1 / (2**ORDER - 1))
+        coarser = _scaled(found, 2**ORDER / (2**ORDER - 1))
+        if coarser.largest <= wanted:
+            levels, found = levels[:-1], coarser
+            break
+        if finer.largest <= wanted:
+            found, refined = finer, 2 * refined
+            break
+        refined, found = 2 * refined, finer
+    major = t_end / (plan.steps * refined)
+    return _left(model, scheme, plan, regions, levels[-1], t_end, major, found, tolerance, time.perf_counter() - began)
+
+
+def _check_options(
+    t_end: float, scheme: str, tolerance: float | None, samples: int, fields: int, error: str, m: Any, groups: Any
+) -> None:
+    if scheme not in SCHEMES:
+        raise StructureError("scheme", f"{scheme!r} does not step a structure", f"give one of {', '.join(SCHEMES)}")
+    if not (isinstance(t_end, int | float) and np.isfinite(t_end) and t_end > 0):
+        raise StructureError("t_end", f"{t_end!r} s", "give a positive time")
+    if tolerance is not None and not (np.isfinite(tolerance) and tolerance > 0):
+        raise StructureError("tolerance", f"{tolerance!r}", "give a positive number, such as 1e-3")
+    if error not in ("measured", "off"):
+        raise StructureError("error", f"{error!r}", 'give "measured" or "off"')
+    if error == "off" and tolerance is not None:
+        raise StructureError("error", "a tolerance needs a measured error", 'leave error out, or give a step "dt"')
+    for item, count, least in (("samples", samples, 1), ("fields", fields, 2)):
+        if not isinstance(count, int) or count < least:
+            raise StructureError(item, f"{count!r}", f"give a whole number from {least}")
+    if scheme != "printed" and (m is not None or groups is not None):
+        raise StructureError("m and groups", f"{scheme} has one step for all", 'take scheme="printed"')
+
+
+def _chosen_outputs(model: StructureModel, outputs: Sequence[str] | None, samples: int) -> NDArray[np.int64]:
+    structure = model.structure
+    if outputs is not None:
+        if isinstance(outputs, str):
+            raise StructureError("outputs", f"{outputs!r} is one text", "give a list of names")
+        return np.array([structure.place(name) for name in outputs], dtype=np.int64)
+    if structure.size * (samples + 1) * 8 <= KEPT_BYTES:
+        return np.arange(structure.size)
+    loaded = [np.flatnonzero(load.pattern)[:SOME] for load in structure.loads]
+    spread = np.linspace(0, structure.size - 1, SOME).astype(np.int64)
+    return np.unique(np.concatenate([*loaded, spread])).astype(np.int64)
+
+
+def _planned(steps: int, samples: int, fields: int, outputs: NDArray[np.int64]) -> _Plan:
+    sampled = np.unique(np.round(np.linspace(0, steps, samples + 1)).astype(np.int64))
+    marks = (np.arange(fields) + (np.arange(fields) * GOLDEN) % 1.0) / fields  # one in each slice, at no regular distance
+    kept = np.unique(np.concatenate([[0, steps], np.ceil(marks * steps)]).astype(np.int64))
+    return _Plan(steps, sampled, kept, outputs)
+
+
+def _stepped(stepper: Stepper, plan: _Plan, refined: int, progress: Callable[[float], None] | None, share: tuple[float, float]) -> _Level:
+    values, fields, energy, reached, failed, at = [], [], [], 0, "", 0
+    x, rates = stepper.x.copy(), stepper.rates.copy()
+    kept = set(plan.kept.tolist())
+    stops = np.union1d(plan.sampled, plan.kept)
+    sampled = set(plan.sampled.tolist())
+    try:
+        for stop in stops.tolist():
+            stepper.advance((stop - at) * refined)
+            at, now = stop, stepper.x
+            if not np.all(np.isfinite(now)):
+                failed = "not_finite"
+                break
+            if stop in sampled:
+                values.append(now[plan.outputs])
+                reached += 1
+            if stop in kept:
+                fields.append(now.copy())
+                energy.append(stepper.energy())
+            x = now
+            if progress is not None:
+                progress(share[0] + (share[1] - share[0]) * stop / plan.steps)
+        rates = stepper.rates if not failed else rates
+    except KeyboardInterrupt:
+        failed = "interrupted"
+    return _Level(np.array(values), np.array(fields), np.array(energy), np.array(x), np.array(rates), reached, failed)
+
+
+def _differences(one: _Level, other: _Level, names: list[str], mass: Any) -> StructureRunError:
+    """Root mean squares of the difference over those of the finer level about its mean; fields in the norm of M."""
+    weights = mass if isinstance(mass, np.ndarray) else mass.diagonal()
+    apart = np.sqrt((np.square(other.fields - one.fields) * weights).sum(axis=1))
+    field_error = float(np.sqrt(np.mean(apart**2)) / max(np.sqrt(np.mean((np.square(other.fields) * weights).sum(axis=1))), 1e-300))
+    gap = np.sqrt(np.mean(np.square(other.values - one.values), axis=0))
+    spread = np.sqrt(np.mean(np.square(other.values - other.values.mean(axis=0)), axis=0))
+    floor = 1e-6 * spread.max(initial=0.0)  # what does not move is not judged by its own rounding
+    return StructureRunError({n: float(g / max(s, floor, 1e-300)) for n, g, s in zip(names, gap, spread, strict=True)}, field_error, None)
+
+
+def _measured(levels: list[_Level], plan: _Plan, names: list[str], mass: Any) -> StructureRunError:
+    found = _differences(levels[-2], levels[-1], names, mass)
+    if len(levels) < 3:
+        return found
+    before = _differences(levels[-3], levels[-2], names, mass)
+    return found._replace(order=float(np.log2(before.field / found.field)) if found.field > 0 and before.field > 0 else None)
+
+
+def _scaled(error: StructureRunError, factor: float) -> StructureRunError:
+    return StructureRunError({name: factor * value for name, value in error.outputs.items()}, factor * error.field, error.order)
+
+
+def _left(
+    model: StructureModel, scheme: str, plan: _Plan, regions: Regions | None, level: _Level, t_end: float, major: float,
+    error: StructureRunError, tolerance: float | None, seconds: float,
+) -> StructureRun:  # fmt: skip
+    t = t_end * plan.sampled[: level.reached] / plan.steps
+    kept = t_end * plan.kept[: len(level.fields)] / plan.steps
+    last = float(t[-1]) if len(t) else 0.0
+    fine = None if regions is None else regions.with_step(major / regions.fastest[-1])
+    stats: dict[str, Any] = {"steps": round(t_end / major), "dt": major, "wall_seconds": seconds}
+    if fine is not None:
+        stats |= {
+            "small_steps": round(t_end / fine.step),
+            "groups": [len(group.nodes) for group in fine.groups],
+            "m": [group.sub_steps for group in fine.groups[:0:-1]],
+            "share_of_operations": fine.share,
+        }
+    return StructureRun(
+        model, scheme, t, [model.names[k] for k in plan.outputs], level.values, kept, level.fields, kept, level.energy,
+        level.x, level.rates, fine, _status(level, last, error, tolerance), error, stats,
+    )  # fmt: skip
+
+
+def _status(level: _Level, last: float, error: StructureRunError, tolerance: float | None) -> Status:
+    if level.failed == "interrupted":
+        return Status("interrupted", last, None, "stopped by the user", "what was computed is kept")
+    if level.failed:
+        return Status("not_finite", last, None, "the motion is no longer a number: the step grows", "see model.stability(); take a shorter dt")
+    if tolerance is not None and not error.largest <= tolerance:
+        cause = f"the measured error is {error.largest:.2g} where {tolerance:g} was asked for"
+        return Status("inaccurate", last, None, cause, "ask for less, or for a shorter motion")
+    if error.largest > INACCURATE:
+        cause = f"steps of this length are off by {error.largest:.2g} of the amplitude"
+        return Status("inaccurate", last, None, cause, "give a tolerance, or a shorter dt")
+    return Status("completed", last)
