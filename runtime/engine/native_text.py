@@ -1,11 +1,12 @@
-"""C of this package as LLVM IR that is checked in: compiled once when the project is developed, linked by llvmlite on any machine.
+"""C of this package as LLVM IR that is checked in: compiled once when the project is developed, linked by llvmlite
+on any machine.
 
-A user needs no compiler: `NAME.ll` beside `NAME.c` is text for any processor, from which `load` makes machine code for the
-one that runs. Developers write it anew with `python -m runtime.engine.native_text` after a change of the C; it needs the
-wheel `ziglang`, and a test holds that the two belong together.
+A user needs no compiler: `NAME.ll` beside `NAME.c` is text for any processor, from which `load` makes machine code
+for the one that runs. Developers write it anew with `python -m runtime.engine.native_text` after a change of the C;
+it needs the wheel `ziglang`, and a test holds that the two belong together.
 
-What is taken out of Clang's text so that every supported LLVM reads it, and every processor gets its own code: attributes
-and target (they would fix a plain x86-64), metadata (no loop may be unrolled otherwise), lifetime marks.
+What is taken out of Clang's text so that every supported LLVM reads it, and every processor gets its own code:
+attributes and target (they would fix a plain x86-64), metadata (no loop may be unrolled otherwise), lifetime marks.
 """
 
 from __future__ import annotations
@@ -48,7 +49,10 @@ def plain(text: str, name: str) -> str:
     """Clang's text without attributes, target, metadata and lifetime marks; it begins with what it is made of."""
     kept = []
     for line in text.splitlines():
-        if re.match(r"(; ModuleID|; Function Attrs|source_filename|target |attributes #|!)", line) or "@llvm.lifetime." in line:
+        if (
+            re.match(r"(; ModuleID|; Function Attrs|source_filename|target |attributes #|!)", line)
+            or "@llvm.lifetime." in line
+        ):
             continue
         line = re.sub(r",? !(tbaa|noalias|alias\.scope|llvm\.loop|llvm\.access\.group|range) !\d+", "", line)
         line = re.sub(r" #\d+(?=( {|$))", "", line)

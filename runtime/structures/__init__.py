@@ -1,4 +1,5 @@
-"""Linear finite-element structures, M x'' + D x' + K x = F(t), stepped by regions (Section 2 of the paper, Eqs. 3-14, 72).
+"""Linear finite-element structures, M x'' + D x' + K x = F(t), stepped by regions (Section 2 of the paper, Eqs.
+3-14, 72).
 
 A structure is data: sparse matrices, never written out as equations. Its groups of nodes have steps of their own; see
 `StructureModel`.

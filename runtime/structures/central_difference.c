@@ -94,15 +94,18 @@ static void increments(const Run *s, int64_t g)
     s->count[g]++;
 }
 
-/* What faster rows read of the slower groups g, g + 1, ...: on the chords of their steps (13). */
+/* What faster rows read of the slower groups g, g + 1, ...: displacements on the chords of their steps (13), rates on
+ * the line through the middles of the step before and this one. */
 static void interpolate(const Run *s, int64_t g)
 {
     for (int64_t k = g; k < s->groups; k++) {
         const Group *group = s->group + k;
         const double f = (double)s->elapsed[k] / (double)group->fastest;
         for (int64_t n = 0; n < group->seen; n++)
-            for (int64_t i = group->seen_block[n] * s->width, end = i + s->width; i < end; i++)
+            for (int64_t i = group->seen_block[n] * s->width, end = i + s->width; i < end; i++) {
                 s->x[i] = s->base[i] + f * s->d[i];
+                s->v[i] = group->rate * (s->last[i] + (f + 0.5) * (s->d[i] - s->last[i]));
+            }
     }
 }
 
@@ -112,10 +115,7 @@ static void step(const Run *s, int64_t g)
     increments(s, g);
     if (g > 0) {
         for (int64_t n = 0; n < group->seen; n++)
-            for (int64_t i = group->seen_block[n] * s->width, end = i + s->width; i < end; i++) {
-                s->base[i] = s->x[i];
-                s->v[i] = group->rate * s->d[i];
-            }
+            for (int64_t i = group->seen_block[n] * s->width, end = i + s->width; i < end; i++) s->base[i] = s->x[i];
         s->elapsed[g] = 0;
         for (int64_t j = 0; j < group->sub_steps; j++) {
             interpolate(s, g);

@@ -263,245 +263,250 @@ define internal fastcc void @step(ptr noundef readonly captures(none) %0, i64 no
   %173 = getelementptr inbounds nuw i8, ptr %0, i64 8
   %174 = load i64, ptr %173, align 8
   %175 = icmp sgt i64 %174, 1
-  br i1 %175, label %176, label %325
+  br i1 %175, label %176, label %330
 
 176:
   %177 = getelementptr inbounds nuw i8, ptr %0, i64 88
   %178 = load ptr, ptr %177, align 8
-  br label %317
+  br label %322
 
 179:
   %180 = getelementptr inbounds nuw i8, ptr %4, i64 104
   %181 = load i64, ptr %180, align 8
   %182 = icmp sgt i64 %181, 0
-  br i1 %182, label %183, label %192
+  br i1 %182, label %183, label %189
 
 183:
   %184 = getelementptr inbounds nuw i8, ptr %4, i64 112
   %185 = load ptr, ptr %184, align 8
   %186 = load i64, ptr %5, align 8
   %187 = getelementptr inbounds nuw i8, ptr %0, i64 40
-  %188 = getelementptr inbounds nuw i8, ptr %4, i64 32
-  %189 = getelementptr inbounds nuw i8, ptr %0, i64 48
-  %190 = getelementptr inbounds nuw i8, ptr %0, i64 64
-  %191 = icmp sgt i64 %186, 0
-  br label %204
+  %188 = icmp sgt i64 %186, 0
+  br label %203
 
-192:
-  %193 = getelementptr inbounds nuw i8, ptr %0, i64 88
-  %194 = load ptr, ptr %193, align 8
-  %195 = getelementptr inbounds nuw i64, ptr %194, i64 %1
-  store i64 0, ptr %195, align 8
-  %196 = getelementptr inbounds nuw i8, ptr %4, i64 16
-  %197 = load i64, ptr %196, align 8
-  %198 = icmp sgt i64 %197, 0
-  br i1 %198, label %199, label %231
+189:
+  %190 = getelementptr inbounds nuw i8, ptr %0, i64 88
+  %191 = load ptr, ptr %190, align 8
+  %192 = getelementptr inbounds nuw i64, ptr %191, i64 %1
+  store i64 0, ptr %192, align 8
+  %193 = getelementptr inbounds nuw i8, ptr %4, i64 16
+  %194 = load i64, ptr %193, align 8
+  %195 = icmp sgt i64 %194, 0
+  br i1 %195, label %196, label %223
 
-199:
-  %200 = getelementptr inbounds nuw i8, ptr %0, i64 8
-  %201 = getelementptr inbounds nuw i8, ptr %0, i64 40
-  %202 = getelementptr inbounds nuw i8, ptr %0, i64 48
-  %203 = add nsw i64 %1, -1
-  br label %240
+196:
+  %197 = getelementptr inbounds nuw i8, ptr %0, i64 8
+  %198 = getelementptr inbounds nuw i8, ptr %0, i64 40
+  %199 = getelementptr inbounds nuw i8, ptr %0, i64 48
+  %200 = getelementptr inbounds nuw i8, ptr %0, i64 56
+  %201 = getelementptr inbounds nuw i8, ptr %0, i64 64
+  %202 = add nsw i64 %1, -1
+  br label %232
 
-204:
-  %205 = phi i64 [ 0, %183 ], [ %217, %216 ]
-  %206 = getelementptr inbounds nuw i32, ptr %185, i64 %205
-  %207 = load i32, ptr %206, align 4
-  %208 = sext i32 %207 to i64
-  %209 = mul nsw i64 %186, %208
-  %210 = add nsw i64 %209, %186
-  br i1 %191, label %211, label %216
+203:
+  %204 = phi i64 [ 0, %183 ], [ %214, %213 ]
+  %205 = getelementptr inbounds nuw i32, ptr %185, i64 %204
+  %206 = load i32, ptr %205, align 4
+  %207 = sext i32 %206 to i64
+  %208 = mul nsw i64 %186, %207
+  %209 = add nsw i64 %208, %186
+  br i1 %188, label %210, label %213
 
-211:
-  %212 = load ptr, ptr %55, align 8
-  %213 = load ptr, ptr %187, align 8
-  %214 = load ptr, ptr %189, align 8
-  %215 = load ptr, ptr %190, align 8
-  br label %219
+210:
+  %211 = load ptr, ptr %55, align 8
+  %212 = load ptr, ptr %187, align 8
+  br label %216
+
+213:
+  %214 = add nuw nsw i64 %204, 1
+  %215 = icmp eq i64 %214, %181
+  br i1 %215, label %189, label %203
 
 216:
-  %217 = add nuw nsw i64 %205, 1
-  %218 = icmp eq i64 %217, %181
-  br i1 %218, label %192, label %204
+  %217 = phi i64 [ %208, %210 ], [ %221, %216 ]
+  %218 = getelementptr inbounds double, ptr %211, i64 %217
+  %219 = load double, ptr %218, align 8
+  %220 = getelementptr inbounds double, ptr %212, i64 %217
+  store double %219, ptr %220, align 8
+  %221 = add nsw i64 %217, 1
+  %222 = icmp slt i64 %221, %209
+  br i1 %222, label %216, label %213
 
-219:
-  %220 = phi i64 [ %209, %211 ], [ %229, %219 ]
-  %221 = getelementptr inbounds double, ptr %212, i64 %220
-  %222 = load double, ptr %221, align 8
-  %223 = getelementptr inbounds double, ptr %213, i64 %220
-  store double %222, ptr %223, align 8
-  %224 = load double, ptr %188, align 8
-  %225 = getelementptr inbounds double, ptr %214, i64 %220
-  %226 = load double, ptr %225, align 8
-  %227 = fmul double %224, %226
-  %228 = getelementptr inbounds double, ptr %215, i64 %220
-  store double %227, ptr %228, align 8
-  %229 = add nsw i64 %220, 1
-  %230 = icmp slt i64 %229, %210
-  br i1 %230, label %219, label %216
+223:
+  %224 = load i64, ptr %180, align 8
+  %225 = icmp sgt i64 %224, 0
+  br i1 %225, label %226, label %330
 
-231:
-  %232 = load i64, ptr %180, align 8
-  %233 = icmp sgt i64 %232, 0
-  br i1 %233, label %234, label %325
+226:
+  %227 = getelementptr inbounds nuw i8, ptr %4, i64 112
+  %228 = load ptr, ptr %227, align 8
+  %229 = load i64, ptr %5, align 8
+  %230 = getelementptr inbounds nuw i8, ptr %0, i64 40
+  %231 = icmp sgt i64 %229, 0
+  br label %302
 
-234:
-  %235 = getelementptr inbounds nuw i8, ptr %4, i64 112
-  %236 = load ptr, ptr %235, align 8
-  %237 = load i64, ptr %5, align 8
-  %238 = getelementptr inbounds nuw i8, ptr %0, i64 40
-  %239 = icmp sgt i64 %237, 0
-  br label %297
+232:
+  %233 = phi i64 [ 0, %196 ], [ %299, %298 ]
+  %234 = load i64, ptr %197, align 8
+  %235 = icmp slt i64 %1, %234
+  br i1 %235, label %236, label %298
 
-240:
-  %241 = phi i64 [ 0, %199 ], [ %294, %293 ]
-  %242 = load i64, ptr %200, align 8
-  %243 = icmp slt i64 %1, %242
-  br i1 %243, label %244, label %293
+236:
+  %237 = load ptr, ptr %0, align 8
+  %238 = load ptr, ptr %190, align 8
+  br label %239
 
-244:
-  %245 = load ptr, ptr %0, align 8
-  %246 = load ptr, ptr %193, align 8
-  br label %247
+239:
+  %240 = phi i64 [ %1, %236 ], [ %260, %259 ]
+  %241 = getelementptr inbounds nuw %struct.Group, ptr %237, i64 %240
+  %242 = getelementptr inbounds nuw i64, ptr %238, i64 %240
+  %243 = load i64, ptr %242, align 8
+  %244 = sitofp i64 %243 to double
+  %245 = getelementptr inbounds nuw i8, ptr %241, i64 24
+  %246 = load i64, ptr %245, align 8
+  %247 = sitofp i64 %246 to double
+  %248 = fdiv double %244, %247
+  %249 = getelementptr inbounds nuw i8, ptr %241, i64 104
+  %250 = load i64, ptr %249, align 8
+  %251 = icmp sgt i64 %250, 0
+  br i1 %251, label %252, label %259
 
-247:
-  %248 = phi i64 [ %1, %244 ], [ %266, %265 ]
-  %249 = getelementptr inbounds nuw %struct.Group, ptr %245, i64 %248
-  %250 = getelementptr inbounds nuw i64, ptr %246, i64 %248
-  %251 = load i64, ptr %250, align 8
-  %252 = sitofp i64 %251 to double
-  %253 = getelementptr inbounds nuw i8, ptr %249, i64 24
-  %254 = load i64, ptr %253, align 8
-  %255 = sitofp i64 %254 to double
-  %256 = fdiv double %252, %255
-  %257 = getelementptr inbounds nuw i8, ptr %249, i64 104
-  %258 = load i64, ptr %257, align 8
-  %259 = icmp sgt i64 %258, 0
-  br i1 %259, label %260, label %265
+252:
+  %253 = getelementptr inbounds nuw i8, ptr %241, i64 112
+  %254 = load ptr, ptr %253, align 8
+  %255 = load i64, ptr %5, align 8
+  %256 = getelementptr inbounds nuw i8, ptr %241, i64 32
+  %257 = fadd double %248, 5.000000e-01
+  %258 = icmp sgt i64 %255, 0
+  br label %262
 
-260:
-  %261 = getelementptr inbounds nuw i8, ptr %249, i64 112
-  %262 = load ptr, ptr %261, align 8
-  %263 = load i64, ptr %5, align 8
-  %264 = icmp sgt i64 %263, 0
-  br label %268
+259:
+  %260 = add nuw nsw i64 %240, 1
+  %261 = icmp eq i64 %260, %234
+  br i1 %261, label %298, label %239
 
-265:
-  %266 = add nuw nsw i64 %248, 1
-  %267 = icmp eq i64 %266, %242
-  br i1 %267, label %293, label %247
+262:
+  %263 = phi i64 [ 0, %252 ], [ %276, %275 ]
+  %264 = getelementptr inbounds nuw i32, ptr %254, i64 %263
+  %265 = load i32, ptr %264, align 4
+  %266 = sext i32 %265 to i64
+  %267 = mul nsw i64 %255, %266
+  %268 = add nsw i64 %267, %255
+  br i1 %258, label %269, label %275
 
-268:
-  %269 = phi i64 [ 0, %260 ], [ %280, %279 ]
-  %270 = getelementptr inbounds nuw i32, ptr %262, i64 %269
-  %271 = load i32, ptr %270, align 4
-  %272 = sext i32 %271 to i64
-  %273 = mul nsw i64 %263, %272
-  %274 = add nsw i64 %273, %263
-  br i1 %264, label %275, label %279
+269:
+  %270 = load ptr, ptr %198, align 8
+  %271 = load ptr, ptr %199, align 8
+  %272 = load ptr, ptr %55, align 8
+  %273 = load ptr, ptr %200, align 8
+  %274 = load ptr, ptr %201, align 8
+  br label %278
 
 275:
-  %276 = load ptr, ptr %201, align 8
-  %277 = load ptr, ptr %202, align 8
-  %278 = load ptr, ptr %55, align 8
-  br label %282
+  %276 = add nuw nsw i64 %263, 1
+  %277 = icmp eq i64 %276, %250
+  br i1 %277, label %259, label %262
 
-279:
-  %280 = add nuw nsw i64 %269, 1
-  %281 = icmp eq i64 %280, %258
-  br i1 %281, label %265, label %268
+278:
+  %279 = phi i64 [ %267, %269 ], [ %296, %278 ]
+  %280 = getelementptr inbounds double, ptr %270, i64 %279
+  %281 = load double, ptr %280, align 8
+  %282 = getelementptr inbounds double, ptr %271, i64 %279
+  %283 = load double, ptr %282, align 8
+  %284 = fmul double %248, %283
+  %285 = fadd double %281, %284
+  %286 = getelementptr inbounds double, ptr %272, i64 %279
+  store double %285, ptr %286, align 8
+  %287 = load double, ptr %256, align 8
+  %288 = getelementptr inbounds double, ptr %273, i64 %279
+  %289 = load double, ptr %288, align 8
+  %290 = load double, ptr %282, align 8
+  %291 = fsub double %290, %289
+  %292 = fmul double %257, %291
+  %293 = fadd double %289, %292
+  %294 = fmul double %287, %293
+  %295 = getelementptr inbounds double, ptr %274, i64 %279
+  store double %294, ptr %295, align 8
+  %296 = add nsw i64 %279, 1
+  %297 = icmp slt i64 %296, %268
+  br i1 %297, label %278, label %275
 
-282:
-  %283 = phi i64 [ %273, %275 ], [ %291, %282 ]
-  %284 = getelementptr inbounds double, ptr %276, i64 %283
-  %285 = load double, ptr %284, align 8
-  %286 = getelementptr inbounds double, ptr %277, i64 %283
-  %287 = load double, ptr %286, align 8
-  %288 = fmul double %256, %287
-  %289 = fadd double %285, %288
-  %290 = getelementptr inbounds double, ptr %278, i64 %283
-  store double %289, ptr %290, align 8
-  %291 = add nsw i64 %283, 1
-  %292 = icmp slt i64 %291, %274
-  br i1 %292, label %282, label %279
+298:
+  tail call fastcc void @step(ptr noundef nonnull %0, i64 noundef %202)
+  %299 = add nuw nsw i64 %233, 1
+  %300 = load i64, ptr %193, align 8
+  %301 = icmp slt i64 %299, %300
+  br i1 %301, label %232, label %223
 
-293:
-  tail call fastcc void @step(ptr noundef nonnull %0, i64 noundef %203)
-  %294 = add nuw nsw i64 %241, 1
-  %295 = load i64, ptr %196, align 8
-  %296 = icmp slt i64 %294, %295
-  br i1 %296, label %240, label %231
+302:
+  %303 = phi i64 [ 0, %226 ], [ %313, %312 ]
+  %304 = getelementptr inbounds nuw i32, ptr %228, i64 %303
+  %305 = load i32, ptr %304, align 4
+  %306 = sext i32 %305 to i64
+  %307 = mul nsw i64 %229, %306
+  %308 = add nsw i64 %307, %229
+  br i1 %231, label %309, label %312
 
-297:
-  %298 = phi i64 [ 0, %234 ], [ %308, %307 ]
-  %299 = getelementptr inbounds nuw i32, ptr %236, i64 %298
-  %300 = load i32, ptr %299, align 4
-  %301 = sext i32 %300 to i64
-  %302 = mul nsw i64 %237, %301
-  %303 = add nsw i64 %302, %237
-  br i1 %239, label %304, label %307
+309:
+  %310 = load ptr, ptr %230, align 8
+  %311 = load ptr, ptr %55, align 8
+  br label %315
 
-304:
-  %305 = load ptr, ptr %238, align 8
-  %306 = load ptr, ptr %55, align 8
-  br label %310
+312:
+  %313 = add nuw nsw i64 %303, 1
+  %314 = icmp eq i64 %313, %224
+  br i1 %314, label %330, label %302
 
-307:
-  %308 = add nuw nsw i64 %298, 1
-  %309 = icmp eq i64 %308, %232
-  br i1 %309, label %325, label %297
+315:
+  %316 = phi i64 [ %307, %309 ], [ %320, %315 ]
+  %317 = getelementptr inbounds double, ptr %310, i64 %316
+  %318 = load double, ptr %317, align 8
+  %319 = getelementptr inbounds double, ptr %311, i64 %316
+  store double %318, ptr %319, align 8
+  %320 = add nsw i64 %316, 1
+  %321 = icmp slt i64 %320, %308
+  br i1 %321, label %315, label %312
 
-310:
-  %311 = phi i64 [ %302, %304 ], [ %315, %310 ]
-  %312 = getelementptr inbounds double, ptr %305, i64 %311
-  %313 = load double, ptr %312, align 8
-  %314 = getelementptr inbounds double, ptr %306, i64 %311
-  store double %313, ptr %314, align 8
-  %315 = add nsw i64 %311, 1
-  %316 = icmp slt i64 %315, %303
-  br i1 %316, label %310, label %307
+322:
+  %323 = phi i64 [ 1, %176 ], [ %327, %322 ]
+  %324 = getelementptr inbounds nuw i64, ptr %178, i64 %323
+  %325 = load i64, ptr %324, align 8
+  %326 = add nsw i64 %325, 1
+  store i64 %326, ptr %324, align 8
+  %327 = add nuw nsw i64 %323, 1
+  %328 = load i64, ptr %173, align 8
+  %329 = icmp slt i64 %327, %328
+  br i1 %329, label %322, label %330
 
-317:
-  %318 = phi i64 [ 1, %176 ], [ %322, %317 ]
-  %319 = getelementptr inbounds nuw i64, ptr %178, i64 %318
-  %320 = load i64, ptr %319, align 8
-  %321 = add nsw i64 %320, 1
-  store i64 %321, ptr %319, align 8
-  %322 = add nuw nsw i64 %318, 1
-  %323 = load i64, ptr %173, align 8
-  %324 = icmp slt i64 %322, %323
-  br i1 %324, label %317, label %325
-
-325:
-  %326 = load i64, ptr %4, align 8
-  %327 = load i64, ptr %5, align 8
-  %328 = mul nsw i64 %327, %326
-  %329 = load i64, ptr %9, align 8
-  %330 = mul nsw i64 %329, %327
-  %331 = icmp slt i64 %328, %330
-  br i1 %331, label %332, label %336
-
-332:
-  %333 = getelementptr inbounds nuw i8, ptr %0, i64 48
-  %334 = load ptr, ptr %333, align 8
-  %335 = load ptr, ptr %55, align 8
-  br label %337
-
-336:
-  ret void
+330:
+  %331 = load i64, ptr %4, align 8
+  %332 = load i64, ptr %5, align 8
+  %333 = mul nsw i64 %332, %331
+  %334 = load i64, ptr %9, align 8
+  %335 = mul nsw i64 %334, %332
+  %336 = icmp slt i64 %333, %335
+  br i1 %336, label %337, label %341
 
 337:
-  %338 = phi i64 [ %328, %332 ], [ %344, %337 ]
-  %339 = getelementptr inbounds double, ptr %334, i64 %338
-  %340 = load double, ptr %339, align 8
-  %341 = getelementptr inbounds double, ptr %335, i64 %338
-  %342 = load double, ptr %341, align 8
-  %343 = fadd double %340, %342
-  store double %343, ptr %341, align 8
-  %344 = add nsw i64 %338, 1
-  %345 = icmp slt i64 %344, %330
-  br i1 %345, label %337, label %336
+  %338 = getelementptr inbounds nuw i8, ptr %0, i64 48
+  %339 = load ptr, ptr %338, align 8
+  %340 = load ptr, ptr %55, align 8
+  br label %342
+
+341:
+  ret void
+
+342:
+  %343 = phi i64 [ %333, %337 ], [ %349, %342 ]
+  %344 = getelementptr inbounds double, ptr %339, i64 %343
+  %345 = load double, ptr %344, align 8
+  %346 = getelementptr inbounds double, ptr %340, i64 %343
+  %347 = load double, ptr %346, align 8
+  %348 = fadd double %345, %347
+  store double %348, ptr %346, align 8
+  %349 = add nsw i64 %343, 1
+  %350 = icmp slt i64 %349, %335
+  br i1 %350, label %342, label %341
 }
 
 define internal fastcc void @product(i64 noundef %0, i64 noundef %1, ptr noundef readonly captures(none) %2, ptr noundef readonly captures(none) %3, ptr noundef readonly captures(none) %4, ptr noundef readonly captures(none) %5, ptr noundef captures(none) %6) unnamed_addr {

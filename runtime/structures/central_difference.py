@@ -1,6 +1,8 @@
-"""Central differences by regions, `printed` with the chord (Eqs. 10-14, 40-71 for M x'' + D x' + K x = F): the state, its start, its steps.
+"""Central differences by regions, `printed` with the chord (Eqs. 10-14, 40-71 for M x'' + D x' + K x = F): the
+state, its start, its steps.
 
-The steps themselves are central_difference.c, compiled for this machine without a compiler at the user's (native_text.py).
+The steps themselves are central_difference.c, compiled for this machine without a compiler at the user's
+(native_text.py).
 """
 
 from __future__ import annotations
@@ -67,17 +69,20 @@ class CentralDifference:
 
     References
     ----------
-    .. [1] Miao, J., Zhu, P., Shi, G., Chen, G., Study on sub-cycling algorithm for flexible multi-body system: integral
-       theory and implementation flow chart, Comput. Mech. 41 (2008) 257-268, doi:10.1007/s00466-007-0183-9.
-    .. [2] Belytschko, T., Yen, H.-J., Mullen, R., Mixed methods for time integration, Comput. Methods Appl. Mech. Engrg.
-       17-18 (1979) 259-275.
-    .. [3] Daniel, W. J. T., A study of the stability of subcycling algorithms in structural dynamics, Comput. Methods Appl.
-       Mech. Engrg. 156 (1998) 1-13.
+    .. [1] Miao, J., Zhu, P., Shi, G., Chen, G., Study on sub-cycling algorithm for flexible multi-body system:
+       integral theory and implementation flow chart, Comput. Mech. 41 (2008) 257-268,
+       doi:10.1007/s00466-007-0183-9.
+    .. [2] Belytschko, T., Yen, H.-J., Mullen, R., Mixed methods for time integration, Comput. Methods Appl. Mech.
+       Engrg. 17-18 (1979) 259-275.
+    .. [3] Daniel, W. J. T., A study of the stability of subcycling algorithms in structural dynamics, Comput.
+       Methods Appl. Mech. Engrg. 156 (1998) 1-13.
     """
 
     def __init__(self, structure: LinearStructure, regions: Regions) -> None:
         if not structure.is_lumped:
-            raise StructureError("mass", "is not diagonal", 'lump it (structure.lumped()), or take scheme "generalized_alpha"')
+            raise StructureError(
+                "mass", "is not diagonal", 'lump it (structure.lumped()), or take scheme "generalized_alpha"'
+            )
         self.structure, self.regions, self.t = structure, regions, 0.0
         width = structure.width
         self.order = coordinates_of(np.concatenate([group.nodes for group in regions.groups]), width)
@@ -112,7 +117,6 @@ class CentralDifference:
     def _described(self, K: sp.csr_matrix, D: sp.csr_matrix | None) -> list[_Group]:
         structure, regions, width = self.structure, self.regions, self.structure.width
         gain, keep = np.empty(structure.size), np.empty(structure.size)
-        patterns = [(load.pattern[self.order], load.law) for load in structure.loads]
         bounds = np.cumsum([0, *(len(group.nodes) for group in regions.groups)])
         found = []
         for g, (group, fastest, h) in enumerate(zip(regions.groups, regions.fastest, regions.steps, strict=True)):
@@ -125,20 +129,38 @@ class CentralDifference:
             if D is not None:
                 read = abs(read) + abs(D[: first * width, rows])
             seen = np.unique(read.nonzero()[1] // width).astype(np.int32) + np.int32(first)
-            at, law, factor = [], [], []
-            for pattern, number in patterns:
-                where = np.flatnonzero(pattern[rows])
-                at.append(where + rows.start), law.append(np.full(len(where), number)), factor.append(pattern[rows][where])
-            entries = [np.concatenate(part) if part else np.zeros(0) for part in (at, law, factor)]
+            at, law, factor = self._loads(rows)
+            dampers = (None, None, None) if D is None else self._blocks(D[rows])
             found.append(
                 _Group(
-                    first, last, group.sub_steps, fastest, 1 / h, *self._blocks(K[rows]),
-                    *((None, None, None) if D is None else self._blocks(D[rows])), self._at(gain), self._at(keep),
-                    len(seen), self._at(seen), len(entries[0]), self._at(entries[0].astype(np.int32)),
-                    self._at(entries[1].astype(np.int32)), self._at(entries[2].astype(float)), None,
+                    first,
+                    last,
+                    group.sub_steps,
+                    fastest,
+                    1 / h,
+                    *self._blocks(K[rows]),
+                    *dampers,
+                    self._at(gain),
+                    self._at(keep),
+                    len(seen),
+                    self._at(seen),
+                    len(at),
+                    self._at(at),
+                    self._at(law),
+                    self._at(factor),
+                    None,
                 )  # fmt: skip
             )
         return found
+
+    def _loads(self, rows: slice) -> tuple[Any, Any, Array]:
+        """Coordinate, law and factor of each entry of F in these rows."""
+        entries = [(load.pattern[self.order], load.law) for load in self.structure.loads]
+        where = [rows.start + np.flatnonzero(pattern[rows]) for pattern, _ in entries]
+        at = np.concatenate([np.zeros(0), *where]).astype(np.int32)
+        law = np.concatenate([np.zeros(0), *(np.full(len(own), k) for own, (_, k) in zip(where, entries, strict=True))])
+        factor = [pattern[own] for own, (pattern, _) in zip(where, entries, strict=True)]
+        return at, law.astype(np.int32), np.concatenate([np.zeros(0), *factor])
 
     def _blocks(self, rows: sp.csr_matrix) -> tuple[int, int, int]:
         """Addresses of the rows as square blocks, each stored by columns."""
@@ -161,7 +183,9 @@ class CentralDifference:
     @property
     def rates(self) -> Array:
         """x' (n,) [m/s] at t, of second order: d / h + h x'' / 2."""
-        force = self._force(self.t) - self._K @ self._x - self.structure.mass_damping * self._mass * self._d / self.steps
+        force = (
+            self._force(self.t) - self._K @ self._x - self.structure.mass_damping * self._mass * self._d / self.steps
+        )
         if self._D is not None:
             force -= self._D @ (self._d / self.steps)
         return self._back(self._d / self.steps + self.steps / 2 * force / self._mass)
@@ -186,9 +210,8 @@ class CentralDifference:
         """So many steps of the slowest group."""
         while steps > 0:
             count = min(steps, SLICE)
-            held = []
-            for group, description, h in zip(self.regions.groups, self._groups, self.regions.steps, strict=True):
-                del group
+            held = []  # alive while the steps read them
+            for description, h in zip(self._groups, self.regions.steps, strict=True):
                 times = self.t + h * np.arange(count * round(self.major_step / h))
                 held.append(self.structure.law_values(times))
                 description.laws = held[-1].ctypes.data

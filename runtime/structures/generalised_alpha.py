@@ -4,8 +4,8 @@ It pays where loads are slow against the mesh: from some hundreds of explicit st
 
 References
 ----------
-.. [1] Chung, J., Hulbert, G. M., A time integration algorithm for structural dynamics with improved numerical dissipation:
-   the generalized-alpha method, J. Appl. Mech. 60 (1993) 371-375.
+.. [1] Chung, J., Hulbert, G. M., A time integration algorithm for structural dynamics with improved numerical
+   dissipation: the generalized-alpha method, J. Appl. Mech. 60 (1993) 371-375.
 """
 
 from __future__ import annotations
@@ -51,8 +51,8 @@ class GeneralisedAlpha:
 
     Notes
     -----
-    M a(t + (1 - alpha_m) h) + D v(t + (1 - alpha_f) h) + K x(t + (1 - alpha_f) h) = F(t + (1 - alpha_f) h), with Newmark's
-    x and v; unconditionally stable and of second order.
+    M a(t + (1 - alpha_m) h) + D v(t + (1 - alpha_f) h) + K x(t + (1 - alpha_f) h) = F(t + (1 - alpha_f) h), with
+    Newmark's x and v; unconditionally stable and of second order.
     """
 
     def __init__(self, structure: LinearStructure, step: float, coefficients: Coefficients) -> None:
@@ -77,7 +77,9 @@ class GeneralisedAlpha:
         """Begin at x (n,) [m] with rates (n,) [m/s] at t [s]; the accelerations follow from the equations."""
         self.t, self.x, self.rates = t, np.array(x, dtype=float), np.array(rates, dtype=float)
         force = self.structure.force(np.array([t]))[0] - self._D @ self.rates - self._K @ self.x
-        self._a = force / self.structure.mass if self.structure.is_lumped else spl.spsolve(sp.csc_matrix(self._M), force)
+        self._a = (
+            force / self.structure.mass if self.structure.is_lumped else spl.spsolve(sp.csc_matrix(self._M), force)
+        )
 
     def advance(self, steps: int) -> None:
         """So many steps."""
@@ -90,7 +92,9 @@ class GeneralisedAlpha:
             x = self.x + h * self.rates + h * h * (0.5 - beta) * self._a
             v = self.rates + h * (1 - gamma) * self._a
             right = -alpha_m * (self._M @ self._a)
-            right -= self._D @ ((1 - alpha_f) * v + alpha_f * self.rates) + self._K @ ((1 - alpha_f) * x + alpha_f * self.x)
+            right -= self._D @ ((1 - alpha_f) * v + alpha_f * self.rates) + self._K @ (
+                (1 - alpha_f) * x + alpha_f * self.x
+            )
             for pattern, law in patterns:
                 right += laws[k, law] * pattern
             self._a = self._solve(right)

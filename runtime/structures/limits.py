@@ -2,8 +2,8 @@
 
 References
 ----------
-.. [1] Belytschko, T., Liu, W. K., Moran, B., Elkhodary, K., Nonlinear Finite Elements for Continua and Structures, 2nd ed.,
-   Wiley 2014, Sec. 6.2: the critical step, bounds by rows (Gershgorin) and by elements.
+.. [1] Belytschko, T., Liu, W. K., Moran, B., Elkhodary, K., Nonlinear Finite Elements for Continua and Structures,
+   2nd ed., Wiley 2014, Sec. 6.2: the critical step, bounds by rows (Gershgorin) and by elements.
 """
 
 from __future__ import annotations
@@ -69,6 +69,10 @@ def _stable(h: float, w: float, b: float, a: float) -> bool:
     keep, gain = (1 - a * h / 2) / (1 + a * h / 2), h * h / (1 + a * h / 2)
     damper = gain * b * w * w / h
     step = np.array(
-        [[1 - gain * w * w, keep - 1.5 * damper, 0.5 * damper], [-gain * w * w, keep - 1.5 * damper, 0.5 * damper], [0, 1, 0]]
+        [
+            [1 - gain * w * w, keep - 1.5 * damper, 0.5 * damper],
+            [-gain * w * w, keep - 1.5 * damper, 0.5 * damper],
+            [0, 1, 0],
+        ]
     )
     return bool(np.abs(np.linalg.eigvals(step)).max() <= 1 + 1e-12)

@@ -11,7 +11,7 @@ import scipy.sparse as sp
 import scipy.sparse.linalg as spl
 from numpy.typing import NDArray
 
-from runtime.structures.regions import Regions, choose_regions, coordinates_of, named_regions, one_group
+from runtime.structures.regions import Regions, choose_regions, named_regions, one_group
 from runtime.structures.run import ErrorWish, StructureRun, simulate
 from runtime.structures.stability import Growth, growth
 from runtime.structures.structure import Array, LinearStructure, StructureError
@@ -78,7 +78,9 @@ class StructureModel:
         return StructureModel(self.structure.lumped())
 
     def regions(
-        self, groups: Mapping[str, Sequence[str] | NDArray[np.int64]] | None = None, m: Sequence[int] | int | None = None
+        self,
+        groups: Mapping[str, Sequence[str] | NDArray[np.int64]] | None = None,
+        m: Sequence[int] | int | None = None,
     ) -> Regions:
         """Groups of nodes that step together.
 
@@ -93,7 +95,8 @@ class StructureModel:
         Returns
         -------
         Regions
-            Fastest group first, with the limit of each by Lanczos' method and the step that the fastest takes, 0.9 of it.
+            Fastest group first, with the limit of each by Lanczos' method and the step that the fastest takes, 0.9
+            of it.
 
         Raises
         ------
@@ -148,8 +151,8 @@ class StructureModel:
         ----------
         t_end : float [s]
         scheme
-            ``"printed"``: central differences by regions with slow neighbours on chords (13); ``"single_rate"``: one step for
-            all; ``"generalized_alpha"``: implicit, `rho_inf` from 0 to 1.
+            ``"printed"``: central differences by regions with slow neighbours on chords (13); ``"single_rate"``:
+            one step for all; ``"generalized_alpha"``: implicit, `rho_inf` from 0 to 1.
         dt : float [s], optional
             The step of the slowest group; by default 0.9 of what is stable, t_end / 1000 for generalised-alpha. It is
             shortened so that whole steps end at `t_end`.
@@ -181,8 +184,8 @@ class StructureModel:
 
         Notes
         -----
-        Equations (10)-(14) and (72) with the chord of (13), two rings of neighbours, start (68)-(71); the other readings of
-        (13) grow without damping.
+        Equations (10)-(14) and (72) with the chord of (13), two rings of neighbours, start (68)-(71); the other
+        readings of (13) grow without damping.
         """
         return simulate(
             self, t_end, scheme=scheme, dt=dt, m=m, groups=groups, tolerance=tolerance, initial=initial, rates=rates,
@@ -224,12 +227,17 @@ class StructureModel:
         return np.sqrt(np.maximum(values[order], 0.0)), shapes[:, order]
 
     def static(self, force: Mapping[str, float] | Array) -> Array:
-        """Displacements (n,) [m] under a constant force by name or (n,) [N]. Raises StructureError where K is singular."""
-        F = self.vector("force", force)
-        found = spl.spsolve(sp.csc_matrix(self.structure.stiffness), F)
-        residual = np.abs(self.structure.stiffness @ found - F).max()
-        if not np.all(np.isfinite(found)) or residual > 1e-6 * max(np.abs(F).max(), 1e-300):
-            raise StructureError("stiffness", "is singular: the structure can move as a whole", "hold some coordinates")
+        """Displacements (n,) [m] under a constant force by name or (n,) [N]. Raises StructureError where K is
+        singular.
+        """
+        F, K = self.vector("force", force), sp.csc_matrix(self.structure.stiffness)
+        try:
+            found = spl.splu(K).solve(F)
+        except RuntimeError:  # SuperLU met a pivot of zero
+            found = np.full(len(F), np.nan)
+        if not np.all(np.isfinite(found)) or np.abs(K @ found - F).max() > 1e-6 * np.abs(F).max(initial=0.0):
+            problem = "is singular: the structure can move as a whole"
+            raise StructureError("stiffness", problem, "hold some coordinates")
         return np.asarray(found)
 
     def vector(self, item: str, values: Mapping[str, float] | Array | None) -> Array:

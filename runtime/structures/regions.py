@@ -1,8 +1,8 @@
 """Which nodes step how often: groups by themselves, or as they are named (the paper's Fig. 1, Eqs. 5-9, 72).
 
-A node is fast when the step of the group would be too long for its row. Around it stand two rings of neighbours that step
-as fast though they need not: without them sub-cycling has windows of growth at 7 to 30 % of all steps, with one ring at
-up to 1.5 %, with two at none below 0.93 of the limit (docs/theory/schemes.md).
+A node is fast when the step of the group would be too long for its row. Around it stand two rings of neighbours
+that step as fast though they need not: without them sub-cycling has windows of growth at 7 to 30 % of all steps,
+with one ring at up to 1.5 %, with two at none below 0.93 of the limit (docs/theory/schemes.md).
 """
 
 from __future__ import annotations
@@ -65,7 +65,9 @@ class Regions:
 def node_graph(structure: LinearStructure) -> sp.csr_matrix:
     """Which nodes have an entry of K (or D) in common; ones, with the diagonal."""
     blocks = sp.bsr_matrix(structure.stiffness, blocksize=(structure.width, structure.width))
-    graph = sp.csr_matrix((np.ones(len(blocks.indices)), blocks.indices, blocks.indptr), shape=(blocks.shape[0] // structure.width,) * 2)
+    graph = sp.csr_matrix(
+        (np.ones(len(blocks.indices)), blocks.indices, blocks.indptr), shape=(blocks.shape[0] // structure.width,) * 2
+    )
     graph = graph + sp.identity(graph.shape[0], format="csr")
     if structure.damping is not None:
         damper = sp.bsr_matrix(structure.damping, blocksize=(structure.width, structure.width))
@@ -121,12 +123,15 @@ def checked_step(step: float | None, limit: float, item: str) -> None:
         raise StructureError(item, f"{step!r} s", "give a positive step")
     if step > limit:
         raise StructureError(
-            item, f"{step:.4g} s is beyond the limit of {limit:.4g} s", f"give at most {SAFETY * limit:.4g} s, or leave it out"
+            item,
+            f"{step:.4g} s is beyond the limit of {limit:.4g} s",
+            f"give at most {SAFETY * limit:.4g} s, or leave it out",
         )
 
 
 def choose_regions(structure: LinearStructure, ratios: Sequence[int] | None = None, rings: int = RINGS) -> Regions:
-    """Groups by the limits of rows: the cheapest by operations; ratios: sub-steps of each next slower group, if given.
+    """Groups by the limits of rows: the cheapest by operations; ratios: sub-steps of each next slower group, if
+    given.
 
     The step of the fastest group is SAFETY of its limit; each slower group's must be within SAFETY of its own.
     """
@@ -137,7 +142,9 @@ def choose_regions(structure: LinearStructure, ratios: Sequence[int] | None = No
     scale = least / (SAFETY * limits.min())  # rows bound from below: compare them by what they say of the shortest
     best = one_group(structure, least)
     for count in range(2, MOST_GROUPS + 1):
-        offers = sorted(_offers(limits * scale, graph, entries, least, count, ratios, rings), key=lambda offer: offer.share)
+        offers = sorted(
+            _offers(limits * scale, graph, entries, least, count, ratios, rings), key=lambda offer: offer.share
+        )
         taken = next((found for offer in offers[:8] if (found := _within_limits(structure, offer)) is not None), None)
         if taken is None or (taken.share > WORTH * best.share and ratios is None):
             if count > 2 or ratios is not None:
@@ -148,7 +155,13 @@ def choose_regions(structure: LinearStructure, ratios: Sequence[int] | None = No
 
 
 def _offers(
-    limits: Array, graph: sp.csr_matrix, entries: NDArray[np.int32], step: float, count: int, ratios: Sequence[int] | None, rings: int
+    limits: Array,
+    graph: sp.csr_matrix,
+    entries: NDArray[np.int32],
+    step: float,
+    count: int,
+    ratios: Sequence[int] | None,
+    rings: int,
 ) -> Iterator[Regions]:
     """Regions of so many groups, for products of whole ratios; limits of groups not yet looked at."""
     if ratios is not None and len(ratios) != count - 1:
@@ -165,7 +178,9 @@ def _offers(
         yield Regions(tuple(groups), step, float(share))
 
 
-def _grouped(limits: Array, graph: sp.csr_matrix, ratios: tuple[int, ...], step: float, rings: int) -> list[NDArray[np.int64]] | None:
+def _grouped(
+    limits: Array, graph: sp.csr_matrix, ratios: tuple[int, ...], step: float, rings: int
+) -> list[NDArray[np.int64]] | None:
     """Nodes of each group, fastest first; None where one has none."""
     found, taken = [], np.zeros(len(limits), dtype=bool)
     for times in np.cumprod(ratios):
@@ -178,7 +193,9 @@ def _grouped(limits: Array, graph: sp.csr_matrix, ratios: tuple[int, ...], step:
 
 
 def _within_limits(structure: LinearStructure, offer: Regions) -> Regions | None:
-    """The offer with the limit of each group by Lanczos; None where a step is beyond SAFETY of one (by 1 %: Lanczos)."""
+    """The offer with the limit of each group by Lanczos; None where a step is beyond SAFETY of one (by 1 %:
+    Lanczos).
+    """
     groups = []
     for group, step in zip(offer.groups, offer.steps, strict=True):
         limit = region_limit(structure, group.nodes)
@@ -188,7 +205,9 @@ def _within_limits(structure: LinearStructure, offer: Regions) -> Regions | None
     return Regions(tuple(groups), offer.step, offer.share)
 
 
-def named_regions(structure: LinearStructure, nodes: Sequence[NDArray[np.int64]], ratios: Sequence[int], rings: int = RINGS) -> Regions:
+def named_regions(
+    structure: LinearStructure, nodes: Sequence[NDArray[np.int64]], ratios: Sequence[int], rings: int = RINGS
+) -> Regions:
     """Groups as somebody names them, fastest first (the last gets all other nodes), with rings around each.
 
     Raises StructureError for a group without nodes, and for a step beyond a group's limit, with the limit.
@@ -205,9 +224,7 @@ def named_regions(structure: LinearStructure, nodes: Sequence[NDArray[np.int64]]
     found.append(np.flatnonzero(~taken))
     if empty := [k for k, own in enumerate(found) if not len(own)]:
         raise StructureError("groups", f"group {empty[0]} (fastest is 0) has no node", "leave it out")
-    groups = tuple(
-        Group(own, int(m), region_limit(structure, own)) for own, m in zip(found, (1, *ratios), strict=True)
-    )
+    groups = tuple(Group(own, int(m), region_limit(structure, own)) for own, m in zip(found, (1, *ratios), strict=True))
     times = np.cumprod([group.sub_steps for group in groups])
     whole = region_limit(structure)
     step = SAFETY * min(whole, *(group.limit / n for group, n in zip(groups, times, strict=True)))

@@ -27,6 +27,7 @@ SOME = 20  # outputs that nobody named
 MOST_LEVELS = 12
 ORDER = 2  # of all three methods
 INACCURATE = 0.1
+TINY = 1e-300
 GOLDEN = 0.6180339887498949  # fields are kept at times that no period divides
 
 
@@ -46,7 +47,8 @@ class Stepper(Protocol):
 
 
 class StructureRunError(NamedTuple):
-    """How far a run is off, by half its steps: of each output and of the whole field, of their own RMS amplitude.
+    """How far a run is off, by half its steps: RMS over time, of the amplitude; each output, and the whole field in
+    M's norm.
 
     order: that three levels showed, None where only two were run.
     """
@@ -158,7 +160,13 @@ def simulate(
     began = time.perf_counter()
     _check_options(t_end, scheme, tolerance, samples, fields, error, m, groups)
     x, v = model.vector("initial", initial), model.vector("rates", rates)
-    regions = None if scheme == "generalized_alpha" else model.regions(groups, m) if scheme == "printed" else one_group(model._lumped("single_rate"))
+    regions = (
+        None
+        if scheme == "generalized_alpha"
+        else model.regions(groups, m)
+        if scheme == "printed"
+        else one_group(model._lumped("single_rate"))
+    )
     longest = t_end / 1000 if regions is None else regions.steps[-1]
     if dt is not None and regions is not None:
         limits = [group.limit / times for group, times in zip(regions.groups, regions.fastest, strict=True)]
@@ -234,12 +242,16 @@ def _chosen_outputs(model: StructureModel, outputs: Sequence[str] | None, sample
 
 def _planned(steps: int, samples: int, fields: int, outputs: NDArray[np.int64]) -> _Plan:
     sampled = np.unique(np.round(np.linspace(0, steps, samples + 1)).astype(np.int64))
-    marks = (np.arange(fields) + (np.arange(fields) * GOLDEN) % 1.0) / fields  # one in each slice, at no regular distance
+    marks = (
+        np.arange(fields) + (np.arange(fields) * GOLDEN) % 1.0
+    ) / fields  # one in each slice, at no regular distance
     kept = np.unique(np.concatenate([[0, steps], np.ceil(marks * steps)]).astype(np.int64))
     return _Plan(steps, sampled, kept, outputs)
 
 
-def _stepped(stepper: Stepper, plan: _Plan, refined: int, progress: Callable[[float], None] | None, share: tuple[float, float]) -> _Level:
+def _stepped(
+    stepper: Stepper, plan: _Plan, refined: int, progress: Callable[[float], None] | None, share: tuple[float, float]
+) -> _Level:
     values, fields, energy, reached, failed, at = [], [], [], 0, "", 0
     x, rates = stepper.x.copy(), stepper.rates.copy()
     kept = set(plan.kept.tolist())
@@ -268,14 +280,19 @@ def _stepped(stepper: Stepper, plan: _Plan, refined: int, progress: Callable[[fl
 
 
 def _differences(one: _Level, other: _Level, names: list[str], mass: Any) -> StructureRunError:
-    """Root mean squares of the difference over those of the finer level about its mean; fields in the norm of M."""
+    """Root mean squares of the difference over those of the finer level; fields in the norm of M.
+
+    An output is judged by its own amplitude, one that moves less than the structure as a whole by the structure's.
+    """
     weights = mass if isinstance(mass, np.ndarray) else mass.diagonal()
     apart = np.sqrt((np.square(other.fields - one.fields) * weights).sum(axis=1))
-    field_error = float(np.sqrt(np.mean(apart**2)) / max(np.sqrt(np.mean((np.square(other.fields) * weights).sum(axis=1))), 1e-300))
+    size = np.sqrt((np.square(other.fields) * weights).sum(axis=1))
+    field_error = float(np.sqrt(np.mean(apart**2)) / max(np.sqrt(np.mean(size**2)), TINY))
+    whole = float(np.sqrt(np.mean(size**2) / weights.sum()))
     gap = np.sqrt(np.mean(np.square(other.values - one.values), axis=0))
     spread = np.sqrt(np.mean(np.square(other.values - other.values.mean(axis=0)), axis=0))
-    floor = 1e-6 * spread.max(initial=0.0)  # what does not move is not judged by its own rounding
-    return StructureRunError({n: float(g / max(s, floor, 1e-300)) for n, g, s in zip(names, gap, spread, strict=True)}, field_error, None)
+    found = {name: float(g / max(s, whole, TINY)) for name, g, s in zip(names, gap, spread, strict=True)}
+    return StructureRunError(found, field_error, None)
 
 
 def _measured(levels: list[_Level], plan: _Plan, names: list[str], mass: Any) -> StructureRunError:
@@ -283,16 +300,20 @@ def _measured(levels: list[_Level], plan: _Plan, names: list[str], mass: Any) ->
     if len(levels) < 3:
         return found
     before = _differences(levels[-3], levels[-2], names, mass)
-    return found._replace(order=float(np.log2(before.field / found.field)) if found.field > 0 and before.field > 0 else None)
+    return found._replace(
+        order=float(np.log2(before.field / found.field)) if found.field > 0 and before.field > 0 else None
+    )
 
 
 def _scaled(error: StructureRunError, factor: float) -> StructureRunError:
-    return StructureRunError({name: factor * value for name, value in error.outputs.items()}, factor * error.field, error.order)
+    return StructureRunError(
+        {name: factor * value for name, value in error.outputs.items()}, factor * error.field, error.order
+    )
 
 
 def _left(
-    model: StructureModel, scheme: str, plan: _Plan, regions: Regions | None, level: _Level, t_end: float, major: float,
-    error: StructureRunError, tolerance: float | None, seconds: float,
+    model: StructureModel, scheme: str, plan: _Plan, regions: Regions | None, level: _Level, t_end: float, major:
+    float, error: StructureRunError, tolerance: float | None, seconds: float,
 ) -> StructureRun:  # fmt: skip
     t = t_end * plan.sampled[: level.reached] / plan.steps
     kept = t_end * plan.kept[: len(level.fields)] / plan.steps
@@ -307,8 +328,8 @@ def _left(
             "share_of_operations": fine.share,
         }
     return StructureRun(
-        model, scheme, t, [model.names[k] for k in plan.outputs], level.values, kept, level.fields, kept, level.energy,
-        level.x, level.rates, fine, _status(level, last, error, tolerance), error, stats,
+        model, scheme, t, [model.names[k] for k in plan.outputs], level.values, kept, level.fields, kept,
+        level.energy, level.x, level.rates, fine, _status(level, last, error, tolerance), error, stats,
     )  # fmt: skip
 
 
@@ -316,7 +337,13 @@ def _status(level: _Level, last: float, error: StructureRunError, tolerance: flo
     if level.failed == "interrupted":
         return Status("interrupted", last, None, "stopped by the user", "what was computed is kept")
     if level.failed:
-        return Status("not_finite", last, None, "the motion is no longer a number: the step grows", "see model.stability(); take a shorter dt")
+        return Status(
+            "not_finite",
+            last,
+            None,
+            "the motion is no longer a number: the step grows",
+            "see model.stability(); take a shorter dt",
+        )
     if tolerance is not None and not error.largest <= tolerance:
         cause = f"the measured error is {error.largest:.2g} where {tolerance:g} was asked for"
         return Status("inaccurate", last, None, cause, "ask for less, or for a shorter motion")

@@ -1,8 +1,9 @@
-"""Does a step by regions grow? Eigenvalues of the major step A without its matrix, by Arnoldi's method on powers of A.
+"""Does a step by regions grow? Eigenvalues of the major step A without its matrix, by Arnoldi's method on powers of
+A.
 
-All eigenvalues of a stable undamped step lie on the unit circle, so that Arnoldi never converges on A itself; on A^100 and
-on A^1000 what grows stands out. Windows of growth between a fast region and its neighbours are local: the second look takes
-the fast nodes and eight rings of neighbours alone.
+All eigenvalues of a stable undamped step lie on the unit circle, so that Arnoldi never converges on A itself; on
+A^100 and on A^1000 what grows stands out. Windows of growth between a fast region and its neighbours are local: the
+second look takes the fast nodes and eight rings of neighbours alone.
 """
 
 from __future__ import annotations
@@ -19,14 +20,15 @@ from runtime.structures.structure import Array, LinearStructure
 POWERS = (100, 1000)  # of the whole, and of the neighbourhood of what is fast
 NEIGHBOURHOOD = 8
 VECTORS = 20
+HUGE = 1e60
 
 
 @dataclass(frozen=True)
 class Growth:
     """What was looked at, and what was found.
 
-    spectral_radius: of the major step, the largest found. below: growth a major step below which nothing was looked for.
-    limits [s] of each group's own step, fastest first; steps [s] taken.
+    spectral_radius: of the major step, the largest found. below: growth a major step below which nothing was looked
+    for. limits [s] of each group's own step, fastest first; steps [s] taken.
     """
 
     spectral_radius: float
@@ -42,11 +44,14 @@ class Growth:
     def __str__(self) -> str:
         share = max(step / limit for step, limit in zip(self.steps, self.limits, strict=True))
         found = f"grows by {self.spectral_radius - 1:.2g} a major step" if not self.stable else "no growth found"
-        return f"{found} (nothing was looked for below {self.below:g} a major step); steps are at most {share:.2f} of their limits"
+        looked = f"nothing was looked for below {self.below:g} a major step"
+        return f"{found} ({looked}); steps are at most {share:.2f} of their limits"
 
 
 def growth(structure: LinearStructure, regions: Regions) -> Growth:
-    """The largest growth of a major step that two looks find: of the whole, then of what is fast with its neighbours."""
+    """The largest growth of a major step that two looks find: of the whole, then of what is fast with its
+    neighbours.
+    """
     quiet = replace(structure, loads=(), laws=None, law_texts=(), coordinates=structure.names)
     radius, below = _radius(quiet, regions, POWERS[0]), 1e-3
     if len(regions.groups) > 1:
@@ -69,6 +74,8 @@ def _radius(structure: LinearStructure, regions: Regions, power: int) -> float:
 
     operator = spl.LinearOperator((size, size), matvec=apply, dtype=float)
     start = np.random.default_rng(0).standard_normal(size)
+    while power > 1 and not np.abs(apply(start)).max() < HUGE:  # what grows fast is seen in fewer steps
+        power //= 10
     try:
         found = spl.eigs(operator, k=1, v0=start, ncv=VECTORS, maxiter=3, tol=1e-2, return_eigenvectors=False)
     except spl.ArpackNoConvergence as error:
@@ -102,5 +109,7 @@ def _neighbourhood(structure: LinearStructure, regions: Regions) -> tuple[Linear
     )
     place = np.full(count, -1)
     place[nodes] = np.arange(len(nodes))
-    groups = tuple(Group(place[group.nodes[mask[group.nodes]]], group.sub_steps, group.limit) for group in regions.groups)
+    groups = tuple(
+        Group(place[group.nodes[mask[group.nodes]]], group.sub_steps, group.limit) for group in regions.groups
+    )
     return local, replace(regions, groups=groups)

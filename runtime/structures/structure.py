@@ -146,8 +146,8 @@ class LinearStructure:
     def lumped(self) -> LinearStructure:
         """The same with each row of M summed into its diagonal.
 
-        Raises StructureError where a row's sum is not positive, as at corner nodes of quadratic elements: those need a
-        lumping of their own.
+        Raises StructureError where a row's sum is not positive, as at corner nodes of quadratic elements: those
+        need a lumping of their own.
         """
         from dataclasses import replace
 
@@ -161,7 +161,11 @@ class LinearStructure:
 
         if name not in self.index:
             near = get_close_matches(str(name), self._names, 3)
-            raise StructureError(f"coordinate '{name}'", "is not in the structure", f"did you mean {', '.join(near)}" if near else "see model.names")
+            raise StructureError(
+                f"coordinate '{name}'",
+                "is not in the structure",
+                f"did you mean {', '.join(near)}" if near else "see model.names",
+            )
         return self.index[name]
 
     def force(self, t: Array) -> Array:
