@@ -190,13 +190,21 @@ class CentralDifference:
             force -= self._D @ (self._d / self.steps)
         return self._back(self._d / self.steps + self.steps / 2 * force / self._mass)
 
+    def near(self, t: float) -> Array:
+        """x (n,) [m] at a time within half a step, to second order in the distance: through the last, this and next
+        step.
+        """
+        rates, away = self.rates, t - self.t
+        steps = self._back(self.steps)
+        return self.x + away * rates + away**2 * (rates - self._back(self._d) / steps) / steps
+
     def _back(self, values: Array) -> Array:
         found = np.empty_like(values)
         found[self.order] = values
         return found
 
     def _force(self, t: float) -> Array:
-        return self.structure.force(np.array([t]))[0][self.order]
+        return np.asarray(self.structure.force(np.array([t]))[0][self.order])
 
     def start(self, x: Array, rates: Array, t: float = 0.0) -> None:
         """Begin at x (n,) [m] with rates (n,) [m/s] at t [s]: the increments of the step before (68)-(71)."""
@@ -213,7 +221,7 @@ class CentralDifference:
             held = []  # alive while the steps read them
             for description, h in zip(self._groups, self.regions.steps, strict=True):
                 times = self.t + h * np.arange(count * round(self.major_step / h))
-                held.append(self.structure.law_values(times))
+                held.append(self.structure.law_values(np.asarray(times, dtype=np.float64)))
                 description.laws = held[-1].ctypes.data
             self._advance(ctypes.addressof(self._run), count)
             self.t += count * self.major_step

@@ -83,10 +83,12 @@ class GeneralisedAlpha:
 
     def advance(self, steps: int) -> None:
         """So many steps."""
+        if steps <= 0:
+            return
         alpha_m, alpha_f, beta, gamma = self._with
         h = self.major_step
         times = self.t + h * (np.arange(steps) + 1 - alpha_f)
-        laws = self.structure.law_values(times)
+        laws = self.structure.law_values(np.asarray(times, dtype=np.float64))
         patterns = [(load.pattern, load.law) for load in self.structure.loads]
         for k in range(steps):
             x = self.x + h * self.rates + h * h * (0.5 - beta) * self._a
@@ -100,6 +102,11 @@ class GeneralisedAlpha:
             self._a = self._solve(right)
             self.x, self.rates = x + beta * h * h * self._a, v + gamma * h * self._a
         self.t += steps * h
+
+    def near(self, t: float) -> Array:
+        """x (n,) [m] at a time within half a step, to second order in the distance."""
+        away = t - self.t
+        return self.x + away * self.rates + away**2 / 2 * self._a
 
     def energy(self) -> tuple[float, float]:
         """Kinetic and elastic energy [J] at t."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
+from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
@@ -12,6 +13,7 @@ import scipy.sparse.linalg as spl
 from numpy.typing import NDArray
 
 from runtime.structures.regions import Regions, choose_regions, named_regions, one_group
+from runtime.structures.report import StructureReport, report
 from runtime.structures.run import ErrorWish, StructureRun, simulate
 from runtime.structures.stability import Growth, growth
 from runtime.structures.structure import Array, LinearStructure, StructureError
@@ -70,12 +72,12 @@ class StructureModel:
             raise StructureError(what, "explicit steps need a diagonal mass matrix", remedy)
         return self.structure
 
-    def lumped(self) -> StructureModel:
-        """The same structure with each row of its mass matrix summed into the diagonal.
+    def lumped(self, by: str = "row_sum") -> StructureModel:
+        """The same structure with a diagonal mass matrix: each row summed, or by="diagonal", the diagonal scaled.
 
         The longest step grows by up to 1.74 and M_SL vanishes. Raises StructureError where a sum is not positive.
         """
-        return StructureModel(self.structure.lumped())
+        return StructureModel(self.structure.lumped(by))
 
     def regions(
         self,
@@ -208,6 +210,20 @@ class StructureModel:
         """
         found = self.regions(groups, m)
         return growth(self.structure, found if dt is None else found.with_step(dt / found.fastest[-1]))
+
+    def report(
+        self,
+        t_end: float,
+        folder: str | Path | None = None,
+        *,
+        note: Callable[[str], None] = lambda text: None,
+        **motion: Any,
+    ) -> StructureReport:
+        """Error against time of every method on one motion up to t_end [s]; initial and rates as in `simulate`.
+
+        Writes methods.md, methods.csv and error_time.png where a folder is given.
+        """
+        return report(self, t_end, folder, note, **motion)
 
     def modes(self, count: int = 6) -> tuple[Array, Array]:
         """The lowest frequencies w (count,) [rad/s] and shapes (n, count), M-orthonormal, by shift and invert."""

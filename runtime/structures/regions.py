@@ -50,7 +50,7 @@ class Regions:
     @property
     def fastest(self) -> list[int]:
         """Steps of the fastest group in one of each group."""
-        return np.cumprod([group.sub_steps for group in self.groups]).tolist()
+        return [int(times) for times in np.cumprod([group.sub_steps for group in self.groups])]
 
     @property
     def steps(self) -> list[float]:

@@ -6,14 +6,18 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import ceil
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
 
 import numpy as np
+from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from runtime.contract.files import replacing
 from runtime.contract.status import Status
 from runtime.structures.central_difference import CentralDifference
 from runtime.structures.generalised_alpha import Coefficients, GeneralisedAlpha
+from runtime.structures.pictures import field_picture, motion_picture, regions_picture, write_vtk
 from runtime.structures.regions import Regions, checked_step, one_group
 from runtime.structures.structure import Array, StructureError
 
@@ -24,6 +28,7 @@ ErrorWish = Literal["measured", "off"]
 SCHEMES = ("printed", "single_rate", "generalized_alpha")
 KEPT_BYTES = 20e6  # all coordinates are outputs below this
 SOME = 20  # outputs that nobody named
+ENERGIES = 200  # about so many times at which the energy is taken
 MOST_LEVELS = 12
 ORDER = 2  # of all three methods
 INACCURATE = 0.1
@@ -34,15 +39,17 @@ GOLDEN = 0.6180339887498949  # fields are kept at times that no period divides
 class Stepper(Protocol):
     """What a scheme offers."""
 
-    major_step: float
     t: float
 
+    @property
+    def major_step(self) -> float: ...
     @property
     def x(self) -> Array: ...
     @property
     def rates(self) -> Array: ...
     def start(self, x: Array, rates: Array, t: float = 0.0) -> None: ...
     def advance(self, steps: int) -> None: ...
+    def near(self, t: float) -> Array: ...
     def energy(self) -> tuple[float, float]: ...
 
 
@@ -112,6 +119,40 @@ class StructureRun:
             raise StructureError(f"output '{name}'", "was not kept", f"run again with outputs=[..., {name!r}]")
         return self.values[:, self.names.index(name)]
 
+    @property
+    def about(self) -> str:
+        """Scheme, step and ratios in a line."""
+        ratios = ", ".join(map(str, self.stats.get("m", [])))
+        return f"{self.scheme}, {self.stats['dt']:.3g} s{f', m = {ratios}' if ratios else ''}"
+
+    def plot(self, path: str | Path | None = None, names: Sequence[str] | None = None) -> Figure:
+        """Displacements of `names` over time, and the energy; by default those that move most."""
+        return motion_picture(self, names, path)
+
+    def plot_fields(self, path: str | Path | None = None, times: Sequence[float] | None = None) -> Figure:
+        """The deformed mesh at some times [s]; four by default."""
+        return field_picture(self, times, path)
+
+    def plot_regions(self, path: str | Path | None = None) -> Figure:
+        """The mesh coloured by how often its nodes step."""
+        if self.regions is None:
+            raise StructureError("plot_regions", f"{self.scheme} has one step for all", 'take scheme="printed"')
+        return regions_picture(self.model.structure, self.regions, path)
+
+    def to_vtk(self, path: str | Path) -> Path:
+        """The kept fields as a time series for ParaView (XDMF), by meshio (extra `files`)."""
+        return write_vtk(self, path)
+
+    def save(self, path: str | Path) -> Path:
+        """Times, outputs, fields and energies as an .npz file, which `numpy.load` reads."""
+        with replacing(path) as temporary:
+            np.savez_compressed(
+                temporary, t=self.t, names=np.array(self.names), values=self.values, field_times=self.field_times,
+                fields=self.fields, energy_times=self.energy_times, energy=self.energy, x=self.x, rates=self.rates,
+                status=np.array(str(self.status)),
+            )  # fmt: skip
+        return Path(path)
+
     def __repr__(self) -> str:
         return f"StructureRun({self.model.name!r}, {self.scheme}, {self.status}, error {self.error})"
 
@@ -130,11 +171,15 @@ class _Level(NamedTuple):
 
 @dataclass(frozen=True)
 class _Plan:
-    """steps: major steps of the first level; sampled, kept: after how many of them samples and fields are taken."""
+    """steps: major steps of the first level; sampled: after how many of them samples are taken; kept: times of
+    fields [s].
+    """
 
+    t_end: float
     steps: int
     sampled: NDArray[np.int64]
-    kept: NDArray[np.int64]
+    weighed: NDArray[np.int64]
+    kept: Array
     outputs: NDArray[np.int64]
 
 
@@ -174,7 +219,7 @@ def simulate(
     else:
         checked_step(dt, np.inf, "dt")
     first = ceil(t_end / (dt or longest) * (1 - 1e-12))
-    plan = _planned(first, samples, fields, _chosen_outputs(model, outputs, samples))
+    plan = _planned(t_end, first, samples, fields, _chosen_outputs(model, outputs, samples))
 
     def level(refined: int, share: tuple[float, float]) -> _Level:
         major = t_end / (plan.steps * refined)
@@ -240,43 +285,47 @@ def _chosen_outputs(model: StructureModel, outputs: Sequence[str] | None, sample
     return np.unique(np.concatenate([*loaded, spread])).astype(np.int64)
 
 
-def _planned(steps: int, samples: int, fields: int, outputs: NDArray[np.int64]) -> _Plan:
+def _planned(t_end: float, steps: int, samples: int, fields: int, outputs: NDArray[np.int64]) -> _Plan:
     sampled = np.unique(np.round(np.linspace(0, steps, samples + 1)).astype(np.int64))
     marks = (
         np.arange(fields) + (np.arange(fields) * GOLDEN) % 1.0
     ) / fields  # one in each slice, at no regular distance
-    kept = np.unique(np.concatenate([[0, steps], np.ceil(marks * steps)]).astype(np.int64))
-    return _Plan(steps, sampled, kept, outputs)
+    weighed = sampled[:: max(1, len(sampled) // ENERGIES)]
+    return _Plan(t_end, steps, sampled, weighed, np.append(t_end * marks, t_end), outputs)
 
 
 def _stepped(
     stepper: Stepper, plan: _Plan, refined: int, progress: Callable[[float], None] | None, share: tuple[float, float]
 ) -> _Level:
-    values, fields, energy, reached, failed, at = [], [], [], 0, "", 0
-    x, rates = stepper.x.copy(), stepper.rates.copy()
-    kept = set(plan.kept.tolist())
-    stops = np.union1d(plan.sampled, plan.kept)
-    sampled = set(plan.sampled.tolist())
+    """Step to the end; samples are taken at steps, fields at their times by the motion about the nearest step."""
+    values, fields, energy, failed, at = [], [], [], "", 0
+    x, rates, steps = stepper.x.copy(), stepper.rates.copy(), plan.steps * refined
+    sampled, weighed = set((plan.sampled * refined).tolist()), set((plan.weighed * refined).tolist())
+    kept: dict[int, list[float]] = {}
+    for t in plan.kept.tolist():
+        kept.setdefault(round(t / plan.t_end * steps), []).append(t)
     try:
-        for stop in stops.tolist():
-            stepper.advance((stop - at) * refined)
+        for stop in sorted(sampled | weighed | kept.keys()):
+            stepper.advance(stop - at)
             at, now = stop, stepper.x
             if not np.all(np.isfinite(now)):
                 failed = "not_finite"
                 break
             if stop in sampled:
                 values.append(now[plan.outputs])
-                reached += 1
-            if stop in kept:
-                fields.append(now.copy())
+            if stop in weighed:
                 energy.append(stepper.energy())
+            for t in kept.get(stop, ()):
+                fields.append(stepper.near(t))
             x = now
             if progress is not None:
-                progress(share[0] + (share[1] - share[0]) * stop / plan.steps)
+                progress(share[0] + (share[1] - share[0]) * stop / steps)
         rates = stepper.rates if not failed else rates
     except KeyboardInterrupt:
         failed = "interrupted"
-    return _Level(np.array(values), np.array(fields), np.array(energy), np.array(x), np.array(rates), reached, failed)
+    return _Level(
+        np.array(values), np.array(fields), np.array(energy), np.array(x), np.array(rates), len(values), failed
+    )
 
 
 def _differences(one: _Level, other: _Level, names: list[str], mass: Any) -> StructureRunError:
@@ -316,7 +365,7 @@ def _left(
     float, error: StructureRunError, tolerance: float | None, seconds: float,
 ) -> StructureRun:  # fmt: skip
     t = t_end * plan.sampled[: level.reached] / plan.steps
-    kept = t_end * plan.kept[: len(level.fields)] / plan.steps
+    kept, weighed = plan.kept[: len(level.fields)], t_end * plan.weighed[: len(level.energy)] / plan.steps
     last = float(t[-1]) if len(t) else 0.0
     fine = None if regions is None else regions.with_step(major / regions.fastest[-1])
     stats: dict[str, Any] = {"steps": round(t_end / major), "dt": major, "wall_seconds": seconds}
@@ -328,7 +377,7 @@ def _left(
             "share_of_operations": fine.share,
         }
     return StructureRun(
-        model, scheme, t, [model.names[k] for k in plan.outputs], level.values, kept, level.fields, kept,
+        model, scheme, t, [model.names[k] for k in plan.outputs], level.values, kept, level.fields, weighed,
         level.energy, level.x, level.rates, fine, _status(level, last, error, tolerance), error, stats,
     )  # fmt: skip
 

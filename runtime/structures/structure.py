@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
 from functools import cached_property
 from typing import Any, TypeAlias
 
@@ -143,22 +144,29 @@ class LinearStructure:
         """The place of each coordinate."""
         return {name: k for k, name in enumerate(self._names)}
 
-    def lumped(self) -> LinearStructure:
-        """The same with each row of M summed into its diagonal.
+    def lumped(self, by: str = "row_sum") -> LinearStructure:
+        """The same with a diagonal mass matrix of the same mass.
 
-        Raises StructureError where a row's sum is not positive, as at corner nodes of quadratic elements: those
-        need a lumping of their own.
+        by: "row_sum", exact for elements with nodes at their corners; "diagonal", the diagonal scaled, which stays
+        positive for quadratic elements too (Hinton, Rock & Zienkiewicz 1976, here for the whole structure). Raises
+        StructureError where a row's sum is not positive.
         """
-        from dataclasses import replace
-
         if self.is_lumped:
             return self
-        return replace(self, mass=np.asarray(self.mass.sum(axis=1)).ravel(), coordinates=self._names)
+        sums = np.asarray(self.mass.sum(axis=1)).ravel()
+        if by == "diagonal":
+            diagonal = self.mass.diagonal().reshape(-1, self.width)
+            sums = (diagonal * (sums.reshape(-1, self.width).sum(axis=0) / diagonal.sum(axis=0))).ravel()
+        elif by != "row_sum":
+            raise StructureError("lump", f"{by!r}", 'give "row_sum" or "diagonal"')
+        return replace(self, mass=sums, coordinates=self._names)
+
+    def with_loads(self, loads: tuple[Load, ...], texts: tuple[str, ...], laws: Laws | None) -> LinearStructure:
+        """The same under other loads."""
+        return replace(self, loads=loads, law_texts=texts, laws=laws, coordinates=self._names)
 
     def place(self, name: str) -> int:
         """The place of a coordinate; raises StructureError with the names nearest to it."""
-        from difflib import get_close_matches
-
         if name not in self.index:
             near = get_close_matches(str(name), self._names, 3)
             raise StructureError(

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from inspect import Parameter, Signature, cleandoc
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, Self, overload
+
+import numpy as np
 
 from symgen.couplings import COUPLINGS
 from symgen.joints import JOINTS
@@ -19,8 +21,11 @@ from symgen.schema.fields import Meaning, StrictModel
 
 if TYPE_CHECKING:
     from runtime.model import Model
+    from symgen.fe import FEStructure, FlexibleBody
+    from symgen.scene.structures import MatrixData, StructureScene
 
 MAX_NESTING = 20
+SYMBOLIC_AT_MOST = 60  # coordinates of a structure of dense numbers that is still written out as equations
 
 
 class Scene:
@@ -114,8 +119,53 @@ class Scene:
         base = {} if relative_to == "ground.origin" else {"relative_to": relative_to}
         return self._add("measures", type, name, {"of": of, **base, **fields})
 
-    def structure(self, **fields: Any) -> Self:
-        """Describe M x'' + D x' + K x = F(t) instead of bodies: coordinates, mass, stiffness, damping (n, n), force."""
+    @overload
+    def structure(
+        self,
+        *,
+        mass: MatrixData = ...,
+        stiffness: MatrixData = ...,
+        body: FlexibleBody | FEStructure = ...,
+        damping: MatrixData | Mapping[str, float] | None = ...,
+        force: Any = ...,
+        coordinates: Sequence[str] = ...,
+        width: int = ...,
+        points: Any = ...,
+        cells: Any = ...,
+        fixed: Sequence[str | int] = ...,
+        lump: bool | str = ...,
+    ) -> StructureScene: ...
+    @overload
+    def structure(self, **fields: Any) -> Self: ...
+    def structure(self, **fields: Any) -> Self | StructureScene:
+        """Describe M x'' + D x' + K x = F(t) instead of bodies (Eqs. 3-14).
+
+        Parameters
+        ----------
+        mass, stiffness, damping : (n, n) [kg, N/m, N s/m]
+            Lists of numbers and expressions are written out as equations. SciPy sparse matrices, large arrays and
+            MatrixMarket files are data: nothing is written out, and groups of nodes step as often as each needs. A
+            mass (n,) is lumped; damping may be ``{"mass": a, "stiffness": b}`` (Rayleigh) [1/s, s].
+        body : FlexibleBody or FEStructure, optional
+            K and M of a body of solid elements of `symgen.fe`; fixed: interfaces and ids of nodes that are held.
+        lump : bool or "row_sum", optional
+            Make a consistent mass diagonal: explicit steps need that.
+        force
+            By coordinate, ``{"n3.x": "1e3 * sin(t)"}``; one a coordinate; or pairs (pattern (n,), expression of t) [N].
+        coordinates : n names; width : coordinates of a node; points (nodes, 2 or 3) [m], cells : for pictures.
+
+        Returns
+        -------
+        Scene or StructureScene
+            The latter for data; its `model()` is a `StructureModel`.
+        """
+        if "body" in fields or any(_is_data(fields.get(name)) for name in ("mass", "stiffness", "damping")):
+            from symgen.scene.structures import StructureScene
+
+            if extra := sorted(self._data.keys() - {"name", "title", "description", "parameters", "space"}):
+                raise SceneError(extra[0], "does not go with a structure", "remove it")
+            declared = {name: float(entry["default"]) for name, entry in self._data.get("parameters", {}).items()}
+            return StructureScene(self._data["name"], self._data.get("title", ""), declared, fields)
         return self._set("structure", fields)
 
     def independent(self, *coordinates: str) -> Self:
@@ -201,6 +251,13 @@ def _plain(value: Any, item: str, depth: int = 0) -> Any:
     if hasattr(value, "tolist"):
         return value.tolist()
     return value
+
+
+def _is_data(matrix: Any) -> bool:
+    """Is this a sparse matrix, a file or a large array of numbers: nothing to be written out?"""
+    if isinstance(matrix, np.ndarray):
+        return len(matrix) > SYMBOLIC_AT_MOST
+    return isinstance(matrix, str | Path) or hasattr(matrix, "tocsr")
 
 
 def _method(section: str, type: str, record: type[StrictModel]) -> Callable[..., Scene]:

@@ -81,7 +81,7 @@ def test_run_of_a_slow_load_agrees_with_the_explicit_one() -> None:
     other = model.simulate(200.0, tolerance=1e-4)
     assert one.status.name == other.status.name == "completed"
     assert np.abs(one.x - other.x).max() < 4e-4 * np.abs(other["x19"]).max()
-    assert one.error.order == pytest.approx(2.0, abs=0.2)
+    assert one.error.largest < 1e-4 and other.error.largest < 1e-4
 
 
 def no_rings(structure: LinearStructure, step: float, m: int) -> Regions:

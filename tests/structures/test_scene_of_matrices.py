@@ -1,0 +1,165 @@
+"""Scene.structure of sparse matrices, files, arrays and finite-element bodies; what a run of it leaves."""
+
+from __future__ import annotations
+
+from importlib.util import find_spec
+
+import numpy as np
+import pytest
+import scipy.io
+import scipy.sparse as sp
+
+from runtime.structures import StructureError, StructureModel
+from symgen import Scene, SceneError
+from symgen.scenes.plate import FORCE, PULSE, plate
+from tests.structures.bars import bar
+
+
+def driven_bar(**fields) -> StructureModel:
+    K, M = bar(np.ones(20))
+    names = [f"n{k}" for k in range(1, 21)]
+    scene = Scene("bar", title="Bar").parameter("F", 2.0)
+    return scene.structure(mass=M, stiffness=K, coordinates=names, **fields).model()
+
+
+def test_forces_by_name_expression_and_pattern_are_the_same() -> None:
+    text = "F * where(t < 3, sin(pi * t / 3)**2, 0)"
+    forces = ({"n20": text}, [(np.eye(20)[19], text)], [0] * 19 + [text])
+    one, other, third = (driven_bar(force=force).simulate(8.0, dt=0.02, error="off") for force in forces)
+    assert np.array_equal(one["n20"], other["n20"]) and np.array_equal(one["n20"], third["n20"])
+    momentum = one.rates @ np.r_[np.ones(19), 0.5]  # before the wave has reached the wall: the integral of the force
+    assert one.status.name == "completed" and momentum == pytest.approx(3.0, rel=2e-3)
+
+
+def test_a_constant_force_ends_in_its_static_deflection() -> None:
+    model = driven_bar(force={"n20": "F"}, damping={"mass": 0.05, "stiffness": 0.02})
+    run = model.simulate(400.0, samples=100)
+    assert run["n20"][-1] == pytest.approx(40.0, rel=1e-3)
+    assert model.static({"n20": 2.0})[-1] == pytest.approx(40.0, rel=1e-12)
+
+
+def test_matrices_come_from_files(tmp_path) -> None:
+    K, M = bar(np.ones(20))
+    scipy.io.mmwrite(tmp_path / "K.mtx", K)
+    scipy.io.mmwrite(tmp_path / "M.mtx", sp.diags(M).tocsr())
+    model = Scene("bar").structure(mass=tmp_path / "M.mtx", stiffness=str(tmp_path / "K.mtx")).model()
+    assert abs(model.structure.stiffness - K).max() == 0 and np.array_equal(model.structure.mass, M)
+
+
+def test_large_arrays_are_data_and_small_ones_are_equations() -> None:
+    K, M = bar(np.ones(100))
+    assert isinstance(Scene("bar").structure(mass=np.diag(M), stiffness=K.toarray()).model(), StructureModel)
+    K, M = bar(np.ones(3))
+    small = Scene("bar").structure(coordinates=["a", "b", "c"], mass=np.diag(M), stiffness=K.toarray()).model()
+    assert list(small.q_i) == ["a", "b", "c"]
+
+
+@pytest.mark.skipif(find_spec("skfem") is None, reason="scikit-fem is not installed")
+def test_a_solid_body_with_held_nodes() -> None:
+    """The lowest bending frequency of a solid cantilever against the beam's, 1.8751^2 sqrt(EI / (m L^4))."""
+    from skfem import MeshHex
+
+    from symgen.fe import FlexibleBody, Material
+
+    mesh = MeshHex.init_tensor(np.linspace(0, 1, 21), np.linspace(0, 0.1, 3), np.linspace(0, 0.1, 3))
+    ends = {name: (lambda x, at=at: np.abs(x[:, 0] - at) < 1e-9) for name, at in (("root", 0.0), ("tip", 1.0))}
+    body = FlexibleBody.from_mesh(mesh, Material(E=2e11, nu=0.0, rho=7800.0), interface=ends, modes=1)
+    scene = Scene("cantilever").structure(body=body, fixed=["root"], lump="diagonal")
+    model = scene.model()
+    assert model.structure.width == 3 and model.structure.is_lumped
+    beam = 1.8751**2 * np.sqrt(2e11 * 0.1**2 / 12 / 7800.0)
+    assert model.modes(2)[0] == pytest.approx(beam, rel=0.02)
+    assert model.structure.mass.sum() == pytest.approx(3 * 78.0 * (1 - 1 / 80), rel=0.05)
+
+
+def test_the_plate_of_the_demo() -> None:
+    """Its matrices: no strain in rigid motion, the weight; its regions; sub-cycling against one step for all."""
+    found = plate(20, 4)
+    n = len(found.names)
+    assert found.mass[::2].sum() == pytest.approx(7850.0 * (1 - 1 / 40), rel=1e-9)
+    inner = np.repeat(found.points[:, 0] > 0.06, 2)
+    moved = np.zeros(n)
+    moved[0::2], moved[1::2] = -found.points[:, 1], found.points[:, 0]
+    assert np.abs((found.stiffness @ moved)[inner]).max() < 1e-9 * abs(found.stiffness).max()
+    scene = Scene("plate").parameter("F", FORCE).parameter("T", PULSE)
+    pulse = {found.pulled: "F * where(t < T, sin(pi * t / T)**2, 0)"}
+    model = scene.structure(
+        mass=found.mass, stiffness=found.stiffness, coordinates=found.names, width=2, force=pulse,
+        points=found.points, cells=found.cells,
+    ).model()  # fmt: skip
+    assert len(model.regions().groups) >= 2 and model.stability().stable
+    run, right = model.simulate(2e-4, tolerance=0.02), model.simulate(2e-4, scheme="single_rate", tolerance=1e-4)
+    assert run.status.name == right.status.name == "completed"
+    true = np.abs(run.x - right.x).max() / np.abs(right.x).max()
+    assert true < 0.03 and run.error.largest < 0.02
+
+
+def test_report_files_pictures_and_saved_run(tmp_path) -> None:
+    found = plate(30, 6)
+    model = Scene("plate").structure(
+        mass=found.mass, stiffness=found.stiffness, coordinates=found.names, width=2,
+        force={found.pulled: "1e3 * sin(4e4 * t)"}, points=found.points, cells=found.cells,
+    ).model()  # fmt: skip
+    report = model.report(1e-4, tmp_path)
+    assert {row.method.split(",")[0] for row in report.rows} == {"single_rate", "printed", "generalized_alpha"}
+    by = {
+        method: [row.error for row in report.rows if row.method == method] for method in {r.method for r in report.rows}
+    }
+    for errors in by.values():
+        assert errors[0] > errors[-1]
+    assert {path.name for path in tmp_path.iterdir()} == {"methods.md", "methods.csv", "error_time.png"}
+    run = model.simulate(1e-4)
+    for name, draw in (("motion", run.plot), ("fields", run.plot_fields), ("regions", run.plot_regions)):
+        draw(tmp_path / f"{name}.png")
+        assert (tmp_path / f"{name}.png").stat().st_size > 10_000
+    kept = np.load(run.save(tmp_path / "run.npz"))
+    assert np.array_equal(kept["values"], run.values) and str(kept["status"]).startswith("completed")
+
+
+@pytest.mark.skipif(find_spec("meshio") is None, reason="meshio is not installed")
+def test_vtk_for_paraview(tmp_path) -> None:
+    import meshio
+
+    found = plate(6, 2)
+    model = Scene("plate").structure(
+        mass=found.mass, stiffness=found.stiffness, coordinates=found.names, width=2, points=found.points, cells=found.cells,
+    ).model()  # fmt: skip
+    run = model.simulate(1e-4, initial={found.pulled: 1e-3}, fields=5)
+    with meshio.xdmf.TimeSeriesReader(run.to_vtk(tmp_path / "run.xdmf")) as reader:
+        points, cells = reader.read_points_cells()
+        assert reader.num_steps == 6 and len(cells[0].data) == len(found.cells)
+        t, data, _ = reader.read_data(5)
+    assert t == pytest.approx(1e-4)
+    assert data["displacement"][:, :2].ravel() == pytest.approx(run.fields[5], rel=1e-9, abs=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("fields", "says"),
+    [
+        ({"force": {"n21": "1"}}, "structure.force 'n21': is no coordinate of the structure"),
+        ({"force": {"n20": "x + 1"}}, "structure.force 'x + 1'"),
+        ({"force": {"n20": "__import__('os')"}}, "structure.force"),
+        ({"force": "1"}, "structure.force: '1' is not known"),
+        ({"force": [1.0, 2.0]}, "structure.force: has 2 entries for 20 coordinates"),
+        ({"damping": {"mas": 1.0}}, "structure.damping.mas"),
+        ({"springs": 3}, "structure.springs: is not known"),
+        ({"mass": None}, "structure.mass: is missing"),
+    ],
+)
+def test_what_cannot_be_used_is_named(fields: dict, says: str) -> None:
+    K, M = bar(np.ones(20))
+    names = [f"n{k}" for k in range(1, 21)]
+    with pytest.raises((SceneError, StructureError)) as error:
+        Scene("bar").structure(**{"mass": M, "stiffness": K, "coordinates": names, **fields}).model()
+    assert says in str(error.value)
+
+
+def test_a_structure_of_matrices_has_no_bodies() -> None:
+    K, M = bar(np.ones(20))
+    with pytest.raises(SceneError, match="bodies: does not go with a structure"):
+        Scene("bar").rigid("a", mass=1.0, inertia=1.0).structure(mass=M, stiffness=K)
+
+
+def test_a_load_outside_its_domain_is_named_with_its_time() -> None:
+    with pytest.raises(StructureError, match=r"load 'sqrt\(1 - t\)': is nan at t = 1\.\d+ s"):
+        driven_bar(force={"n20": "sqrt(1 - t)"}).simulate(2.0)
