@@ -42,15 +42,28 @@ class Stepper(Protocol):
     t: float
 
     @property
-    def major_step(self) -> float: ...
+    def major_step(self) -> float:
+        """The step of the slowest group [s]."""
+
     @property
-    def x(self) -> Array: ...
+    def x(self) -> Array:
+        """Displacements (n,) [m] at t."""
+
     @property
-    def rates(self) -> Array: ...
-    def start(self, x: Array, rates: Array, t: float = 0.0) -> None: ...
-    def advance(self, steps: int) -> None: ...
-    def near(self, t: float) -> Array: ...
-    def energy(self) -> tuple[float, float]: ...
+    def rates(self) -> Array:
+        """x' (n,) [m/s] at t."""
+
+    def start(self, x: Array, rates: Array, t: float = 0.0) -> None:
+        """Begin there."""
+
+    def advance(self, steps: int) -> None:
+        """So many major steps."""
+
+    def near(self, t: float) -> Array:
+        """x (n,) [m] at a time within half a step."""
+
+    def energy(self) -> tuple[float, float]:
+        """Kinetic and elastic energy [J] at t."""
 
 
 class StructureRunError(NamedTuple):

@@ -19,12 +19,16 @@ SAMPLES = 500  # about so many are kept of the main run
 
 
 def demo(arguments: argparse.Namespace) -> Outcome:
-    """Generate a built-in scene, simulate it, and show the results.
+    """Generate a built-in scene, simulate it, and show the results; `plate` is a structure stepped by regions.
 
     Leaves model/, report.json, motion.gif, view.html, motion.png, deformation.png, forces.png,
     energy.png, solution.npz and .csv, and a report of methods: methods.md, methods.csv, error_time.png. What is advised
     is the main run; the scene's own scheme is beside it in difference.png.
     """
+    if arguments.scene == "plate":
+        from symgen.cli.plate_demo import plate_demo
+
+        return plate_demo(arguments.out, arguments.t_end)
     from runtime.model import load_model
     from runtime.studies.advice.report import PAGE, PICTURE, TABLE, report
     from runtime.views import plots

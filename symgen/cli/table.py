@@ -396,7 +396,7 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
             SCENE_WORD.but(
                 nargs="?",
                 default="slider-crank",
-                help="slider-crank (flexible, the default), any other built-in scene, or a .toml file",
+                help="slider-crank (flexible, the default), plate, any other built-in scene, or a .toml file",
             ),
             WITH,
             opt("--out DIR", "folder for everything (default: out/SCENE)"),

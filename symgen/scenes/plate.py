@@ -11,6 +11,9 @@ from typing import NamedTuple
 import numpy as np
 import scipy.sparse as sp
 
+from symgen.scene.builder import Scene
+from symgen.scene.structures import StructureScene
+
 YOUNGS_MODULUS, POISSON, DENSITY = 2.1e11, 0.3, 7850.0  # steel
 PULSE = 5e-5  # [s]
 FORCE = 1e6  # [N]
@@ -27,6 +30,17 @@ class Plate(NamedTuple):
     cells: np.ndarray
     names: list[str]
     pulled: str
+
+
+def plate_scene(divisions: int = 60, refinements: int = 6, radius: float = 0.03) -> StructureScene:
+    """The plate as a scene; parameters force [N] and pulse [s]."""
+    found = plate(divisions, refinements, radius)
+    scene = Scene("plate", title="Plate with a fine spot").parameter("force", FORCE, "N").parameter("pulse", PULSE, "s")
+    made: StructureScene = scene.structure(
+        mass=found.mass, stiffness=found.stiffness, coordinates=found.names, width=2, points=found.points,
+        cells=found.cells, force={found.pulled: "force * where(t < pulse, sin(pi * t / pulse)**2, 0)"},
+    )  # fmt: skip
+    return made
 
 
 def plate(divisions: int = 60, refinements: int = 6, radius: float = 0.03) -> Plate:

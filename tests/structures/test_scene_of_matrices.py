@@ -94,6 +94,7 @@ def test_the_plate_of_the_demo() -> None:
     assert true < 0.03 and run.error.largest < 0.02
 
 
+@pytest.mark.long
 def test_report_files_pictures_and_saved_run(tmp_path) -> None:
     found = plate(30, 6)
     model = Scene("plate").structure(
@@ -122,7 +123,8 @@ def test_vtk_for_paraview(tmp_path) -> None:
 
     found = plate(6, 2)
     model = Scene("plate").structure(
-        mass=found.mass, stiffness=found.stiffness, coordinates=found.names, width=2, points=found.points, cells=found.cells,
+        mass=found.mass, stiffness=found.stiffness, coordinates=found.names, width=2, points=found.points,
+        cells=found.cells,
     ).model()  # fmt: skip
     run = model.simulate(1e-4, initial={found.pulled: 1e-3}, fields=5)
     with meshio.xdmf.TimeSeriesReader(run.to_vtk(tmp_path / "run.xdmf")) as reader:
