@@ -27,7 +27,7 @@ from symgen.emission.write import compare_model, write_model
 from symgen.pipeline import Derived, derive, derive_on_demand, looked_at
 from symgen.scene import SceneRecord
 
-LARGEST_COMPLETE = 200  # coordinates of a scene that is written with all functions where nothing else is said
+LARGEST_COMPLETE = 200  # coordinates of a scene that `generate` writes with all functions where nothing else is said
 QUADRATIC = {
     "condensed", "augmented", "blocks", "dQ_hat_dq_i", "dQ_hat_dq_i_dot", "residual_jacobian", "deflections",
     "deflection_response",
@@ -39,16 +39,17 @@ def generate(
     folder: str | Path,
     functions: frozenset[str] | None = None,
     complete: bool = False,
+    largest: int = LARGEST_COMPLETE,
 ) -> Path:
     """Derive, condense and emit `scene` into `folder`; returns the folder.
 
-    functions: names of the functions to emit. By default all, but for a tree of more than LARGEST_COMPLETE coordinates
+    functions: names of the functions to emit. By default all, but for a tree of more than `largest` coordinates
     those that grow with its length, not with the square of it; the folder says which these are, and the others are
     derived when a model loaded from it is asked for them. complete: all whatever the length. Raises SceneError for bad
     scenes and for a folder that cannot be written.
     """
     target = Path(folder)
-    write_model(emit(_derived(scene, functions, complete)), target)
+    write_model(emit(_derived(scene, functions, complete, largest)), target)
     return target
 
 
@@ -81,8 +82,10 @@ def _left_out(folder: Path) -> list[str]:
         return []
 
 
-def _derived(scene: SceneRecord, functions: frozenset[str] | None, complete: bool) -> Derived:
-    if functions is not None or complete or len(scene.coordinates()) <= LARGEST_COMPLETE:
+def _derived(
+    scene: SceneRecord, functions: frozenset[str] | None, complete: bool, largest: int = LARGEST_COMPLETE
+) -> Derived:
+    if functions is not None or complete or len(scene.coordinates()) <= largest:
         return derive(scene, functions)
     found = derive_on_demand(scene)
     if "forward_dynamics" not in found.tapes:

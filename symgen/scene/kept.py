@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from symgen.scene.scene import SceneRecord
 
 MOST_KEPT = 100  # models
+KEPT_COMPLETE = 40  # coordinates; of longer trees what grows with the square of their length is derived when asked for
 PACKAGE = Path(__file__).resolve().parents[1]
 FOLLOWED = (PACKAGE, PACKAGE.parent / "runtime" / "contract")  # what generated code follows from
 LIBRARIES = ("casadi", "sympy")
@@ -64,7 +65,7 @@ def _write(scene: SceneRecord, folder: Path) -> None:
     from symgen.generate import generate
 
     with tempfile.TemporaryDirectory(dir=folder.parent) as place:
-        made = Path(generate(scene, Path(place) / "model"))
+        made = Path(generate(scene, Path(place) / "model", largest=KEPT_COMPLETE))
         shutil.rmtree(folder, ignore_errors=True)  # one that cannot be loaded
         with contextlib.suppress(OSError):  # another process was first
             made.rename(folder)
