@@ -4,29 +4,40 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 
 from runtime.contract.status import Event, Status, StatusName
 from runtime.results.solution import Solution
-from runtime.running.monitor import Failure, Monitor
+from runtime.running.monitor import Failure, Monitor, positive_definite
+from runtime.running.turns import MOST_TURN, frequency_at_states
 from runtime.schemes.step_limit import eigenvalues
 
-NEARLY_LOST = 0.1  # of M_hat at the start: below this a breakdown of the numbers is laid to it
+NEARLY_LOST = 0.1  # of M_hat without deflections: below this a breakdown of the numbers is laid to it
+NEARLY_TOO_FAR = 0.5  # of what a step may turn a loop
+SAFE = 0.9  # of a limit
 STRONG = 5.0  # times that a motion decays by e in a step, from which advice names the damper
 
 BREAKDOWNS = ("not_finite", "diverged", "constraints_lost", "iteration_failed")  # that M_hat may be the cause of
 OF_LOADS = ("not_finite", "diverged", "step_too_short")  # that a load may be the cause of
 OUT_OF_REACH = "A drive may ask for a position that the lengths do not allow: look at the motion until then."
-DEAD_CENTRE = (
-    "So the mechanism may be at a dead centre, where the chosen independent coordinates do not determine it: choose "
-    "others (partition.independent), or reduce the step."
+OF_MASS = "Check masses, inertias and mass matrices, as the parameters make them."
+OF_STIFFENING = (
+    "A deflection is too large for second-order geometric stiffening: use more or stiffer bodies, or smaller loads. "
+    "Where it grew by instability, take shorter steps."
 )
-OF_MASS = (
-    "A deflection is too large for second-order geometric stiffening, or a mass is not positive: use more or stiffer "
-    "bodies, smaller loads, or a shorter step if it grew by instability."
-)
+SHORTER, FAR_SHORTER = 3.0, 10.0  # times
+
+
+def shorter_steps(monitor: Monitor, dt: float | None = None) -> str:
+    """How the same call is made with shorter steps, of dt [s] where that is known."""
+    scheme = monitor.scheme
+    if scheme.adaptive:
+        return "Give a smaller tolerance."
+    given = f"dt={scheme.grid.dt_L / SHORTER if dt is None else dt:.2g}"
+    if monitor.refined:
+        return f'Name a scheme and its step in place of the tolerance, such as scheme="{monitor.refined}", {given}.'
+    return f"Reduce the step, such as {given}, or give a tolerance in place of it."
 
 
 def step_advice(monitor: Monitor, below: str = "") -> str:
@@ -35,24 +46,25 @@ def step_advice(monitor: Monitor, below: str = "") -> str:
     """
     scheme = monitor.scheme
     if scheme.adaptive:
-        return "Give a smaller tolerance."
+        return below or shorter_steps(monitor)
     slopes, h = monitor.slopes(), scheme.grid.h[-1]
     damper = "" if slopes is None else _damper(*slopes, h)
     limit = scheme.step_limit(*slopes) if slopes is not None and scheme.limited() else None
     if limit is None:
-        return damper or (f"{OUT_OF_REACH} {below}" if below else "Reduce the step.")
+        return damper or below or shorter_steps(monitor)
     text = (
         f"The {limit} at the last good state: the scheme needs a step below {limit.h:.3g} s there, and the "
         f"fastest group's step is {h:.3g} s."
     )
     if h > limit.h:
-        return f"{text} {damper}".rstrip()
+        short = shorter_steps(monitor, SAFE * scheme.grid.dt_L * limit.h / h)
+        return f"{text} {damper or short}"
     if below:
         return f"{text} {below}"
     if len(scheme.grid.groups) > 1:
         return text + (
             " So the sub-cycling itself is unstable (a frozen q_L_ddot acts as negative damping): "
-            "reduce m or dt, add damping, or use single_rate."
+            f"reduce {'m' if monitor.refined else 'm or dt'}, add damping, or use single_rate."
         )
     return text + (
         " So the growth may be physical: a spinning beam without geometric stiffening diverges, for instance."
@@ -87,14 +99,35 @@ def _of_deflections(monitor: Monitor) -> str:
     )
 
 
-at_dead_centre = partial(step_advice, below=DEAD_CENTRE)
+def _of_loops(monitor: Monitor) -> str:
+    """Of loops that do not close: steps turn them too far, or there is no place where they close."""
+    z, scheme = monitor.latest if monitor.latest is not None else monitor.good, monitor.scheme
+    assert z is not None
+    least = frequency_at_states(monitor.model, scheme, monitor.c[: monitor.model.c_size], z[None], by_change=True)
+    dt = scheme.grid.dt_L
+    if not scheme.adaptive and dt * least > NEARLY_TOO_FAR:
+        turned = f"A step of {dt:.3g} s turns a loop too far there, by {MOST_TURN * dt * least:.2g} rad."
+        return f"{turned} {shorter_steps(monitor, 1 / (SHORTER * least))}"
+    return step_advice(monitor, below=f"{OUT_OF_REACH} {shorter_steps(monitor)}")
+
+
+def _of_mass_at_start(monitor: Monitor) -> str:
+    assert monitor.good is not None
+    return OF_MASS if _mass_left(monitor, monitor.good) is None else OF_STIFFENING
+
+
+def _of_iterations(monitor: Monitor) -> str:
+    short = shorter_steps(monitor, monitor.scheme.grid.dt_L / FAR_SHORTER)
+    return f"{monitor.scheme.if_not_converged} {short}"
+
+
 CHECKS: dict[str, tuple[StatusName, str, str | Callable[[Monitor], str]]] = {  # status, cause, advice
     "finite at the start": (
         "not_finite",
         "the accelerations at the start are not finite",
         "M_hat may be singular, or a load infinite: check masses, inertias, loads and the initial position.",
     ),
-    "mass at the start": ("mass_not_positive", "M_hat is not positive definite at the start", OF_MASS),
+    "mass at the start": ("mass_not_positive", "M_hat is not positive definite at the start", _of_mass_at_start),
     "step length": ("step_too_long", "the step {:.3g} s of the fastest group is above its limit", step_advice),
     "finite": ("not_finite", "a coordinate became infinite or NaN", step_advice),
     "event": (
@@ -103,20 +136,20 @@ CHECKS: dict[str, tuple[StatusName, str, str | Callable[[Monitor], str]]] = {  #
         "Write it so that it has one wherever the motion may go: a root or logarithm of max(..., 0), no division.",
     ),
     "growth": ("diverged", "the coordinate grows without bound", step_advice),
-    "closure": ("constraints_lost", "the loop closure moves too far in one step for Newton", at_dead_centre),
-    "constraints": ("constraints_lost", "a constraint no longer holds", at_dead_centre),
+    "closure": ("constraints_lost", "the loop closure moves too far in one step for Newton", _of_loops),
+    "constraints": ("constraints_lost", "a constraint no longer holds", _of_loops),
     "iterations": (
         "iteration_failed",
         "the update of a step did not converge in {} iterations",
-        lambda monitor: monitor.scheme.if_not_converged,
+        _of_iterations,
     ),
     "least step": (
         "step_too_short",
         "the least step does not meet the tolerance behind t = {:.9g} s",
         "A force or a rate may grow without bound there, or jump at a time that depends on the motion: look at "
-        "the motion until then, raise the tolerance, or take a scheme with steps of one length.",
+        "the motion until then, give a larger tolerance, or name a scheme with a step dt and no tolerance.",
     ),
-    "mass": ("mass_not_positive", "M_hat is no longer positive definite", OF_MASS),
+    "mass": ("mass_not_positive", "M_hat is no longer positive definite", OF_STIFFENING),
     "deflection": (
         "deflection_too_large",
         "{} is bent by {:.2g} of its length and {:.2g} rad, beyond its linear modes",
@@ -125,7 +158,7 @@ CHECKS: dict[str, tuple[StatusName, str, str | Callable[[Monitor], str]]] = {  #
     "branch": (
         "branch_lost",
         "the loop closure is singular within the next step",
-        "Reduce the step, start elsewhere, or change a length a little.",
+        lambda monitor: f"{shorter_steps(monitor)} Or start elsewhere, or change a length a little.",
     ),
     "user": ("interrupted", "stopped by the user", "What was computed is kept."),
     "output": ("output_failed", "{}", "Go on from the last checkpoint, or stream elsewhere."),
@@ -135,21 +168,31 @@ CHECKS: dict[str, tuple[StatusName, str, str | Callable[[Monitor], str]]] = {  #
 def diagnose(failure: Failure, time: float, monitor: Monitor) -> Status:
     """The status that ends a run at its last good state, whose time [s] is given."""
     name, cause, advice = CHECKS[failure.check]
-    if name in BREAKDOWNS and monitor.latest is not None and (share := _mass_left(monitor)) is not None:
-        cause = f"M_hat has lost all but {max(share, 0.0):.2g} of what it was at the start, in one direction"
-        return Status("mass_not_positive", time, None, cause, OF_MASS)
+    latest = monitor.latest
+    if name in BREAKDOWNS and latest is not None and (share := _mass_left(monitor, latest)) is not None:
+        cause = f"M_hat has lost all but {max(share, 0.0):.2g} of what it is without deflections, in one direction"
+        return Status("mass_not_positive", time, None, cause, OF_STIFFENING)
     coordinate = None if failure.k is None else monitor.model.q_i[failure.k]
     text = advice if isinstance(advice, str) else advice(monitor)
     return Status(name, time, coordinate, cause.format(*failure.found), text)
 
 
-def _mass_left(monitor: Monitor) -> float | None:
-    """Of a run that stopped behind its latest state: is M_hat about to lose its sign there, seen from the start?"""
-    assert monitor.latest is not None
-    M_hat = monitor.look(monitor.latest, monitor.c).M_hat
-    if monitor.mass is None or not np.isfinite(M_hat).all():
+def _mass_left(monitor: Monitor, z: np.ndarray) -> float | None:
+    """What is left of M_hat at a state z, if deflections have nearly taken it its sign there.
+
+    It is compared with M_hat of the same pose without deflections: how rigid bodies stand changes it, too, as much as
+    one likes, and never takes its sign.
+    """
+    model, own = monitor.model, monitor.scheme.layout.slice("x")
+    elastic = [k for k, name in enumerate(model.q_i) if name in model.elastic]
+    if not elastic:
         return None
-    inverse = np.linalg.inv(np.linalg.cholesky(monitor.mass))
+    straight = z.copy()
+    straight[own][elastic] = 0.0
+    M_hat, whole = (monitor.look(one, monitor.c).M_hat for one in (z, straight))
+    if not np.isfinite(M_hat).all() or not positive_definite(whole):
+        return None
+    inverse = np.linalg.inv(np.linalg.cholesky(whole))
     left = float(np.linalg.eigvalsh(inverse @ M_hat @ inverse.T)[0])
     return None if left > NEARLY_LOST else left
 
@@ -168,5 +211,9 @@ def laid_to_loads(status: Status, solution: Solution, events: Sequence[Event], n
     missed = [one for one in events if one.kind == "load_missed" and abs(one.time - status.time) <= near]
     if status.name not in OF_LOADS or not endless + missed:
         return status
-    advice = "Let it be finite, or end the run before." if endless else "Give it a smaller step there."
+    advice = (
+        "Let it be finite, or end the run before."
+        if endless
+        else "Declare an event there, or name a scheme and a dt that sees it."
+    )
     return replace(status, cause=(endless + missed)[0].text, advice=advice)

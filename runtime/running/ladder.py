@@ -38,7 +38,7 @@ from runtime.running.problem import (
 from runtime.running.record import Marks
 from runtime.running.run import Further, Run, begun, integrate
 from runtime.running.time_functions import OfTime, force_of_time
-from runtime.running.turns import frequency_at_start, frequency_on_the_way
+from runtime.running.turns import frequency_at_start, frequency_at_states
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import LARGE_SYSTEM, SchemeError
 from runtime.schemes.scheme import Scheme, evaluation_operations
@@ -192,7 +192,7 @@ class Ladder:
         plan = make_plan(
             model, t0 + self.span, self.span / steps, m, method.scheme, 0.0, method.options, t0, bounded=True
         )
-        plan = replace(plan, seen_steps=every, force=True, outputs=tuple(self.further.outputs or ()))
+        plan = replace(plan, seen_steps=every, force=True, refined=True, outputs=tuple(self.further.outputs or ()))
         return plan.until(self.problem.t_end)
 
     def climb(self, method: Method) -> Iterator[Rung]:
@@ -236,7 +236,14 @@ class Ladder:
 
     def _turned_by(self, rung: Rung) -> int:
         """Steps, in units, none of which turns a loop too far to be followed, by what a rung has seen."""
-        return self._units(frequency_on_the_way(rung.run.record.states(), rung.lost))
+        found = [0.0]
+        for segment, states in rung.run.record.states():
+            found.append(frequency_at_states(segment.model, segment.plan.scheme, segment.c, states))
+        if rung.lost:  # its step from the last good state turned by the acceleration, too
+            last = rung.run.segment
+            state = last.state(rung.run.z)[None]
+            found.append(frequency_at_states(last.model, last.plan.scheme, last.c, state, by_change=True))
+        return self._units(max(found))
 
     def _units(self, frequency: float) -> int:
         """Steps, in units, of so many in a second."""

@@ -45,17 +45,24 @@ class Failure:
 class Monitor:
     """Of a run of a scheme on a model with constants c (c_size,) and parameters p (n_p,; None: the model's own).
 
-    force: run although the step is above its limit. good: the last z that passed a close look, latest: a cheap one;
-    length [m]: size of the mechanism, from the lever arms in C_q at the start, 1 without constraints; mass: M_hat then.
+    force: run although the step is above its limit. refined: the name of the scheme where a tolerance chose its steps.
+    good: the last z that passed a close look, latest: a cheap one; length [m]: size of the mechanism, from the lever
+    arms in C_q at the start, 1 without constraints.
     """
 
     def __init__(
-        self, model: EmittedModel, scheme: Scheme, c: np.ndarray, force: bool = False, p: np.ndarray | None = None
+        self,
+        model: EmittedModel,
+        scheme: Scheme,
+        c: np.ndarray,
+        force: bool = False,
+        p: np.ndarray | None = None,
+        refined: str = "",
     ) -> None:
         self.model, self.scheme, self.c, self.force = model, scheme, scheme.constants(c), force
+        self.refined = refined
         self.good: np.ndarray | None = None
         self.latest: np.ndarray | None = None
-        self.mass: np.ndarray | None = None
         self.length, self.scale = 1.0, 1.0
         self._samples = 0
         self._begun: np.ndarray | None = None
@@ -72,14 +79,13 @@ class Monitor:
         x, d = z[self.scheme.layout.slice("x")], self._increments(z)
         self.scale = max(1.0, float(np.abs(x).max(initial=0.0)), float(np.abs(d).max(initial=0.0)))
         if like is not None:
-            self.length, self.mass, self._bodies = like.length, like.mass, like._bodies
+            self.length, self._bodies = like.length, like._bodies
             return None
         if self.look.constrained:
             self.length = mechanism_length(self.model, self.look.jacobian(z, self.c))
-        M_hat = self.look(z, self.c).M_hat
-        if not positive_definite(M_hat):
+        if not positive_definite(self.look(z, self.c).M_hat):
             return self._ends(Failure("mass at the start"), z)
-        self.mass, h = M_hat, self.scheme.grid.h[-1]
+        h = self.scheme.grid.h[-1]
         if self.force or self.step_limit is None or h <= self.step_limit:
             return None
         return self._ends(Failure("step length", found=(h,)), z)

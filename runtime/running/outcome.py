@@ -32,7 +32,8 @@ from runtime.schemes.options import LARGEST_TOLERANCE
 LARGEST = 0.1  # of an amplitude: the error from which a run is not accurate
 LARGEST_OF_RATES = 0.5  # the same of rates: vibrations that hardly move anything have a part in them
 WORTH_A_WORD = 0.03  # of an amplitude
-ADVICE = "Take a smaller step, or a tolerance instead of a step."
+SMALLER_STEP = "Take a smaller step, or a tolerance instead of a step."
+SMALLER_TOLERANCE = "Take a smaller tolerance."
 
 
 def finished(run: Run, error: MotionError | None = None) -> Solution:
@@ -76,7 +77,11 @@ def _ended(run: Run, error: MotionError | None) -> Solution:
     began = time.perf_counter()
     if not status.ok:
         error = MotionError(reason=f"it is {status.name}")
-    solution = with_error(solution, measured(run, solution) if error is None else error)
+    solution = with_error(
+        solution,
+        measured(run, solution) if error is None else error,
+        SMALLER_TOLERANCE if run.plan.refined or run.plan.scheme.adaptive else SMALLER_STEP,
+    )
     told = time.perf_counter()
     solution = with_limits(solution)
     parts = {"error_seconds": told - began, "limits_seconds": time.perf_counter() - told}
@@ -98,20 +103,20 @@ def _stops(run: Run) -> np.ndarray:
     return np.array(sorted(found.items())).reshape(-1, 2)
 
 
-def with_error(solution: Solution, error: MotionError) -> Solution:
-    """The solution with its error, which its status and statistics tell."""
+def with_error(solution: Solution, error: MotionError, smaller: str = SMALLER_STEP) -> Solution:
+    """The solution with its error, which its status and statistics tell; smaller: how to make that smaller."""
     stats: dict[str, float | int | str] = dict(solution.stats)
     status = solution.status
     if not error.measured:
         stats["error_not_measured"] = error.reason
         if error.reliable_until is not None and status.ok:
-            status = Status("inaccurate", status.time, None, error.reason, ADVICE)
+            status = Status("inaccurate", status.time, None, error.reason, smaller)
         return solution.but(error=error, stats=stats, status=status)
     stats |= {"error": error.largest, "error_of": error.of}
     worst = max(error.relative, key=lambda name: error.judged[name])
     rates = [name for name in error.judged if name not in error.relative]
     rate = max(rates, key=lambda name: error.judged[name], default=worst)
-    bad, advice = error.judged[worst] > LARGEST, ADVICE[0].lower() + ADVICE[1:]
+    bad, advice = error.judged[worst] > LARGEST, smaller[0].lower() + smaller[1:]
     if not bad and error.judged[rate] > LARGEST_OF_RATES:  # a rate is named where positions are right
         bad, worst = True, rate
     if error.reliable_until is not None:
@@ -120,7 +125,7 @@ def with_error(solution: Solution, error: MotionError) -> Solution:
         cause = f"its error is {error.judged[worst]:.2g} of its amplitude"
         if error.reliable_until is not None:
             cause = f"{cause}; the motion is not to be relied on after t = {error.reliable_until:.4g} s"
-        status = Status("inaccurate", status.time, worst, cause, ADVICE)
+        status = Status("inaccurate", status.time, worst, cause, smaller)
     elif error.judged[rate] > LARGEST:
         stats["remark"] = f"{rate} is off by {error.judged[rate]:.2g} of its size: {advice}"
     elif error.largest > WORTH_A_WORD:

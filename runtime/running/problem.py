@@ -169,6 +169,7 @@ class Plan:
     t0: float
     force: bool = False
     outputs: tuple[str, ...] = ()
+    refined: bool = False
     end: float | None = None
 
     @property

@@ -70,7 +70,9 @@ class SteppedModel:
     @cached_property
     def monitor(self) -> Monitor:
         """Who looks at its states."""
-        return Monitor(self.model, self.plan.scheme, self.c, force=self.plan.force, p=self.p)
+        plan = self.plan
+        refined = plan.name if plan.refined else ""
+        return Monitor(self.model, plan.scheme, self.c, force=plan.force, p=self.p, refined=refined)
 
     def take(self, p: np.ndarray) -> None:
         """From now on these parameters (n_p,)."""

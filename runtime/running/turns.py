@@ -6,8 +6,6 @@ a turn, Newton may fail or find another branch, and coarse motions that err in t
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import casadi as ca
 import numpy as np
 
@@ -15,7 +13,7 @@ from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import rate_parts
 from runtime.contract.model import EmittedModel
 from runtime.engine.rows import evaluate
-from runtime.running.stepped_model import SteppedModel
+from runtime.schemes.scheme import Scheme
 
 MOST_TURN = 0.3  # rad in a step
 
@@ -47,24 +45,23 @@ def frequency_at_start(model: EmittedModel, state: ConsistentState) -> float:
     return _largest(v_i[i], v_d[d]) / MOST_TURN
 
 
-def frequency_on_the_way(segments: Sequence[tuple[SteppedModel, np.ndarray]], lost: bool) -> float:
-    """The same of states (N, n_z) of each segment of a run; lost: it ended at the last of them, and its step there
-    turns by the acceleration, too.
+def frequency_at_states(
+    model: EmittedModel, scheme: Scheme, c: np.ndarray, states: np.ndarray, by_change: bool = False
+) -> float:
+    """The same at states z (N, n_z) of a scheme; by_change: by accelerations, too, as they count in a step.
+
+    c (c_size,): constants of the model.
     """
-    found = [0.0]
-    for segment, states in segments:
-        i, d = loop_angles(segment.model)
-        if not len(i) + len(d):
-            continue
-        scheme = segment.plan.scheme
-        seen = evaluate(scheme.observer, {"z": states}, scheme.constants(segment.c))
-        found.append(_largest(seen["q_i_dot"][:, i], seen["q_d_dot"][:, d]) / MOST_TURN)
-        if lost and states is segments[-1][1]:
-            rate = _largest(seen["q_i_dot"][-1, i], seen["q_d_dot"][-1, d])
-            change = _largest(seen["q_i_ddot"][-1, i], seen["q_d_ddot"][-1, d])
-            # h with rate h + change h^2 / 2 = MOST_TURN
-            found.append((rate + np.sqrt(rate**2 + 2 * change * MOST_TURN)) / (2 * MOST_TURN))
-    return max(found)
+    i, d = loop_angles(model)
+    if not len(i) + len(d) or not len(states):
+        return 0.0
+    seen = evaluate(scheme.observer, {"z": states}, scheme.constants(c))
+    rate = _largest(seen["q_i_dot"][:, i], seen["q_d_dot"][:, d])
+    if not by_change:
+        return rate / MOST_TURN
+    change = _largest(seen["q_i_ddot"][:, i], seen["q_d_ddot"][:, d])
+    # 1 / h with rate h + change h^2 / 2 = MOST_TURN
+    return float(rate + np.sqrt(rate**2 + 2 * change * MOST_TURN)) / (2 * MOST_TURN)
 
 
 def _largest(*values: np.ndarray) -> float:

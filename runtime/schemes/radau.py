@@ -94,8 +94,8 @@ class Radau(Scheme):
     starts_from_last = True
     if_not_converged = (
         "Newton's matrix is that of the start of a step, and a load bends within it, as friction that reverses does: "
-        "give the joint `friction`, which sticks exactly, take exponential with propagation = decaying, which iterates "
-        "nothing, or a tenth of the step."
+        "give the joint `friction`, which sticks exactly, or take exponential with propagation = decaying, which "
+        "iterates nothing."
     )
 
     options: RadauOptions

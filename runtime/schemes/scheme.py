@@ -47,7 +47,7 @@ class Scheme(ABC):
     order: int = 2
     damps: bool = False  # do its steps damp vibrations that they do not resolve?
     adaptive: bool = False  # are its steps as long as a tolerance asks for, and dt the time between states to be seen?
-    if_not_converged: str = "Use a smaller step, a larger eps, or (printed) common_update = direct."
+    if_not_converged: str = "Give a larger eps, or (printed) common_update = direct."
     starts_from_last: bool = False  # do iterations begin with the last step's values, and its rate of convergence?
 
     def __init__(self, model: EmittedModel, grid: Grid, options: Options) -> None:

@@ -108,7 +108,7 @@ def test_model_without_jacobians_runs_without_a_limit(built_in: Load) -> None:
     solution = simulate(model, scheme="rk4", dt=1e-3, t_end=0.1)
     assert solution.status.ok and "step_limit_at_start" not in solution.stats
     failed = simulate(model, scheme="rk4", dt=2.0, t_end=2000.0)
-    assert failed.status.name in ("diverged", "not_finite") and failed.status.advice == "Reduce the step."
+    assert failed.status.name in ("diverged", "not_finite") and "Reduce the step, such as dt=" in failed.status.advice
 
 
 @pytest.mark.parametrize("m, dt", [(1, 1e-4), (1, 1e-3), (2, 1e-3)])
