@@ -14,8 +14,8 @@ from pathlib import Path
 
 import numpy as np
 
+from runtime.contract.cache import cache_folder, refused_folder
 from runtime.contract.errors import CompilerError
-from runtime.contract.files import cache_folder
 from runtime.engine.c_source import Style, find_compiler, program_code, source
 from runtime.engine.program import Program
 
@@ -46,7 +46,9 @@ def compile_source(source: str, large: bool = False) -> Path:
         raise CompilerError("no C compiler found; set CC, or install gcc")
     flags = (*(LARGE_FLAGS if large else SMALL_FLAGS), *COMMON_FLAGS)
     key = hashlib.sha256("\n".join([source, *flags, compiler, _identity(compiler)]).encode()).hexdigest()
-    folder = cache_folder()
+    folder = cache_folder() / "libraries"
+    if refused := refused_folder(folder):
+        raise CompilerError(f"{refused}; set SYMGEN_CACHE to a folder of your own")
     target = folder / f"{key}.so"  # named by content: the loader caches libraries by path
     if not target.exists():
         _build(compiler, flags, source, folder, target)
@@ -55,7 +57,6 @@ def compile_source(source: str, large: bool = False) -> Path:
 
 def _build(compiler: str, flags: tuple[str, ...], source: str, folder: Path, target: Path) -> None:
     try:
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=folder) as work:
             source_file, library = Path(work) / "program.c", Path(work) / "program.so"
             source_file.write_text(source, encoding="utf-8")

@@ -22,7 +22,7 @@ import casadi as ca
 import numpy as np
 
 from benchmarks.harness.result import Skipped
-from runtime.contract.files import cache_folder
+from runtime.contract.cache import cache_folder, refused_folder
 
 SOURCE = Path(__file__).with_name("pinocchio_tree.cpp")
 FLAGS = (
@@ -112,14 +112,16 @@ def library() -> ctypes.CDLL:
         f"-Wl,-rpath,{casadi}",
     ]
     key = hashlib.sha256("\n".join([*command, version(), SOURCE.read_text(encoding="utf-8")]).encode()).hexdigest()
-    target = cache_folder() / f"{key}.so"
+    folder = cache_folder() / "libraries"
+    if refused := refused_folder(folder):
+        raise Skipped(f"{refused}; set SYMGEN_CACHE to a folder of your own")
+    target = folder / f"{key}.so"
     if not target.exists():
         _build(command, target)
     return ctypes.CDLL(str(target))
 
 
 def _build(command: list[str], target: Path) -> None:
-    target.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=target.parent) as work:
         made = Path(work) / target.name
         result = subprocess.run([*command, "-o", str(made)], capture_output=True, text=True)

@@ -1,4 +1,4 @@
-"""Writing files so that a reader never sees half of one: to a temporary name first, then renamed. The cache folder."""
+"""Writing files so that a reader never sees half of one: to a temporary name first, then renamed."""
 
 from __future__ import annotations
 
@@ -12,32 +12,6 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from runtime.contract.errors import SymgenError
-
-# Where compiled programs and models made on demand are kept.
-
-
-def cache_folder() -> Path:
-    """$SYMGEN_CACHE, else the user's cache folder."""
-    chosen = os.environ.get("SYMGEN_CACHE")
-    if chosen:
-        return Path(chosen)
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "symgen"
-
-
-def refused_folder(folder: Path) -> str:
-    """Why a folder of the cache is not used, "" if it is: it must be the user's own; makes it where it is missing."""
-    try:
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-        found = os.lstat(folder)
-    except OSError as error:
-        return f"{folder} cannot be used: {error}"
-    if not stat.S_ISDIR(found.st_mode):
-        return f"{folder} is no folder of its own"
-    if os.name != "nt" and found.st_uid != os.getuid():
-        return f"{folder} belongs to another user"
-    if os.name != "nt" and found.st_mode & 0o077:
-        return f"{folder} is open to other users (chmod 700 closes it)"
-    return ""
 
 
 def stamp_of(*folders: Path) -> str:

@@ -139,20 +139,23 @@ class _CheckedSource(InspectLoader):
 M = TypeVar("M", bound=EmittedModel)
 
 
-def load_folder(folder: str | Path, kind: type[M], digest: str | None = None) -> M:
+def load_folder(
+    folder: str | Path, kind: type[M], digest: str | None = None, read: Callable[[Path], bytes] = Path.read_bytes
+) -> M:
     """The model in a folder, as one of this kind, after comparing its files with the manifest's hashes.
 
-    digest: that of the model that is meant; another one is refused before any of its code runs. Raises ModelError if
+    digest: that of the model that is meant; another one is refused before any of its code runs. read: how its files are
+    read; what raises OSError there is not loaded. Raises ModelError if
     files are missing, were edited since generation, or belong to another format.
     """
     path = Path(folder)
-    manifest = _manifest(path)
+    manifest = _manifest(path, read)
     if digest is not None and manifest["sha256"] != digest:
         raise ModelError(
             f"{path}", "it holds another model than was meant: it was generated anew", "begin anew with it"
         )
     try:
-        texts = {name: _checked_text(path, name, expected) for name, expected in manifest["files"].items()}
+        texts = {name: _checked_text(path / name, expected, read) for name, expected in manifest["files"].items()}
         module = _module(path / "model.py", texts["model.py"])
         return _model(kind, path, manifest, json.loads(texts["data.json"]), module, texts.get("scene.toml", ""))
     except (KeyError, TypeError, ValueError, AttributeError) as error:
@@ -164,10 +167,10 @@ def load_folder(folder: str | Path, kind: type[M], digest: str | None = None) ->
         ) from error
 
 
-def _manifest(path: Path) -> dict[str, Any]:
+def _manifest(path: Path, read: Callable[[Path], bytes]) -> dict[str, Any]:
     try:
-        manifest = json.loads((path / "manifest.json").read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, json.JSONDecodeError) as error:
+        manifest = json.loads(read(path / "manifest.json").decode("utf-8"))
+    except (OSError, UnicodeDecodeError, json.JSONDecodeError, RecursionError) as error:
         raise ModelError(
             f"{path} is not a generated model (manifest.json: {error}); "
             f"generate it with: symgen generate SCENE --out {path}"
@@ -186,16 +189,14 @@ def _manifest(path: Path) -> dict[str, Any]:
     return manifest
 
 
-def _checked_text(path: Path, name: str, expected: str) -> str:
+def _checked_text(path: Path, expected: str, read: Callable[[Path], bytes]) -> str:
+    remedy = f"regenerate with: symgen generate {path.parent}"
     try:
-        text = (path / name).read_bytes().decode("utf-8")  # line ends as they are: the hash is of the bytes
+        text = read(path).decode("utf-8")  # line ends as they are: the hash is of the bytes
     except (OSError, UnicodeDecodeError) as error:
-        raise ModelError(f"{path / name} cannot be read ({error}); regenerate with: symgen generate {path}") from error
+        raise ModelError(f"{path} cannot be read ({error}); {remedy}") from error
     if hashlib.sha256(text.encode()).hexdigest() != expected:
-        raise ModelError(
-            f"{path / name} was edited since it was generated (its hash differs from manifest.json); "
-            f"regenerate with: symgen generate {path}"
-        )
+        raise ModelError(f"{path} was edited since it was generated (its hash differs from manifest.json); {remedy}")
     return text
 
 

@@ -9,11 +9,11 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import os
-import tempfile
 from math import inf
 from pathlib import Path
 
-from runtime.contract.files import cache_folder, refused_folder
+from runtime.contract.cache import cache_folder, leftovers, read_own, refused_folder
+from runtime.contract.files import OutputError, replacing
 
 MOST_BYTES = 256 * 2**20
 _HEAD = 32 + 8
@@ -40,7 +40,7 @@ class ObjectCache:
         if not path.exists() or self.refused():
             return None
         try:
-            content = path.read_bytes()
+            content = read_own(path)
             if len(content) <= _HEAD or hashlib.sha256(content[32:]).digest() != content[:32]:
                 path.unlink(missing_ok=True)
                 return None
@@ -59,22 +59,23 @@ class ObjectCache:
             return
         payload = work.to_bytes(8, "little") + code
         try:
-            with tempfile.NamedTemporaryFile(dir=self.folder, delete=False) as file:
-                file.write(hashlib.sha256(payload).digest() + payload)
-            os.replace(file.name, self.folder / f"{key}.o")
-        except OSError:
+            with replacing(self.folder / f"{key}.o") as temporary:
+                temporary.write_bytes(hashlib.sha256(payload).digest() + payload)
+        except OutputError:
             return
         ObjectCache.written += len(payload)
         if ObjectCache.written > MOST_BYTES / 16:
             self._bound()
 
     def _bound(self) -> None:
-        """Remove the least recently used until MOST_BYTES are left."""
+        """Remove what was left under way, and the least recently used until MOST_BYTES are left."""
+        for path in leftovers(self.folder):
+            _remove(path)
         total, ObjectCache.written = 0, 0
         for path, size, _ in sorted(self.entries(), key=lambda entry: -entry[2]):
             total += size
             if total > MOST_BYTES:
-                path.unlink(missing_ok=True)
+                _remove(path)
 
     def entries(self) -> list[tuple[Path, int, float]]:
         """(file, bytes, time of its last use) of every object."""
@@ -86,8 +87,13 @@ class ObjectCache:
         return found
 
     def clear(self) -> int:
-        """Remove every object; how many there were."""
-        entries = self.entries()
-        for path, _, _ in entries:
-            path.unlink(missing_ok=True)
-        return len(entries)
+        """Remove every object and what was left under way; how many files there were."""
+        found = [*(path for path, _, _ in self.entries()), *leftovers(self.folder, older=-1.0)]
+        for path in found:
+            _remove(path)
+        return len(found)
+
+
+def _remove(path: Path) -> None:
+    with contextlib.suppress(OSError):  # another process may have removed it
+        path.unlink(missing_ok=True)

@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from runtime.contract.arguments import PLACE, arguments
+from runtime.contract.cache import cache_folder, refused_folder
 from runtime.contract.errors import CompilerError, ModelError
 from runtime.contract.files import replacing
 from runtime.contract.model import EmittedModel
@@ -141,7 +142,8 @@ def _built(files: dict[str, str], stem: str, compiler: list[str], target: Platfo
         mathematics = [] if target.ending == "dll" else ["-lm"]
         library = f"{stem}.{target.ending}"
         command = [*compiler, *flags, "-o", library, "fmu.c", f"{stem}.c", *mathematics]
-        environment = {**os.environ, "ZIG_GLOBAL_CACHE_DIR": str(Path(tempfile.gettempdir()) / "symgen-zig")}
+        kept = cache_folder() / "zig"  # its own libraries for each target, which take long to make
+        environment = {**os.environ, "ZIG_GLOBAL_CACHE_DIR": folder if refused_folder(kept) else str(kept.resolve())}
         result = subprocess.run(command, cwd=folder, capture_output=True, text=True, env=environment)
         if result.returncode != 0:
             raise CompilerError(f"{shlex.join(compiler)} failed: {result.stderr.strip()[:2000]}")

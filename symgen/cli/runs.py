@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import shutil
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -74,27 +73,24 @@ def cache(arguments: argparse.Namespace) -> Outcome:
 
     Nothing is lost by removing it: what is needed is compiled and generated again.
     """
-    from runtime.contract.files import cache_folder
+    from runtime.contract.kept_models import KeptModels
     from runtime.engine.object_cache import MOST_BYTES, ObjectCache
 
-    cache = ObjectCache()
+    cache, models, variants = ObjectCache(), KeptModels("models"), KeptModels("variants")
     refused = cache.refused()
     entries = cache.entries()
     size = sum(size for _, size, _ in entries)
     facts: dict[str, Any] = {"folder": str(cache.folder), "programs": len(entries), "bytes": size, "most": MOST_BYTES}
-    models = [path for path in (cache_folder() / "models").glob("*") if path.is_dir()]
-    facts["models"] = len(models)
+    facts |= {"models": len(models.entries()), "variants": len(variants.entries())}
     lines = [
         f"{cache.folder}: {len(entries)} compiled programs, {size / 1e6:.3g} of {MOST_BYTES / 1e6:.0f} MB; "
-        f"{len(models)} generated models beside them"
+        f"{facts['models']} generated models and {facts['variants']} variants beside them"
     ]
     if refused:
         facts["refused"] = refused
         lines.append(f"not used: {refused}")
     elif arguments.clear:
-        for folder in models:
-            shutil.rmtree(folder, ignore_errors=True)
-        facts["removed"] = cache.clear() + len(models)
+        facts["removed"] = sum(room.clear() for room in (cache, models, variants))
         lines.append(f"{facts['removed']} removed")
     return Outcome(facts, lines)
 

@@ -13,7 +13,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from runtime.contract.files import OutputError, cache_folder, stamp_of, write_text
+from runtime.contract.cache import cache_folder
+from runtime.contract.files import OutputError, stamp_of, write_text
 
 if TYPE_CHECKING:
     from symgen.scene import SceneRecord

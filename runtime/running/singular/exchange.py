@@ -9,7 +9,6 @@ from __future__ import annotations
 import hashlib
 import inspect
 import json
-import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from importlib.metadata import entry_points
@@ -28,8 +27,7 @@ from runtime.contract.coordinates import (
     turning_columns,
 )
 from runtime.contract.errors import ModelError, SymgenError
-from runtime.contract.files import cache_folder
-from runtime.contract.loading import load_folder
+from runtime.contract.kept_models import KeptModels, generated_aside
 from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import parameter_rates, product, rotation_vector
 from runtime.results.solution import Solution
@@ -216,11 +214,19 @@ def variant_of(model: M, q_i: Sequence[str], q: np.ndarray) -> M:
             "or install symgen beside the runtime, and run again"
         )
     key = json.dumps([model.digest, list(q_i), groups, made_by(generate)])
-    folder = cache_folder() / "variants" / hashlib.sha256(key.encode()).hexdigest()[:32]
-    found = _loaded(folder, type(model))
-    if found is None:
-        _generate(generate, model, q_i, groups, q, folder)
-        found = load_folder(folder, type(model))
+    state: Mapping[str, float] = dict(zip(model.coordinates, map(float, q), strict=True))
+    redundant = list(model.redundant)
+
+    def generated(folder: Path) -> Path:
+        return generate(model.scene_toml, list(q_i), groups, folder, state=state, redundant=redundant)
+
+    name, kind = hashlib.sha256(key.encode()).hexdigest()[:32], type(model)
+    try:
+        found = KeptModels("variants").model(name, kind, generated)
+        if found is None:
+            found = generated_aside(kind, generated)
+    except (OSError, SymgenError) as error:
+        raise NoVariant(f"a variant with q_i = {', '.join(q_i)} cannot be generated: {error}") from error
     same = ("coordinates", "constraints", "elastic", "measures", "joints")
     if (
         any(getattr(found, name) != getattr(model, name) for name in same)
@@ -234,13 +240,6 @@ def variant_of(model: M, q_i: Sequence[str], q: np.ndarray) -> M:
     return replace(found, input_values=model.input_values, sources=model.sources)
 
 
-def _loaded(folder: Path, kind: type[M]) -> M | None:
-    try:
-        return load_folder(folder, kind)
-    except ModelError:
-        return None
-
-
 def made_by(generate: Generate) -> str:
     """SHA-256 of the sources beside a generator: what another version made is not taken for its own."""
     found = hashlib.sha256()
@@ -251,26 +250,3 @@ def made_by(generate: Generate) -> str:
     except (OSError, TypeError):  # no sources to be had: by its name alone
         found.update(repr(getattr(generate, "__qualname__", "")).encode())
     return found.hexdigest()
-
-
-def _generate(
-    generate: Generate,
-    model: EmittedModel,
-    q_i: Sequence[str],
-    groups: Sequence[tuple[str, Sequence[str]]],
-    q: np.ndarray,
-    folder: Path,
-) -> None:
-    state: Mapping[str, float] = dict(zip(model.coordinates, map(float, q), strict=True))
-    try:
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=folder.parent) as work:
-            made = generate(
-                model.scene_toml, list(q_i), groups, Path(work) / "model", state=state, redundant=list(model.redundant)
-            )
-            folder.mkdir(exist_ok=True)
-            files = sorted(Path(made).iterdir(), key=lambda path: path.name == "manifest.json")  # the manifest last
-            for path in files:
-                path.replace(folder / path.name)
-    except (OSError, SymgenError) as error:
-        raise NoVariant(f"a variant with q_i = {', '.join(q_i)} cannot be generated: {error}") from error

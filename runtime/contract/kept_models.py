@@ -1,0 +1,102 @@
+"""Models kept in the cache: generated once, loaded from then on without what derives."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import replace
+from pathlib import Path
+from typing import TypeVar
+
+from runtime.contract.cache import cache_folder, leftovers, read_own, refused_folder
+from runtime.contract.errors import ModelError, SymgenError
+from runtime.contract.files import WRITING, OutputError
+from runtime.contract.loading import load_folder
+from runtime.contract.model import EmittedModel
+
+MOST_KEPT = 100  # of a kind
+M = TypeVar("M", bound=EmittedModel)
+Generate = Callable[[Path], Path]
+
+
+class KeptModels:
+    """The models of a kind (`models` of scenes, `variants` of models), each in a folder by its name."""
+
+    def __init__(self, kind: str) -> None:
+        self.folder = cache_folder() / kind
+
+    def model(self, name: str, kind: type[M], generate: Generate) -> M | None:
+        """The model of this name, generated into a folder where there is none that can be read.
+
+        None where the cache cannot be used, or takes no more. Raises what `generate` raises of the scene.
+        """
+        if refused_folder(self.folder):
+            return None
+        found = self._read(name, kind)
+        if found is None and self._write(name, generate):
+            found = self._read(name, kind)
+        return found
+
+    def entries(self) -> list[Path]:
+        """Folders of the models."""
+        under_way = set(leftovers(self.folder, older=-1.0))
+        with suppress(OSError):
+            return [path for path in self.folder.iterdir() if path not in under_way and path.is_dir()]
+        return []
+
+    def clear(self) -> int:
+        """Remove all models and what was left under way; how many there were."""
+        found = [*self.entries(), *leftovers(self.folder, older=-1.0)]
+        for path in found:
+            _remove(path)
+        return len(found)
+
+    def _read(self, name: str, kind: type[M]) -> M | None:
+        folder = self.folder / name
+        try:
+            found = load_folder(folder, kind, read=read_own)
+        except ModelError:
+            return None
+        with suppress(OSError):
+            os.utime(folder)  # the least recently used go first
+        return found
+
+    def _write(self, name: str, generate: Generate) -> bool:
+        """The folder, complete at once: others see all of it or nothing. The oldest go where there are many."""
+        folder = self.folder / name
+        for path in leftovers(self.folder):
+            _remove(path)
+        try:
+            with tempfile.TemporaryDirectory(dir=self.folder, prefix=WRITING, ignore_cleanup_errors=True) as place:
+                made = generate(Path(place) / "model")
+                _remove(folder)  # one that cannot be loaded
+                with suppress(OSError):  # another process was first
+                    made.rename(folder)
+        except OSError:
+            return False
+        except SymgenError as error:
+            if isinstance(error, OutputError) or isinstance(error.__cause__, OutputError):  # such as a full disk
+                return False
+            raise
+        with suppress(OSError):
+            for old in sorted(self.entries(), key=lambda one: one.stat().st_mtime)[:-MOST_KEPT]:
+                _remove(old)
+        return True
+
+
+def generated_aside(kind: type[M], generate: Generate) -> M:
+    """A model that is not kept: generated into a folder of this process, loaded, and the folder removed."""
+    with tempfile.TemporaryDirectory(prefix="symgen-") as place:
+        return replace(load_folder(generate(Path(place) / "model"), kind), folder="")
+
+
+def _remove(path: Path) -> None:
+    """A file, a link or a folder, as far as it can be removed."""
+    if path.is_dir() and not path.is_symlink():
+        shutil.rmtree(path, ignore_errors=True)
+    else:
+        with suppress(OSError):
+            path.unlink()
