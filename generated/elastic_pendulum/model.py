@@ -175,7 +175,7 @@ def measures() -> ca.Function:
     takes q (n = 3) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 3) [mixed]: rates of all coordinates
     gives measures (measures = 2) [mixed]: measures of the scene and their rates
-    11 operations.
+    19 operations.
     """
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
@@ -183,10 +183,12 @@ def measures() -> ca.Function:
     bob_y = q[1]
     bob_x_dot = q_dot[0]
     bob_y_dot = q_dot[1]
-    # intermediate terms (1)
-    w0 = ca.sqrt(bob_x**2 + bob_y**2)
+    # intermediate terms (3)
+    w0 = bob_x**2 + bob_y**2
+    w1 = w0 < 1e-24
+    w2 = ca.if_else(ca.logic_not(w1), (bob_x * bob_x_dot + bob_y * bob_y_dot) / ca.sqrt(ca.fmax(w0, 1e-24)), 0)
     # outputs
-    measures = ca.vertcat(w0, (2 * bob_x * bob_x_dot + 2 * bob_y * bob_y_dot) / (2 * w0))
+    measures = ca.vertcat(ca.sqrt(w0), ca.if_else(w1, ca.sqrt(bob_x_dot**2 + bob_y_dot**2), 0) + w2)
     inputs, outputs = [q, q_dot], [ca.densify(measures)]
     return ca.Function("measures", inputs, outputs, ["q", "q_dot"], ["measures"])
 

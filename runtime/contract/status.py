@@ -41,6 +41,7 @@ EventKind = Literal[
     "shapes_missing",
     "stresses_missing",
     "sections_missing",
+    "measure_undefined",
     "velocity_jump",
     "beyond_buckling",
     "angles_singular",

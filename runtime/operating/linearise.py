@@ -86,6 +86,7 @@ def linearise(
     K = -(values.J_q + _held_slope(model, functions, point, values.S, here.Q) if resting else values.J_q)
     B = _inputs(model, point, a, input_names, values.S)
     C, through = _outputs(model, point, input_names, output_names)
+    _require_slopes(model, output_names, np.hstack([C, through]))
     n = len(model.q_i)
     return Linearisation(
         model=model,
@@ -109,6 +110,17 @@ def linearise(
         locked=locked,
         controllers=len(model.states),
     )
+
+
+def _require_slopes(model: Model, outputs: Sequence[str], slopes: np.ndarray) -> None:
+    """Raises ModelError for an output that has no derivative here, such as a distance of zero; slopes (n_y, n)."""
+    bad = [name for name, row in zip(outputs, slopes, strict=True) if not np.isfinite(row).all()]
+    if bad:
+        raise ModelError(
+            f"output {', '.join(bad)} of model {model.name}",
+            "has no derivative at this state (the distance of points that meet, a root at zero)",
+            "give outputs without it, or a state beside",
+        )
 
 
 @dataclass(frozen=True)

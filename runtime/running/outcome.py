@@ -22,6 +22,7 @@ from runtime.contract.coordinates import euler_angles, followed
 from runtime.contract.status import Event, Status
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.results.solution import Solution
+from runtime.results.undefined import undefined_measures
 from runtime.running.problem import Plan, Problem
 from runtime.running.record import Marks
 from runtime.running.run import Run, begun, integrate
@@ -174,11 +175,13 @@ def statistics(segment: SteppedModel, z: np.ndarray, setup: float, wall: float) 
 
 
 def with_limits(solution: Solution) -> Solution:
-    """The solution with what was found of flexible bodies and Euler angles; the number of its events is told."""
+    """The solution with what was found of flexible bodies, Euler angles and measures; the number of events is told."""
     if solution.model.elastic or euler_angles(solution.model):
         from runtime.running.limits import with_limits
 
         solution = with_limits(solution)
+    if undefined := undefined_measures(solution):
+        solution = solution.but(events=[*solution.events, *undefined])
     return solution.but(stats={**solution.stats, "events": len(solution.events)}) if solution.events else solution
 
 

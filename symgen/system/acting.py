@@ -39,14 +39,22 @@ class SpringForce:
 def spring_between(d: Vector, d_dot: Vector, stiffness: ca.SX, damping: ca.SX, free_length: ca.SX) -> SpringForce:
     """Between points a distance vector d apart: -k (1 - l_0/l) d - c l' d/l on b, with l = |d|.
 
-    A spring of zero free length without damper needs no square root, with one the points may meet.
+    A spring of zero free length needs no square root, and its points may meet: l' d/l, the part of d' along d, has the
+    limit d' there.
     """
     squared, along = dot(d, d), dot(d, d_dot)
-    length = ca.sqrt(squared)
     if free_length.is_zero():
-        squared = ca.fmax(squared, SMALLEST)
-        spring, stored = stiffness, div(mul(stiffness, dot(d, d)), ca.SX(2))
+        spring, stored = stiffness, div(mul(stiffness, squared), ca.SX(2))
+        if not damping.is_zero():
+            share = div(along, ca.fmax(squared, SMALLEST))
+            force = [
+                ca.if_else(squared < SMALLEST, mul(damping, rate), mul(damping, mul(share, part)))
+                for part, rate in zip(d, d_dot, strict=True)
+            ]
+            lost = mul(damping, ca.if_else(squared < SMALLEST, dot(d_dot, d_dot), mul(share, along)))
+            return SpringForce(negative(plus(scaled(spring, d), force)), stored, lost)
     else:
+        length = ca.sqrt(squared)
         stretch = sub(length, free_length)
         spring, stored = (
             mul(stiffness, sub(ONE, div(free_length, length))),
@@ -54,6 +62,16 @@ def spring_between(d: Vector, d_dot: Vector, stiffness: ca.SX, damping: ca.SX, f
         )
     damper = mul(damping, div(along, squared))
     return SpringForce(negative(plus(scaled(spring, d), scaled(damper, d))), stored, mul(damper, along))
+
+
+def distance_between(d: Vector, d_dot: Vector) -> tuple[ca.SX, ca.SX]:
+    """(l, l') of points a distance vector d apart, l = |d|, l' = d . d' / l.
+
+    Where the points meet, l' is its limit from the right, the speed |d'| with which they part.
+    """
+    squared = dot(d, d)
+    rate = div(dot(d, d_dot), ca.sqrt(ca.fmax(squared, SMALLEST)))
+    return ca.sqrt(squared), ca.if_else(squared < SMALLEST, ca.sqrt(dot(d_dot, d_dot)), rate)
 
 
 HIGHEST = 6  # power of a polynomial along a beam

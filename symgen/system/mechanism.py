@@ -147,6 +147,10 @@ class Space(ABC, Generic[Marker]):
         """A scalar of the motion between two markers."""
 
     @abstractmethod
+    def distance(self, a: str, b: str) -> tuple[ca.SX, ca.SX]:
+        """The distance between two markers, and its rate."""
+
+    @abstractmethod
     def section_force(self, body: BeamBody, kind: str, at: float) -> ca.SX:
         """Normal force, shear force or bending moment of a beam at a fraction of its length."""
 
@@ -417,8 +421,12 @@ class Mechanism(Generic[Marker]):
     def _add_measures(self) -> None:
         eq = self.equations
         for measure in self.scene.measures:
-            value, unit = self._measured(measure)
-            rate = ca.jtimes(value, ca.vertcat(*eq.q), ca.vertcat(*eq.q_dot))
+            if measure.type == "distance":
+                value, rate = self.space.distance(measure.relative_to, measure.of)
+                unit = "m"
+            else:
+                value, unit = self._measured(measure)
+                rate = ca.jtimes(value, ca.vertcat(*eq.q), ca.vertcat(*eq.q_dot))
             eq.measures[measure.name], eq.measures[f"{measure.name}_dot"] = value, rate
             eq.measure_units |= {measure.name: unit, f"{measure.name}_dot": f"{unit}/s"}
         self.environment = {**self.environment, **eq.measures}

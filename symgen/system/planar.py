@@ -29,7 +29,7 @@ from symgen.joints.joint import Turn
 from symgen.loads import Load
 from symgen.loads.load import LoadEffect, Scalar
 from symgen.scene import BeamBody, SceneRecord
-from symgen.system.acting import PlanarActing, turn_between
+from symgen.system.acting import PlanarActing, distance_between, turn_between
 from symgen.system.constraint import STILL, ConstraintRow, Motion
 from symgen.system.constraint_rows import LocalPlace, holding, planar_rows, sliding_rows
 from symgen.system.equations import Equations
@@ -96,11 +96,14 @@ class PlanarSpace(Space[MarkerMotion]):
         return Scalar(value, rate, row, a.direction, turning=False)
 
     def measure(self, kind: str, a: str, b: str) -> ca.SX:
-        """Angle, x, y or distance."""
+        """Angle, x or y."""
         first, second = self.marker(a), self.marker(b)
-        d = [second.r[0] - first.r[0], second.r[1] - first.r[1]]
-        value = {"angle": second.phi - first.phi, "x": d[0], "y": d[1]}.get(kind)
-        return ca.sqrt(d[0] ** 2 + d[1] ** 2) if value is None else value
+        return {"angle": second.phi - first.phi, **dict(zip("xy", minus(second.r, first.r), strict=True))}[kind]
+
+    def distance(self, a: str, b: str) -> tuple[ca.SX, ca.SX]:
+        """The distance between two markers, and its rate."""
+        first, second = self.marker(a), self.marker(b)
+        return distance_between(minus(second.r, first.r), minus(second.r_dot, first.r_dot))
 
     def section_force(self, body: BeamBody, kind: str, at: float) -> ca.SX:
         """Of a beam at a fraction of its length, by its shapes."""

@@ -32,7 +32,7 @@ from symgen.joints.joint import Turn
 from symgen.loads import Load
 from symgen.loads.load import LoadEffect, Scalar
 from symgen.scene import BeamBody, SceneRecord
-from symgen.system.acting import SpatialActing, angle_about_z, axis_of, gradient
+from symgen.system.acting import SpatialActing, angle_about_z, axis_of, distance_between, gradient
 from symgen.system.constraint import STILL, ConstraintRow, Motion
 from symgen.system.constraint_rows import (
     LocalPlace,
@@ -180,13 +180,16 @@ class SpatialSpace(Space[SpatialMarker]):
         return section_force(body, spatial_mesh_key(body), kind, at, self.bodies[body.name].coordinates.q_f, self.table)
 
     def measure(self, kind: str, a: str, b: str) -> ca.SX:
-        """Angle about marker a's z-axis (that of the joint between the markers, if it has one), x, y, z or distance."""
+        """Angle about marker a's z-axis (that of the joint between the markers, if it has one), x, y or z."""
         if kind == "angle":
             own = self._joint_angle(a, b)
             return angle_about_z(*self.pair(a, b)) if own is None else own.value
-        first, second = self.pair(a, b) if kind == "distance" else (self.marker(a), self.marker(b))
-        d = minus(second.r, first.r)
-        return ca.sqrt(dot(d, d)) if kind == "distance" else d["xyz".index(kind)]
+        return minus(self.marker(b).r, self.marker(a).r)["xyz".index(kind)]
+
+    def distance(self, a: str, b: str) -> tuple[ca.SX, ca.SX]:
+        """The distance between two markers, and its rate."""
+        first, second = self.pair(a, b)
+        return distance_between(minus(second.r, first.r), minus(second.r_dot, first.r_dot))
 
     def load(self, load: Load, read: Read, reader: ExpressionReader, q: ca.SX, q_dot: ca.SX) -> LoadEffect:
         """As its record says."""
