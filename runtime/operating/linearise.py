@@ -112,7 +112,7 @@ def linearise(
     )
 
 
-def _require_slopes(model: Model, outputs: Sequence[str], slopes: np.ndarray) -> None:
+def _require_slopes(model: EmittedModel, outputs: Sequence[str], slopes: np.ndarray) -> None:
     """Raises ModelError for an output that has no derivative here, such as a distance of zero; slopes (n_y, n)."""
     bad = [name for name, row in zip(outputs, slopes, strict=True) if not np.isfinite(row).all()]
     if bad:

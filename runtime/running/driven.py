@@ -22,11 +22,12 @@ from runtime.engine.rows import evaluate
 from runtime.operating.balance import Clamped
 from runtime.operating.equilibrium import NoEquilibrium
 from runtime.operating.functions import PointFunctions
-from runtime.operating.given_state import given_position
+from runtime.operating.given_state import given_position, given_state
 from runtime.results.observe import assemble_solution
 from runtime.results.solution import Solution
 from runtime.running.inputs import Schedule
 from runtime.running.outcome import with_limits
+from runtime.running.time_functions import refuse_position_jumps
 from runtime.running.problem import seen_every_of, steps_until
 from runtime.schemes.options import SchemeError
 from runtime.schemes.switching.impulse import impulse_at, impulse_text
@@ -53,10 +54,12 @@ def driven_solution(
     """The motion of a model without independent coordinates, from its state at t0 until t_end [s].
 
     Samples are dt apart. Where the loops cannot be followed the run ends, with status `constraints_lost`.
+    Raises ModelError for a motion whose position jumps.
     """
     started = time.perf_counter()
     times = _instants(t0, t_end, dt)
     c = model.constants(p)
+    refuse_position_jumps(model, c, state, switching_times(model, c, t0, t_end), t0, t_end)
     if schedule.samples:
         w = model.signals.size
         c = np.tile(c, (len(times), 1))
@@ -195,7 +198,7 @@ def quasi_static_motion(
     seen_every [s] or samples: the time between stored samples, or their number besides the first (200).
 
     Every rigid coordinate must be driven; elastic accelerations are zero. Arguments left out are those of the scene.
-    Raises ModelError for free rigid coordinates, SchemeError for times, NoEquilibrium with the time where there is
+    Raises ModelError for free rigid coordinates and for drives that jump, SchemeError for times, NoEquilibrium with the time where there is
     none.
     """
     free = [name for name in model.q_i if name not in model.elastic]
@@ -209,6 +212,8 @@ def quasi_static_motion(
     times = _instants(t0, end, step)
     p = model.parameter_vector(parameters)
     c = model.constants(p)
+    if switches := switching_times(model, c, t0, end):
+        refuse_position_jumps(model, c, given_state(model, p, c, t0, None), switches, t0, end)
     q, q_i_dot = _followed(model, PointFunctions(model, c), times, *given_position(model, p, c, t0, {}))
     q_i, q_d = parts(model, q)
     motion, status = _motion(model, times, c, q_i, q_i_dot, q_d), Status("completed", float(times[-1]))

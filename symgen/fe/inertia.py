@@ -295,11 +295,15 @@ def modal_fields(
 ) -> dict[str, Any]:
     """See `FlexibleBody.fields`; surface: its arrays, none for no surface. Raises FiniteElementError."""
     ratios = np.asarray(damping_ratio, dtype=np.float64)
-    if ratios.shape not in ((), eigenvalues.shape) or not np.all(np.isfinite(ratios)) or np.any(ratios < 0.0):
+    if (
+        ratios.shape not in ((), eigenvalues.shape)
+        or not np.all(np.isfinite(ratios))
+        or np.any((ratios < 0.0) | (ratios >= 1.0))
+    ):
         raise FiniteElementError(
             "damping_ratio",
-            f"{damping_ratio!r} is not a ratio of 0 or more, or one per mode",
-            f"give one number or {len(eigenvalues)}",
+            f"{damping_ratio!r} is not a share of the critical damping, or one per mode",
+            f"give one number from 0 to 1, 0.02 for 2 %, or {len(eigenvalues)}",
         )
     arrays = {
         "first_moment": these.first_moment,

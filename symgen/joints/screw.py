@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from collections.abc import Iterator
+from typing import Annotated, Any, Literal
 
 from symgen.joints.joint import Joint, Turn, Z
-from symgen.schema.fields import Meaning, Quantity
+from symgen.schema.fields import Fault, Meaning, Quantity
 
 
 class ScrewJoint(Joint):
@@ -16,3 +17,9 @@ class ScrewJoint(Joint):
 
     motions = (Turn(Z, "angle", lead="lead"),)
     drawing = "slide"
+
+    def faults(self, scene: Any) -> Iterator[Fault]:
+        """A lead of zero, which is a revolute joint."""
+        yield from super().faults(scene)
+        if self.lead == 0:
+            yield Fault("lead", "is zero, so that the joint cannot travel", "give a lead, or take a revolute joint")

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from symgen.scene.attachments import with_ends
 from symgen.scene.bodies import BeamBody, GroundBody, RigidBody
 from symgen.scene.flexible import ModalBody, SpatialModalBody
+from symgen.scene.joint_pairs import joint_pair_errors
 from symgen.scene.parts import SceneParts
 from symgen.scene.translate import SECTIONS, item_path
 from symgen.schema.errors import SceneError, did_you_mean, raise_all
@@ -161,11 +162,12 @@ def _contents(scene: SceneParts) -> Iterator[SceneError]:
 def reference_errors(scene: SceneParts) -> Iterator[SceneError]:
     """Unknown markers, and connections from something to itself."""
     known = _known_markers(scene)
+    rigid = {body.name for body in scene.bodies if isinstance(body, RigidBody)}
     for section in ("joints", "loads", "measures"):
         for index, entry in enumerate(getattr(scene, section)):
             path = item_path(section, index, entry.name)
             unknown = list(_unknown(path, entry, known))
-            yield from unknown or _pair(section, path, entry)
+            yield from unknown or _pair(section, path, entry, rigid)
 
 
 def _known_markers(scene: SceneParts) -> dict[str, list[str]]:
@@ -183,8 +185,8 @@ def _unknown(path: str, entry: Any, known: dict[str, list[str]]) -> Iterator[Sce
             yield SceneError(f"{path}.{key}", f"body '{body}' has no marker '{marker}'", remedy)
 
 
-def _pair(section: str, path: str, entry: Any) -> Iterator[SceneError]:
-    """What is wrong with the one or two ends that an entry has, whatever its type."""
+def _pair(section: str, path: str, entry: Any, rigid: set[str]) -> Iterator[SceneError]:
+    """What is wrong with the one or two ends that an entry has, whatever its type; rigid: names of bodies."""
     ends = list(entry.markers.values())
     if len(ends) == 1 and section == "loads" and body_of(ends[0]) == "ground":
         yield SceneError(f"{path}.marker", "a load on the ground has no effect", "name a marker of a moving body")
@@ -197,6 +199,10 @@ def _pair(section: str, path: str, entry: Any) -> Iterator[SceneError]:
         yield SceneError(path, "both markers are on the ground", "name a marker of a moving body")
     elif section == "joints" and body_of(first) == body_of(second):
         yield SceneError(path, f"joins the body '{body_of(first)}' to itself", "name markers of two bodies")
+    elif section == "loads" and {"marker_a", "marker_b"} == entry.markers.keys() and rigid >= {*map(body_of, ends)}:
+        if body_of(first) == body_of(second):
+            problem = f"both ends are on the rigid body '{body_of(first)}', so that nothing can move between them"
+            yield SceneError(path, problem, "name markers of two bodies")
 
 
 def body_of(reference: str) -> str:
@@ -324,6 +330,20 @@ class _QuantityCheck:
                 path, f"the {meaning.description} {shown} must be {meaning.bound.value}",
                 meaning.remedy or f"give a value in {meaning.unit} that is {meaning.bound.value}",
             )  # fmt: skip
+
+
+def damping_errors(scene: SceneParts) -> Iterator[SceneError]:
+    """A damping ratio of 1 or more for all modes: 2 is taken for 2 % by some, and is above critical."""
+    for index, body in enumerate(scene.bodies):
+        ratio = getattr(body, "damping_ratio", 0.0)
+        if isinstance(ratio, str):
+            ratio = scene.parameter_defaults().get(ratio.strip(), 0.0)
+        if ratio >= 1 and getattr(body, "damping_frequency", None) is None:
+            yield SceneError(
+                f"{item_path('bodies', index, body.name)}.damping_ratio",
+                f"is {ratio:g}, of which 1 is critical: no mode would vibrate",
+                "give a share, 0.02 for 2 %, or damping_frequency where it holds",
+            )
 
 
 # ---- matrices --------------------------------------------------------------------------------------------------
@@ -454,6 +474,6 @@ SECTIONS_OF_STAGES = (
 )
 STAGES = (
     (size_errors, name_errors, gravity_errors),
-    (reference_errors, topology_errors, value_errors),
+    (reference_errors, topology_errors, value_errors, damping_errors, joint_pair_errors),
     (matrix_errors, loop_errors, end_shape_errors),
 )

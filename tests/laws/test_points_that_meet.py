@@ -10,7 +10,7 @@ import pytest
 
 from runtime import linearise, simulate
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 
 Build = Callable[[SceneRecord], Model]

@@ -51,8 +51,10 @@ def parallelogram(third: bool = True) -> Scene:
 
 
 def doubled_hinge() -> Scene:
-    builder = Scene("twice").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
-    return builder.revolute("hinge", "ground.origin", "rod.origin").revolute("again", "ground.origin", "rod.origin")
+    """Two bearings on one axis; the same markers twice would be refused."""
+    builder = Scene("twice").gravity(0, -9.81)
+    builder.rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0), markers={"pin": {"position": (0.0, 0.0)}})
+    return builder.revolute("hinge", "ground.origin", "rod.origin").revolute("again", "ground.origin", "rod.pin")
 
 
 def ring_of_welds() -> Scene:

@@ -200,3 +200,18 @@ def test_a_driven_velocity_that_jumps_is_told_with_its_impulse(model_of: Callabl
     assert [time for time, _ in told] == pytest.approx([0.005, 0.007], abs=1e-9)
     assert "rate of slider.x by 2, the energy by 0 J" in told[0][1]
     assert "rate of slider.x by 1, the energy by 3 J" in told[1][1]
+
+
+def test_a_driven_position_that_jumps_is_refused(model_of: Build) -> None:
+    """Where every freedom is driven, too, by a run and by a quasi-static motion; where it goes there, it runs."""
+
+    def door(motion: str) -> Model:
+        scene = Scene("door").rigid("b", mass=1.0, inertia=0.1).revolute("h", "ground.origin", "b.origin")
+        scene.prescribed_angle("drive", "ground.origin", "b.origin", motion=motion)
+        return model_of(scene.simulation(t_end=0.5).build())
+
+    jumping = door("where(t > 0.25, 1, 0)")
+    for run in (jumping.simulate, jumping.quasi_static_motion):
+        with pytest.raises(ModelError, match=r"drive.*jumps by 1 at t = 0.25 s.*finite time"):
+            run()
+    assert door("where(t > 0.25, min((t - 0.25) / 0.01, 1), 0)").simulate().status.name == "completed"
