@@ -27,8 +27,8 @@ from runtime.results.observe import assemble_solution
 from runtime.results.solution import Solution
 from runtime.running.inputs import Schedule
 from runtime.running.outcome import with_limits
-from runtime.running.time_functions import refuse_position_jumps
 from runtime.running.problem import seen_every_of, steps_until
+from runtime.running.time_functions import refuse_position_jumps
 from runtime.schemes.options import SchemeError
 from runtime.schemes.switching.impulse import impulse_at, impulse_text
 from runtime.schemes.switching.times import switching_times
@@ -198,8 +198,8 @@ def quasi_static_motion(
     seen_every [s] or samples: the time between stored samples, or their number besides the first (200).
 
     Every rigid coordinate must be driven; elastic accelerations are zero. Arguments left out are those of the scene.
-    Raises ModelError for free rigid coordinates and for drives that jump, SchemeError for times, NoEquilibrium with the time where there is
-    none.
+    Raises ModelError for free rigid coordinates and for drives that jump, SchemeError for times, NoEquilibrium with the
+    time where there is none.
     """
     free = [name for name in model.q_i if name not in model.elastic]
     if free:
