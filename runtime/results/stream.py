@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import secrets
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -56,15 +57,24 @@ class Table:
 
 
 class StreamFile(Table):
-    """Rows of columns in a folder. Raises OutputError where it cannot be written."""
+    """Rows of columns in a folder. Raises OutputError where it cannot be written.
 
-    def __init__(self, folder: str | Path, columns: Sequence[tuple[str, Sequence[int]]], resumed: bool = False) -> None:
+    resumed: the `run` of the stream that is continued; ModelError is raised where the folder holds no such stream, and
+    nothing in it is changed. run: what its header says of whose stream it is; nobody can guess it.
+    """
+
+    def __init__(self, folder: str | Path, columns: Sequence[tuple[str, Sequence[int]]], resumed: str = "") -> None:
         super().__init__(columns)
-        self.folder = Path(folder)
+        self.folder, self.run = Path(folder), resumed or secrets.token_hex(16)
+        if resumed:
+            self._refuse_other_runs()
         try:
-            self.folder.mkdir(parents=True, exist_ok=True)
-            self._refuse_foreign(resumed)
-            self._file = open(os.open(self.folder / ROWS, os.O_RDWR | (0 if resumed else os.O_CREAT), 0o644), "r+b")
+            if not resumed:
+                self.folder.mkdir(parents=True, exist_ok=True)
+                self._refuse_foreign()
+            # a link is not followed: what it leads to is no part of the stream
+            flags = os.O_RDWR | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+            self._file = open(os.open(self.folder / ROWS, flags | (0 if resumed else os.O_CREAT), 0o644), "r+b")
         except (OSError, ValueError) as error:
             reason = getattr(error, "strerror", None) or error
             raise OutputError(
@@ -73,13 +83,23 @@ class StreamFile(Table):
         self._lock()
         if not resumed:
             self._file.truncate(0)
-        self.rows = (self.folder / ROWS).stat().st_size // self._row_bytes
+        self.rows = os.fstat(self._file.fileno()).st_size // self._row_bytes
 
-    def _refuse_foreign(self, resumed: bool) -> None:
+    def _refuse_other_runs(self) -> None:
+        """Raises ModelError where the folder does not hold the stream of this run."""
+        item, remedy = f"folder {self.folder}", "name the folder of the run: resume(..., stream=...)"
+        try:
+            header = read_header(self.folder)
+        except ModelError as error:
+            raise ModelError(item, f"it is not the stream of the run that is resumed ({error})", remedy) from error
+        if header.get("run") != self.run:
+            raise ModelError(item, "it holds the stream of another run than the one that is resumed", remedy)
+
+    def _refuse_foreign(self) -> None:
         """A folder that holds files, and is no stream of ours, is somebody's. Raises OutputError."""
         files = sorted(path.name for path in self.folder.iterdir() if not path.name.startswith(WRITING))
         begun = files == [ROWS] and (self.folder / ROWS).stat().st_size == 0  # by another run, or one that was killed
-        if resumed or begun or not files:
+        if begun or not files:
             return
         try:
             read_header(self.folder)
@@ -127,7 +147,7 @@ class StreamFile(Table):
     def write_header(self, header: Mapping[str, Any]) -> None:
         """Say what is in the rows, and later how the run ended."""
         columns = [[name, list(shape)] for name, shape in self.columns]
-        write_text(self.folder / HEADER, json.dumps({"format": FORMAT, "columns": columns, **header}))
+        write_text(self.folder / HEADER, json.dumps({"format": FORMAT, "run": self.run, "columns": columns, **header}))
 
     def close(self) -> None:
         """Nothing follows."""
@@ -138,7 +158,7 @@ def read_header(folder: str | Path) -> dict[str, Any]:
     """The header of a stream. Raises ModelError if there is none."""
     try:
         header = json.loads((Path(folder) / HEADER).read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, json.JSONDecodeError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         raise ModelError(f"{folder} is not a stream of samples ({error})") from error
     if not isinstance(header, dict) or header.get("format") != FORMAT:
         raise ModelError(f"{folder} is a stream in another format; simulate again")

@@ -48,7 +48,7 @@ BROKEN = (
 REMEDY = "start again, or take an older copy"
 
 
-FORMAT = "symgen checkpoint 9"
+FORMAT = "symgen checkpoint 10"
 
 
 @dataclass(frozen=True)
@@ -172,6 +172,7 @@ def checkpoint_of(run: Run) -> Checkpoint:
         "last_step": record.last_step,
         "rows": record.rows,
         "stream": None if record.folder is None else str(record.folder),
+        "stream_run": record.run,
         "events": [asdict(event) for event in run.events],
         "segments": [list(segment.model.q_i) for segment in record.segments],
         "segment": record.segments.index(segment),
@@ -202,8 +203,9 @@ def resume(
 ) -> Solution:
     """Continue a run from its checkpoint to its end; the Solution is that of an uninterrupted run, bit for bit.
 
-    stream: the run's folder, if it was moved. checkpoint: where further ones go (the same file by default). inputs:
-    those of the run, where they are functions of time, samples or controllers. Raises ModelError for a checkpoint of
+    stream: the run's folder, if it was moved; a folder that does not hold the stream of this run is refused, whether it
+    is named here or in the checkpoint. checkpoint: where further ones go (the same file by default). inputs: those of
+    the run, where they are functions of time, samples or controllers. Raises ModelError for a checkpoint of
     another model or a damaged file, and what `simulate` raises.
     """
     kept, model = read_checkpoint(path), bound(model, inputs)
@@ -216,7 +218,10 @@ def resume(
     segment.monitor.resume(segment.state(z), header["monitor"])
     segment.impulses.update({at: Impulse(energy, np.array(jumps)) for at, energy, *jumps in header["impulses"]})
     keep_rows = bool(header["plan"]["outputs"]) or header["stream"] is not None
-    record = record_of(segment, z, stream or header["stream"], keep_rows, resumed=True)
+    folder, of_run = stream or header["stream"], str(header["stream_run"])
+    if folder is not None and not of_run:
+        raise ModelError(f"stream {folder}", "the run of the checkpoint was not streamed", "leave stream out")
+    record = record_of(segment, z, folder, keep_rows, of_run)
     record.segments[:] = segments
     with record.closed_on_error():
         record.restore(kept.arrays, header["rows"], header["last_step"])

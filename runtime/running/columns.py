@@ -26,16 +26,20 @@ SERIES = tuple(key for key in export.ARRAYS if key not in ("parameters", "t"))
 
 
 class ColumnRecord(Record):
-    """Of a run of a segment from z (flat) on; stream: a folder, None for memory. Raises OutputError or ModelError."""
+    """Of a run of a segment from z (flat) on; stream: a folder, None for memory; resumed: the run of the stream.
 
-    def __init__(self, segment: SteppedModel, z: np.ndarray, stream: str | Path | None, resumed: bool) -> None:
+    Raises OutputError or ModelError.
+    """
+
+    def __init__(self, segment: SteppedModel, z: np.ndarray, stream: str | Path | None, resumed: str) -> None:
         super().__init__([segment], segment.plan.seen_steps, segment.plan.steps)
         self.outputs, self.first = segment.plan.outputs, None
         seen = segment.observed([segment.state(z)])
         columns = [(name, values.shape[1:]) for name, values in columns_of(seen, self.outputs).items()]
         self._table = Table(columns) if stream is None else StreamFile(stream, columns, resumed)
         self._stream = self._table if isinstance(self._table, StreamFile) else None
-        self.folder = None if self._stream is None else self._stream.folder
+        if self._stream is not None:
+            self.folder, self.run = self._stream.folder, self._stream.run
         cause = "the run did not come to its end"
         running = Status("interrupted", segment.plan.t0, None, cause, "What was streamed is there.")
         self._write_header(replace(seen, status=running), segment.p)

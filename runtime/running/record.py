@@ -22,11 +22,13 @@ from runtime.running.stepped_model import SteppedModel
 class Record:
     """Samples of a run; its segments are appended to `segments` as it goes on, and samples name theirs by its place.
 
-    last: the step that ends the run. rows: samples that are kept otherwise (see columns.py), in a folder, if any are.
+    last: the step that ends the run. rows: samples that are kept otherwise (see columns.py), in a folder, if any are,
+    of a run that has this name.
     """
 
     rows = 0
     folder: Path | None = None
+    run = ""
 
     def __init__(self, segments: list[SteppedModel], seen_steps: int, last: int = 0) -> None:
         self.segments, self.every, self.last = segments, seen_steps, last
@@ -113,7 +115,7 @@ def by_segment(samples: Sequence[tuple[int, np.ndarray]]) -> list[tuple[int, np.
 
 
 def record_of(
-    segment: SteppedModel, z: np.ndarray, stream: str | Path | None, keep_rows: bool, resumed: bool = False
+    segment: SteppedModel, z: np.ndarray, stream: str | Path | None, keep_rows: bool, resumed: str = ""
 ) -> Record:
     """Of a run from z (flat) on: whole states in memory, or rows of columns. Raises OutputError or ModelError."""
     if not keep_rows:

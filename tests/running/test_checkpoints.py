@@ -13,8 +13,9 @@ import numpy as np
 import pytest
 
 from runtime import ModelError, SchemeError, Solution, load_model, resume, simulate
+from runtime.contract.files import OutputError
 from runtime.model import Model
-from runtime.running.checkpoint import read_checkpoint
+from runtime.running.checkpoint import Checkpoint, read_checkpoint
 from runtime.schemes.catalogue import SCHEMES
 from symgen.generate import generate
 from symgen.scenes import SCENES
@@ -257,3 +258,61 @@ def test_wrong_words_about_checkpoints(built_in: Load, tmp_path: Path) -> None:
     ):
         with pytest.raises(SchemeError, match="checkpoint_every"):
             simulate(built_in("pendulum"), **wrong)  # type: ignore[arg-type]
+
+
+def _streamed(built_in: Load, tmp_path: Path) -> tuple[Model, Path, Path]:
+    """(model, checkpoint of a run that was broken off, its stream)."""
+    model, settings = built_in("hub_beam"), settings_of("hub_beam", "printed", "interpreted")
+    stop = broken_off(model, settings, tmp_path / "run.npz", stream=tmp_path / "rows")
+    return model, Path(stop.copy), tmp_path / "rows"
+
+
+def _contents(folder: Path) -> dict[str, bytes]:
+    return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+
+
+def _naming(checkpoint: Path, **header: Any) -> Path:
+    """As somebody would who wants another folder to be written to: a checkpoint whose hash fits."""
+    kept = read_checkpoint(checkpoint)
+    Checkpoint({**kept.header, **header}, kept.z, kept.p, kept.arrays).write(checkpoint)
+    return checkpoint
+
+
+def test_a_checkpoint_leads_to_no_folder_but_its_streams(built_in: Load, tmp_path: Path) -> None:
+    """Somebody's files, and the stream of another run, stay as they are; of no run at all, too."""
+    model, checkpoint, _ = _streamed(built_in, tmp_path)
+    files, other, empty = tmp_path / "files", tmp_path / "other", tmp_path / "empty"
+    for folder in (files, empty):
+        folder.mkdir()
+    (files / "samples.bin").write_bytes(bytes(300_000))
+    (files / "header.json").write_text('{"mine": 1}')
+    simulate(model, **settings_of("hub_beam", "printed", "interpreted"), stream=other)
+    own = read_checkpoint(checkpoint).header["stream_run"]
+    for folder in (files, other, empty):
+        before = _contents(folder)
+        for run in ("", own):
+            with pytest.raises(ModelError, match="stream=|leave stream out"):
+                resume(model, _naming(checkpoint, stream=str(folder), stream_run=run))
+            assert _contents(folder) == before
+
+
+def test_a_stream_that_was_moved_is_named(built_in: Load, tmp_path: Path) -> None:
+    model, checkpoint, rows = _streamed(built_in, tmp_path)
+    rows.rename(tmp_path / "moved")
+    with pytest.raises(ModelError, match="stream="):
+        resume(model, checkpoint)
+    assert not rows.exists()
+    assert resume(model, checkpoint, stream=tmp_path / "moved").status.ok
+
+
+def test_samples_behind_a_link_are_not_cut(built_in: Load, tmp_path: Path) -> None:
+    model, checkpoint, rows = _streamed(built_in, tmp_path)
+    mine = tmp_path / "mine"
+    mine.write_bytes(bytes(300_000))
+    (rows / "samples.bin").unlink()
+    (rows / "samples.bin").symlink_to(mine)
+    with pytest.raises(OutputError):
+        resume(model, checkpoint)
+    with pytest.raises(OutputError):
+        simulate(model, **settings_of("hub_beam", "printed", "interpreted"), stream=rows)
+    assert mine.read_bytes() == bytes(300_000)
