@@ -165,17 +165,25 @@ def locks(system: Condensed) -> Locks:
     return Locks(system, elements, rows, [add(b, ZERO) for b in bias])
 
 
-def add_stuck_forces(system: Condensed, force: Row) -> None:
-    """What holds the elements that stick joins the force Q* - M q'' that is left in all coordinates, by column."""
-    own, work = locks(system), dict(force)
+def add_held_forces(system: Condensed, force: Row, held: ca.SX | None = None) -> None:
+    """The forces that hold elements join the force Q* - M q'' that is left in all coordinates, by column.
+
+    held (n_e,): these forces; None: of the elements that stick, what the accelerations leave for them.
+    """
+    own = locks(system)
+    forces = own.forces(_residual(system, force)) if held is None else held
+    for k, element in enumerate(own.elements):
+        add_scaled(force, forces[k], element.row)
+
+
+def _residual(system: Condensed, force: Row) -> ca.SX:
+    """(n_i,) Q_hat - M_hat q_i'' of the force Q* - M q'' in all coordinates, by column."""
+    work = dict(force)
     for one in reversed(system.substitutions):
         value = work.pop(one.column, ZERO)
         if not value.is_zero():
             add_scaled(work, value, one.e)
-    residual = ca.densify(ca.vertcat(*(work.get(c, ZERO) for c in system.choice.independent)))
-    forces = own.forces(residual)
-    for k, element in enumerate(own.elements):
-        add_scaled(force, forces[k], element.row)
+    return ca.densify(ca.vertcat(*(work.get(c, ZERO) for c in system.choice.independent)))
 
 
 def _pivots(G: np.ndarray) -> list[int]:

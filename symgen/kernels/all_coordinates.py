@@ -43,11 +43,12 @@ def augmented(system: Condensed) -> Kernel:
     return Kernel(eq.state, outputs)
 
 
-def reactions(system: Condensed) -> Kernel:
+def reactions(system: Condensed, held: ca.SX | None = None) -> Kernel:
     """lam from the rows of the dependent coordinates (Eq. 37), solved along the structure, and joint forces.
 
     lam_R: multipliers of redundant rows, which no equation determines; those of the other rows follow from them.
     joint_forces (3 or 6 x joints): world force [N] and moment [N m] of each joint on its body b, at marker b.
+    held (n_e,): forces on elements, as symbols; None: those that hold what sticks.
     """
     eq, choice = system.equations, system.choice
     q_ddot = ca.SX.sym("q_ddot", len(eq.names))
@@ -59,9 +60,9 @@ def reactions(system: Condensed) -> Kernel:
         for column, factor in eq.constraints[row].C_q.items():
             force[column] = force[column] - factor * value
     if eq.elements:
-        from symgen.condensed.locks import add_stuck_forces
+        from symgen.condensed.locks import add_held_forces
 
-        add_stuck_forces(system, force)
+        add_held_forces(system, force, held)
     lam = _loop_reactions(system, force) if choice.loop_rows else {}
     norms = {row.label: k for k, row in enumerate(eq.constraints)}
     norm_rows = {turning.body: norms[f"{turning.body}.norm"] for turning in system.reduced.turnings}

@@ -51,7 +51,21 @@ class Grips:
 
     @cached_property
     def F(self) -> tuple[ca.SX, ca.SX, ca.SX]:
-        """(F_0, F_a, F_R): components of each joint's force one below the other. Raises DerivationError."""
+        """(F_0, F_a, F_R): components of each joint's force one below the other, with what sticks held by what the
+        accelerations leave for it.
+        """
+        F_0, F_a, F_R, _ = self._forces(None)
+        return F_0, F_a, F_R
+
+    @cached_property
+    def F_given(self) -> tuple[ca.SX, ca.SX, ca.SX, ca.SX]:
+        """(F_0, F_a, F_R, F_f): the same where the forces f (n_e,) on the elements are given: how elements that hold
+        one motion share a force is seen by the joints between them.
+        """
+        return self._forces(ca.SX.sym("f", len(self.locks.elements)))
+
+    def _forces(self, held: ca.SX | None) -> tuple[ca.SX, ca.SX, ca.SX, ca.SX]:
+        """See `F` and `F_given`. Raises DerivationError."""
         system, a = self.locks.system, ca.SX.sym("a", len(self.locks.system.choice.independent))
         if system.choice.redundant:
             joint = self.own[0].joint
@@ -59,15 +73,17 @@ class Grips:
             raise DerivationError(
                 f"{joint}.friction.mu", "needs a reaction, and redundant joints leave it open", remedy
             )
-        kernel, joints = reactions(system), system.equations.joints
+        kernel, joints = reactions(system, held), system.equations.joints
         outside = ca.vertcat(kernel.inputs["q_ddot"], self.R_outside)
         found = system.accelerations(dict(zip(system.choice.independent, ca.vertsplit(a), strict=True)))
         q_ddot = ca.vertcat(*(found.get(c, ca.SX(0)) for c in range(len(system.equations.names))))
         forces = ca.substitute(kernel.outputs["joint_forces"], outside, ca.vertcat(q_ddot, self.R))
         size = 2 if forces.shape[0] == 3 else 3
         F = ca.densify(ca.vertcat(*(forces[:size, joints.index(one.joint)] for one in self.own)))
-        none = ca.vertcat(a, self.R)
-        return ca.substitute(F, none, ca.SX.zeros(none.shape)), ca.jacobian(F, a), ca.jacobian(F, self.R)
+        f = ca.SX(0, 1) if held is None else held
+        none = ca.vertcat(a, self.R, f)
+        F_0 = ca.substitute(F, none, ca.SX.zeros(none.shape))
+        return F_0, ca.jacobian(F, a), ca.jacobian(F, self.R), ca.jacobian(F, f)
 
     @cached_property
     def _affine(self) -> tuple[ca.SX, ca.SX]:

@@ -256,7 +256,7 @@ def weights(model: EmittedModel) -> ca.Function:
         found |= {"by": by, "A": ca.triu2symm(ca.triu(G @ by)), "b": G @ free + own["G_bias"]}
         if "margin" in own:
             by_R = ca.horzcat(*(solve(factors, Number(one)).re for one in ca.horzsplit(own["Q_hat_R"])))
-            found |= {"b_R": G @ by_R, "F_f": own["F_a"] @ by, "F_R": own["F_R"] + own["F_a"] @ by_R}
+            found |= {"b_R": G @ by_R, "F_f": own["F_f"] + own["F_a"] @ by, "F_R": own["F_R"] + own["F_a"] @ by_R}
             found |= {"F_0": own["F_0"] + own["F_a"] @ free} | {name: own[name] for name in ("holds_R", "margin")}
         names = list(found)
         return ca.Function("weights", list(at.values()), shared([ca.densify(one) for one in found.values()]),
