@@ -19,6 +19,7 @@ from runtime.engine.prepare import Prepared
 from runtime.running.stepping import may_break, may_jump
 from runtime.running.time_functions import refuse_position_jumps
 from runtime.schemes.scheme import Scheme
+from runtime.schemes.switching.consistency import with_modes
 from runtime.schemes.switching.enclosure import EXACT
 from runtime.schemes.switching.impulse import may_give_impulses
 from runtime.schemes.switching.settle import weights
@@ -142,7 +143,7 @@ AT = ("q_i", "q_d", "q_i_dot", "q_d_dot", "t")
 
 
 def _element_functions(scheme: Scheme, prefix: str, library: Style) -> dict[str, Code]:
-    """`seen` (z, c) -> AT; `weights` and `velocities` of AT and the model's c: what `settle.c` calls."""
+    """`seen` (z, c) -> AT; `weights`, `with_modes`, `velocities` of AT and the model's c: what `settle.c` calls."""
     model = scheme.model
     z, c_step = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
     shown = scheme.observer(z=z, c=c_step)
@@ -151,12 +152,11 @@ def _element_functions(scheme: Scheme, prefix: str, library: Style) -> dict[str,
     at = ca.SX.sym("at", 2 * (n_i + n_d) + 1)
     parts = ca.vertsplit(at, [0, n_i, n_i + n_d, 2 * n_i + n_d, 2 * (n_i + n_d), at.numel()])
     given = {**dict(zip(AT, parts, strict=True)), "c": c}
-    of, found_there = weights(model), weights(model).call(given)
-    y = ca.vertcat(*(ca.vec(found_there[name]) for name in of.name_out()))
-    found = {
-        "seen": tape_code(f"{prefix}seen", named(seen, "z", "c"), ["at"], library),
-        "weights": tape_code(f"{prefix}weights", named(ca.Function("y", [at, c], [y]), "at", "c"), ["y"], library),
-    }
+    found = {"seen": tape_code(f"{prefix}seen", named(seen, "z", "c"), ["at"], library)}
+    for name, of in (("weights", weights(model)), ("with_modes", with_modes(model))):
+        there = of.call(given)
+        y = ca.vertcat(*(ca.vec(there[output]) for output in of.name_out()))
+        found[name] = tape_code(f"{prefix}{name}", named(ca.Function("y", [at, c], [y]), "at", "c"), ["y"], library)
     if n_d:
         rates = ca.Function("v", [at, c], [ca.densify(model.evaluate("velocities", **given)["q_d_dot"])])
         found["velocities"] = tape_code(f"{prefix}velocities", named(rates, "at", "c"), ["rates"], library)

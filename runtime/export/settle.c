@@ -1,7 +1,8 @@
 /* What is held and what moves where that is open, as in runtime/schemes/switching: settle.py, stops.py,
-   complementarity.py. Matrices stand by columns; sums begin with the first entry, as there. */
+   complementarity.py, consistency.py. Matrices stand by columns; sums begin with the first entry, as there. */
 
 #define AT_REST 1e-9
+#define BROKEN 1e-6
 #define PASSES 1e-6
 #define PIVOT 1e-9
 #define ROUNDING 1e-12
@@ -237,6 +238,33 @@ static void moved(const Place *o) { /* rates of q_d by those of q_i */
 #endif
 }
 
+/* do modes (NM) keep the laws of friction and stops, by the equations that go on with them? rest, force (NV): rows at
+   rest, and what was found there */
+static int lawful(const Place *o, const double *modes, const int *rest, const double *force) {
+  const double *y = o->y, *A = y + A_OF;
+  double found[NM + 2 * NV], *v = found + NM, *a = v + NV, most = 0;
+  const double slow = BROKEN * (1.0 + largest_of(o->at + NI + NQD, NI));
+  int k, j;
+  EACH(k, NM) o->c[DT_AT - NU + modes_at[k]] = modes[k];
+  M(with_modes)(found, o->at, o->c, o->w);
+  EACH(k, NV) {
+    double acts = fabs(y[B_OF + k]);
+    EACH(j, NV) acts += fabs(A[k + NV * j]) * fabs(force[j]);
+    most = larger(BROKEN * acts / sqrt(larger(A[k + NV * k], 1e-300)), most);
+  }
+  EACH(k, NM) {
+    const int row = row_of[k], side = side_of[k];
+    const double root = sqrt(larger(A[row + NV * row], 1e-300));
+    if (!rest[row]) continue;
+    if (modes[k] == 0) {
+      if (fabs(v[row]) > slow || found[k] < -(most / root + BROKEN * fabs(y[HOLDS + row]))) return 0;
+    } else if ((side == 0 || modes[k] < 0) && (side != 0 ? side : modes[k]) * a[row] < -most * root) {
+      return 0;
+    }
+  }
+  return 1;
+}
+
 /* modes (NM) at a place, whose rates are moved; soon: stops that are to rest. -1: none are consistent, 1: once more */
 static int once(const Place *o, double *modes, const int *happened, const double *come, int *soon) {
   double *v = o->at + NI + NQD, *y = o->y, push[NI] = {0}, rate[NV], e[NM], until[NM], force[NV] = {0};
@@ -290,6 +318,7 @@ static int once(const Place *o, double *modes, const int *happened, const double
     if (side_of[k] == 0 && number) modes[k] = -(double)b.at[number - 1];
     if (touched[k]) modes[k] = number && b.at[number - 1] == 0 ? 0.0 : -1.0;
   }
+  if (any && !lawful(o, modes, rest, force)) return -1;
   EACH(k, NM) { /* bounces that come too close are over at once */
     const double a = side_of[k] * (y[B_OF + row_of[k]] + row_times(y + A_OF, row_of[k], NV, force, NV));
     const double speed = side_of[k] * y[V_REL + row_of[k]];

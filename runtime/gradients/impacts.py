@@ -22,7 +22,7 @@ from runtime.running.events import state_of
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.sparse_lu import Number, factor, solve, solve_symmetric
 from runtime.schemes.stage_equations import StageEquations
-from runtime.schemes.switching.settle import Settled, elements, settled
+from runtime.schemes.switching.settle import NoMode, Settled, elements, settled
 from runtime.schemes.switching.stops import TOUCH
 
 FOLLOWS = 1e-9  # of a row of G: what is left of one that follows from others
@@ -110,7 +110,7 @@ def held_at_start(scheme: Scheme, z: np.ndarray, c: np.ndarray, p: np.ndarray) -
     at, none = state_of(scheme, z, scheme.constants(c)), np.zeros(len(events))
     found = settled(model, at, c, none, none)
     slow = MOVES * (1 + np.abs(at["q_i_dot"]).max())
-    if found is None or np.abs(found.push).max() > slow:
+    if isinstance(found, NoMode) or np.abs(found.push).max() > slow:
         raise NoResult(
             f"the start of model {model.name}",
             "has no derivative: a stop is struck there, or no modes are consistent",

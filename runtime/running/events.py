@@ -216,13 +216,11 @@ class EventActions:
         if (own & (before != 0)).any():
             come = np.where(own, LOCATED * np.abs(event_slopes(scheme, seen.z, seen.c))[first : self._declared], 0.0)
         c = np.concatenate([self.own.c[: len(self.own.c) - len(inputs)], inputs])
-        from runtime.schemes.switching.settle import settled
+        from runtime.schemes.switching.settle import NoMode, settled
 
         found = settled(model, at, c, own & (before == 0), come, own & (before != 0))
-        if found is None:
-            from runtime.schemes.switching.settle import no_mode
-
-            self.status = Status("no_mode", t, None, *no_mode(model, at, c))
+        if isinstance(found, NoMode):
+            self.status = Status("no_mode", t, None, found.cause, found.remedy)
             return None
         inputs[modes] = found.modes
         z[self._inputs] = inputs

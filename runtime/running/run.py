@@ -246,7 +246,7 @@ class Run:
             return self.segment.run_and_save(self.z, self.to_be_seen(at - first))
         self.segment.forget_determinants(self.z)
         w = happened.step(self.z)
-        if not happened.told:
+        if not happened.told and happened.status is None:
             return self.z[None]
         self._event_has_happened(w)
         return None

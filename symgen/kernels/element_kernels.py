@@ -75,7 +75,7 @@ def _elements(locked: Locks, a: Arguments, grips: Grips) -> Kernel:
     """M_hat and Q_hat with nothing locked, and v = G q_i', v' = G q_i'' + bias with the bounds at rest.
 
     Of friction by reactions R: Q_hat and holds without R, what they gain with R, and
-    R_k = |F_0 + F_a q_i'' + F_R R + F_f f|_k with forces f on the elements.
+    R_k = |F_0 + F_a q_i'' + F_R R + F_f f|_k with forces f on the elements; shares: by which they share what is held.
     """
     system, own = locked.system, locked.elements
     outputs = {
@@ -93,6 +93,7 @@ def _elements(locked: Locks, a: Arguments, grips: Grips) -> Kernel:
         for name in ("Q_hat", "holds"):
             outputs[name], outputs[f"{name}_R"] = grips.split(outputs[name])
         outputs |= dict(zip(("F_0", "F_a", "F_R", "F_f"), map(ca.densify, grips.F_given), strict=True))
+        outputs["shares"] = ca.densify(ca.vertcat(*(one.share for one in own)))
         outputs["margin"] = ca.densify(grips.margins)
     return Kernel(a.select(*STATE), outputs)
 

@@ -114,6 +114,7 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation("F_a", "", "", "2 or 3 n_r x n_i", "mixed", "what it gains with q_i_ddot"),
     Notation("F_R", "", "", "2 or 3 n_r x n_r", "1", "what it gains with R"),
     Notation("F_f", "", "", "2 or 3 n_r x n_e", "1, 1/m", "what it gains with the forces f on the directions v_rel"),
+    Notation("shares", "", "", "n_e", "N, N m", "by which joints share what they hold together: `holds` for R = 1 N"),
     Notation(
         "margin", "", "", "n_r", "1", "1/2 less what R gains with R: below zero, accelerations may be two or none"
     ),

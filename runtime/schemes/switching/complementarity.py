@@ -20,11 +20,16 @@ ROUNDING = 1e-12  # of the largest bound, and of the accelerations that forces m
 
 
 def complementary(
-    A: np.ndarray, b: np.ndarray, lower: np.ndarray, upper: np.ndarray, let_go: np.ndarray | None = None
+    A: np.ndarray,
+    b: np.ndarray,
+    lower: np.ndarray,
+    upper: np.ndarray,
+    let_go: np.ndarray | None = None,
+    shares: np.ndarray | None = None,
 ) -> np.ndarray | None:
     """(n,) -1 at the lower bound, 0 between, 1 at the upper one, of v' = b + A f; None where no set was found.
 
-    let_go (n,): those that are at a bound, where rounding leaves it open.
+    let_go (n,): those that are at a bound, where rounding leaves it open; shares (n,): see `balancing`.
     """
     n, at = len(b), np.zeros(len(b), dtype=int)
     if not n:
@@ -35,12 +40,12 @@ def complementary(
     alone = ROUNDING * np.abs(b).max() / np.maximum(np.diag(A), 1e-300)
     dust = ROUNDING * largest + np.where(np.isfinite(lower) & np.isfinite(upper), 0.0, alone + 1e-300)
     still = ROUNDING * (np.abs(b).max() + np.abs(A).max() * largest)
-    at[named] = _nearest(balancing(A, b, lower, upper, at), lower, upper)[named]
+    at[named] = _nearest(balancing(A, b, lower, upper, at, shares), lower, upper)[named]
     without = upper <= lower  # friction whose coefficient is zero holds nothing, and goes where it is pulled
     at[without] = 1
     slack = np.where(named, 1e6 * still, still)
     for _ in range(2 * n + MOST):
-        f = balancing(A, b, lower, upper, at)
+        f = balancing(A, b, lower, upper, at, shares)
         beyond = np.where(at == HOLDS, np.maximum(f - upper, lower - f) + dust, 0.0) * np.diag(A)
         worst = int(np.argmax(beyond))
         if beyond[worst] > 0:
@@ -60,11 +65,22 @@ def _nearest(f: np.ndarray, lower: np.ndarray, upper: np.ndarray) -> np.ndarray:
     return np.where(upper - f <= f - lower, 1, -1)
 
 
-def balancing(A: np.ndarray, b: np.ndarray, lower: np.ndarray, upper: np.ndarray, at: np.ndarray) -> np.ndarray:
-    """(n,) forces: at the bounds, and what keeps the others from accelerating."""
+def balancing(
+    A: np.ndarray,
+    b: np.ndarray,
+    lower: np.ndarray,
+    upper: np.ndarray,
+    at: np.ndarray,
+    shares: np.ndarray | None = None,
+) -> np.ndarray:
+    """(n,) forces: at the bounds, and what keeps the others from accelerating.
+
+    shares (n,): what those that hold one motion share it by, instead of their bounds: of what has none, zero.
+    """
     f, held = np.where(at > 0, upper, np.where(at < 0, lower, 0.0)), at == HOLDS
     if held.any():
-        bound = np.where(np.isfinite(upper), upper, np.where(np.isfinite(lower), -lower, 0.0))[held]
+        finite = np.where(np.isfinite(upper), upper, np.where(np.isfinite(lower), -lower, 0.0))
+        bound = (finite if shares is None else shares)[held]
         H = np.where(bound > 0, bound, bound.max(initial=0.0) or 1.0)
         own = H[:, None] * A[np.ix_(held, held)] * H
         side = -H * (b + times(A, np.where(held, 0.0, f)))[held]

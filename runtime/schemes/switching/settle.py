@@ -17,6 +17,8 @@ from runtime.contract.model import EmittedModel
 from runtime.contract.tape import shared
 from runtime.schemes.sparse_lu import Number, factor, solve
 from runtime.schemes.switching.complementarity import balancing, complementary, times
+from runtime.schemes.switching.consistency import NoMode as NoMode
+from runtime.schemes.switching.consistency import broken_law
 from runtime.schemes.switching.impulse import moves_in_time
 from runtime.schemes.switching.stops import AT_REST, Hit, Stops
 
@@ -47,8 +49,8 @@ def settled(
     let_go: np.ndarray,
     come: np.ndarray,
     hit: np.ndarray | None = None,
-) -> Settled | None:
-    """The modes at a state, and what makes at rest what has come to rest; None where no modes are consistent.
+) -> Settled | NoMode:
+    """The modes at a state, and what makes at rest what has come to rest; NoMode where no modes are consistent.
 
     at: q_i, q_d, q_i_dot, q_d_dot, t; c (c_size,): constants, with the modes until now in it. let_go (n_m,): those that
     are held no longer; come (n_m,): rates below which one has come to rest; hit (n_m,): stops that are just reached.
@@ -59,7 +61,9 @@ def settled(
     while True:
         found = _once(model, at, c, let_go, come, stops, soon)
         if found is None:
-            return None
+            return NoMode(*no_mode(model, at, c))
+        if isinstance(found, NoMode):
+            return found
         new = stops.too_close(found[0].hits, *found[1:])
         if not new:
             return found[0]
@@ -74,7 +78,7 @@ def _once(
     come: np.ndarray,
     stops: Stops,
     soon: Mapping[int, float],
-) -> tuple[Settled, np.ndarray, np.ndarray] | None:
+) -> tuple[Settled, np.ndarray, np.ndarray] | NoMode | None:
     """Settled, and by row of G rates v and accelerations v'; soon: stops without restitution, and when they close."""
     start, c, own = at["q_i_dot"], c.copy(), weighed(model, at, c)
     slow = AT_REST * (1.0 + np.abs(start).max(initial=0.0))
@@ -97,12 +101,14 @@ def _once(
     balance = _balance(own, bounds, rest, bounds.by_row(let_go))
     if balance is None:
         return None
-    moving, accelerations = balance
+    moving, accelerations, force = balance
     held = rest & (moving == 0)
     modes[rubs] = np.where(rest, moving, np.sign(rate))[bounds.row[rubs]]
     modes[bounds.touched] = np.where(held, 0.0, -1.0)[bounds.row[bounds.touched]]
     if "margin" in own and _beyond(model, at, c, modes).any():
         return None
+    if rest.any() and (broken := broken_law(model, at, c, modes, rest, force, own)) is not None:
+        return broken
     settled_ = Settled(modes, at["q_i_dot"] - start, hits, at["q_d_dot"])
     return settled_, own["v_rel"], accelerations
 
@@ -124,7 +130,7 @@ def losses(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray, fou
 
 
 def no_mode(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray) -> tuple[str, str]:
-    """(cause, remedy) where `settled` finds nothing."""
+    """(cause, remedy) where no choice is consistent."""
     own = elements(model, at, c)
     if "margin" in own:
         sides = np.sign(own["v_rel"])[[event.row for event in model.mode_events]]
@@ -145,27 +151,27 @@ def no_mode(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray) ->
 
 def _balance(
     own: Mapping[str, np.ndarray], bounds: _Bounds, rest: np.ndarray, let_go: np.ndarray
-) -> tuple[np.ndarray, np.ndarray] | None:
-    """(n_e,) where each row at rest goes, zero where it is held, and v' (n_e,); None: nothing is consistent.
+) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
+    """(n_e,) where each row at rest goes, zero where it is held, v' and the forces; None: nothing is consistent.
 
     Bounds and laws that are shares of the joints' own forces R follow from them, which follow from what is held.
     """
-    n = len(own.get("margin", ()))
+    n, shares = len(own.get("margin", ())), own["shares"][rest] if "shares" in own else None
     R, moving, force = np.zeros(n), np.zeros(len(rest)), np.zeros(len(rest))
     for _ in range(MOST_TURNS):
         b, holds = own["b"], own["holds"]
         if n:
             b, holds = b + own["b_R"] @ R, holds + own["holds_R"] @ R
         A, (lower, upper) = own["A"][np.ix_(rest, rest)], bounds.of(holds)
-        sides = complementary(A, b[rest], lower[rest], upper[rest], let_go[rest])
+        sides = complementary(A, b[rest], lower[rest], upper[rest], let_go[rest], shares)
         if sides is None:
             return None
-        force[rest], moving[rest] = balancing(A, b[rest], lower[rest], upper[rest], sides), -sides
+        force[rest], moving[rest] = balancing(A, b[rest], lower[rest], upper[rest], sides, shares), -sides
         before = R
         if n:
             R = np.linalg.norm((own["F_0"] + own["F_f"] @ force + own["F_R"] @ R).reshape(n, -1), axis=1)
         if (np.abs(R - before) <= FOUND * np.abs(R).max(initial=0.0)).all():
-            return moving, b + times(own["A"], force)
+            return moving, b + times(own["A"], force), force
     return None
 
 
@@ -257,7 +263,9 @@ def weights(model: EmittedModel) -> ca.Function:
         if "margin" in own:
             by_R = ca.horzcat(*(solve(factors, Number(one)).re for one in ca.horzsplit(own["Q_hat_R"])))
             found |= {"b_R": G @ by_R, "F_f": own["F_f"] + own["F_a"] @ by, "F_R": own["F_R"] + own["F_a"] @ by_R}
-            found |= {"F_0": own["F_0"] + own["F_a"] @ free} | {name: own[name] for name in ("holds_R", "margin")}
+            found |= {"F_0": own["F_0"] + own["F_a"] @ free} | {
+                name: own[name] for name in ("holds_R", "shares", "margin")
+            }
         names = list(found)
         return ca.Function("weights", list(at.values()), shared([ca.densify(one) for one in found.values()]),
                            list(at), names)  # fmt: skip
