@@ -149,6 +149,11 @@ CHECKS: dict[str, tuple[StatusName, str, str | Callable[[Monitor], str]]] = {  #
         "A force or a rate may grow without bound there, or jump at a time that depends on the motion: look at "
         "the motion until then, give a larger tolerance, or name a scheme with a step dt and no tolerance.",
     ),
+    "mode": (
+        "no_mode",
+        "{}, and no event has told: what holds and what moves is no longer right",
+        "Take smaller steps, or a tolerance instead of steps.",
+    ),
     "mass": ("mass_not_positive", "M_hat is no longer positive definite", OF_STIFFENING),
     "deflection": (
         "deflection_too_large",

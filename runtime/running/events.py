@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import takewhile
 from math import ceil
 from typing import Any, NamedTuple
 
@@ -281,8 +282,9 @@ class EventActions:
             self.status = Status("event", t, None, f"event {event.name}", "It ends the run, as the scene says.")
             return
         most = MOST_IN_A_STEP if not event.side else MOST_BOUNCES
-        recent = [*self._recent.get(event.name, ()), t][-most:]
-        self._recent[event.name] = recent
+        recent = self._recent.setdefault(event.name, [])
+        recent.append(t)
+        del recent[:-most]
         window = self.own.plan.grid.dt_L * (CHATTER if self._scheme.adaptive else 1)
         if len(recent) == most and t - recent[0] <= window:
             within = f"{window:.3g} s" if self._scheme.adaptive else "one step"
@@ -313,16 +315,24 @@ def _text(event: EventRecord, direction: str, changes: dict[str, float]) -> str:
     return f"event {event.name}, {direction}" + (f": {action}" if action else "") + (", ends" if event.terminal else "")
 
 
-def note_impulses(segment: SteppedModel, step: int, events: list[Event]) -> None:
-    """Append an event for each impulse of a prescribed motion until the end of a step, unless it is told already."""
-    if not segment.impulses:
-        return
-    told = {event.time for event in events if event.kind == "velocity_jump"}
-    told |= {
-        time for event in events if event.kind == "impact" for time in (event.time, np.nextafter(event.time, -np.inf))
-    }
-    until = segment.plan.time(step) + NEAR * segment.plan.grid.dt_L
-    for at, impulse in sorted(segment.impulses.items()):
-        if at <= until and at not in told and len(told) < MOST_TOLD:
-            events.append(Event(at, "velocity_jump", impulse_text(segment.model, impulse)))
-            told.add(at)
+class ImpulseNotes:
+    """Tells each impulse of a prescribed motion once, as an event; reads only what is new since its last look."""
+
+    def __init__(self) -> None:
+        self._known, self._read, self._told = set[float](), 0, 0
+
+    def note(self, segment: SteppedModel, step: int, events: list[Event]) -> None:
+        """Append an event for each impulse until the end of a step, unless an impact has told it."""
+        if not segment.impulses:
+            return
+        for event in events[self._read :]:
+            if event.kind == "velocity_jump":
+                self._known.add(event.time)
+                self._told += 1
+            elif event.kind == "impact":
+                self._known |= {event.time, float(np.nextafter(event.time, -np.inf))}
+        self._read = len(events)
+        new = list(takewhile(lambda at: at not in self._known, reversed(segment.impulses)))
+        until = segment.plan.time(step) + NEAR * segment.plan.grid.dt_L
+        for at in sorted(one for one in new if one <= until)[: max(0, MOST_TOLD - self._told)]:
+            events.append(Event(at, "velocity_jump", impulse_text(segment.model, segment.impulses[at])))

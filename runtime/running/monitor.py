@@ -147,7 +147,26 @@ class Monitor:
             return Failure("closure")
         if found is not None:
             return Failure("iterations", found=(scheme.iteration_limit,))
-        return Failure("least step", found=(scheme.reached(z),)) if scheme.is_stuck(z) else None
+        if scheme.is_stuck(z):
+            return Failure("least step", found=(scheme.reached(z),))
+        return self._of_modes(z)
+
+    def _of_modes(self, z: np.ndarray) -> Failure | None:
+        """Where a stop pulls or friction holds too much, and no event has told."""
+        model, layout, n = self.model, self.scheme.layout, len(self.model.element_modes)
+        if not n or "event_values" not in layout.sizes:
+            return None
+        declared = len(model.description.events)
+        left = z[layout.slice("event_values")][declared - n : declared]
+        if (left >= 0).all():
+            return None
+        from runtime.schemes.switching.consistency import broken_on_the_way
+
+        shown, c = self.scheme.observer(z=z[: layout.size], c=self.c), self.c[: model.c_size].copy()
+        at = {name: np.asarray(shown[name]).ravel() for name in ("q_i", "q_d", "q_i_dot", "q_d_dot", "t")}
+        c[len(c) - model.signals.size :] = z[layout.slice("inputs")]
+        broken = broken_on_the_way(model, at, c, left, self.length)
+        return None if broken is None else Failure("mode", found=(broken,))
 
     def _of_events(self, z: np.ndarray) -> Failure | None:
         """Where nothing but the value of an event is not finite."""

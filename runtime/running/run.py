@@ -16,7 +16,7 @@ import numpy as np
 from runtime.contract.files import OutputError
 from runtime.contract.status import Event, Status
 from runtime.results.solution import Solution
-from runtime.running.events import EventActions, note_impulses
+from runtime.running.events import EventActions, ImpulseNotes
 from runtime.running.inputs import EndlessInput, Schedule
 from runtime.running.monitor import Failure
 from runtime.running.problem import Plan, Problem, whole_number
@@ -170,6 +170,7 @@ class Run:
     seconds: float = 0.0
     written: float = 0.0  # when a checkpoint was, by time.monotonic
     _happened: EventActions | None = None
+    _notes: ImpulseNotes = field(default_factory=ImpulseNotes)
 
     @property
     def plan(self) -> Plan:
@@ -276,8 +277,12 @@ class Run:
         self._tell()
         self._hold(w)
         self.earlier = None
-        note_impulses(self.segment, self.step, self.events)
+        self.note_impulses()
         self.status = self.checked() or self.happenings.status
+
+    def note_impulses(self) -> None:
+        """Tell those of prescribed motions until here."""
+        self._notes.note(self.segment, self.step, self.events)
 
     def _tell(self, told: bool = True) -> None:
         self.events += [event for event in self.happenings.told if told or event.kind != "mode"]
@@ -377,7 +382,7 @@ def integrate(run: Run) -> Status:
                     run.earlier = before
                     run.pace.went_well()
                     run.keep(rows)
-                    note_impulses(run.segment, run.step, run.events)
+                    run.note_impulses()
                 run.pace.took(time.perf_counter() - clock)
                 run.report()
         except KeyboardInterrupt:

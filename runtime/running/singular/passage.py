@@ -13,7 +13,6 @@ import numpy as np
 from runtime.contract.coordinates import mechanism_length
 from runtime.contract.status import Event, Status, StatusName
 from runtime.results.solution import Solution
-from runtime.running.events import note_impulses
 from runtime.running.run import Run
 from runtime.running.singular.crossing import BranchLost, TightIntegrator, approach, cross
 from runtime.running.singular.exchange import CLEARLY, Exchange, NoVariant, best_exchange, carried, variant_of
@@ -77,7 +76,7 @@ def pass_by(run: Run, before: np.ndarray, n: int) -> None:
     """A determinant of a loop block is small within n steps from `before`: decide how the run goes on, and see that."""
     _go_on(run, before, n)
     run.status = run.status or run.checked()
-    note_impulses(run.segment, run.step, run.events)
+    run.note_impulses()
 
 
 def _go_on(run: Run, before: np.ndarray, n: int) -> None:

@@ -75,6 +75,34 @@ def broken_law(
     return None
 
 
+def broken_on_the_way(
+    model: Model, at: Mapping[str, np.ndarray], c: np.ndarray, left: np.ndarray, length: float
+) -> str | None:
+    """What of the modes among c is over without an event; left (n_m,): see `element_forces`; length [m]: of it all."""
+    over = np.flatnonzero(~(left >= 0))
+    if not len(over):
+        return None
+    own, modes = elements_of(model, at, c), c[len(c) - model.signals.size + model.element_modes]
+    inverse = np.linalg.inv(own["M_hat"])
+    A, free = own["G"] @ inverse @ own["G"].T, own["G"] @ (inverse @ own["Q_hat"]) + own["G_bias"]
+    roots = np.sqrt(np.maximum(np.diag(A), 1e-300))
+    most = BROKEN * (np.abs(free) / roots).max(initial=0.0) / roots + BROKEN * np.abs(own["holds"])
+    slow = BROKEN * (1.0 + np.abs(at["q_i_dot"]).max(initial=0.0))
+    for k in over:
+        event, mode = model.mode_events[k], modes[k]
+        allowed = most[event.row] if mode == 0 else BROKEN * length if event.side else slow
+        if not left[k] >= -allowed:
+            what = ("pulls with", "is passed by") if event.side else ("holds too much, by", "pushes what slides, at")
+            return f"{event.name} {what[int(mode != 0)]} {-left[k]:.4g}"
+    return None
+
+
+def elements_of(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
+    """The function `elements` at a state with constants c; what is one column is flat."""
+    found = {name: np.asarray(one, dtype=float) for name, one in model.evaluate("elements", **at, c=c).items()}
+    return {name: one if name in ("M_hat", "G") else one.ravel() for name, one in found.items()}
+
+
 def _told(broken: str) -> NoMode:
     return NoMode(f"{broken}: what was decided breaks a law of friction or stops", REMEDY)
 
