@@ -120,7 +120,40 @@ def loop(random: np.random.Generator) -> Mixture:
     return scene, own, lambda run: np.stack([run[f"l{k}.theta"] for k in range(3)], axis=1)
 
 
-MIXTURES = {"rails": rails, "links": links, "loop": loop}
+def pressed_loop(random: np.random.Generator) -> Mixture:
+    """The four-bar of `loop` with bearings that rub by what presses on them, between stops of crank and rocker."""
+    lengths, span, radius = (0.4, 1.0, 0.8), 1.2, 0.05
+    scene = Scene("loop").gravity(0.0, -GRAVITY).ground(markers={"right": {"position": [span, 0.0]}})
+    for k, length in enumerate(lengths):
+        scene.rigid(f"l{k}", mass=1.0, inertia=length**2 / 12, center_of_mass=(length / 2, 0.0),
+                    markers={"tip": {"position": (length, 0.0)}})  # fmt: skip
+    laws: list[Law | None] = []
+    for k in range(4):
+        mu = float(random.uniform(0.1, 0.5)) if k in (0, 3) or random.random() < 0.5 else 0.0
+        more = 1.3 if random.random() < 0.5 else 1.0
+        laws.append({"coulomb": mu, "breakaway": more * mu, "stribeck_velocity": 0.2, "viscous": 0.0} if mu else None)
+    fields: list[dict[str, Any]] = []
+    for one in laws:
+        law_ = {} if one is None else {"mu": one["coulomb"], "radius": radius}
+        if one is not None and one["breakaway"] > one["coulomb"]:
+            law_ |= {"mu_static": one["breakaway"], "stribeck_velocity": one["stribeck_velocity"]}
+        fields.append({"friction": law_} if law_ else {})
+    stops = []
+    for k, low, high in ((0, 0.1, 1.1), (3, 1.3, 1.9)):
+        ends = [low + float(random.uniform(0, 0.1)), high - float(random.uniform(0, 0.1))]
+        fields[k] |= {"limits": dict(zip(SIDES, ends, strict=True), restitution=0.0)}
+        stops += [Stop(k, side, end, 0.0) for side, end in zip((1, -1), ends, strict=True)]
+    for k, seat in enumerate(("ground.origin", "l0.tip", "l1.tip", "ground.right")):
+        scene.revolute(f"j{k}", seat, f"l{min(k, 2)}.{'tip' if k == 2 else 'origin'}", **fields[k])
+    push = float(random.uniform(4, 9))
+    scene.effort("drive", coordinate="j0.angle", value=f"{push} * sin(6 * t)")
+    scene.initial({"l0.theta": {"value": 0.6, "fixed": True}, "l1.theta": 0.5, "l2.theta": 1.5})
+    inertia, drives = [one**2 / 12 for one in lengths], (lambda t: push * sin(6 * t),)
+    own = Links(laws, stops, lengths, inertia, drives, GRAVITY, span, [radius] * 4)
+    return scene, own, lambda run: np.stack([run[f"l{k}.theta"] for k in range(3)], axis=1)
+
+
+MIXTURES = {"rails": rails, "links": links, "loop": loop, "pressed_loop": pressed_loop}
 
 
 @pytest.mark.every_push("rails-1", "links-1", "loop-0")

@@ -205,3 +205,57 @@ def test_a_run_is_differentiated_by_mu(model_of: Build) -> None:
     found = model.gradient(End("rod.theta"), ["mu"], **steps)
     ends = [simulate(model, parameters={"mu": mu}, error="off", **steps)["rod.theta"][-1] for mu in (1.0001, 0.9999)]
     assert found.derivatives[0] == pytest.approx((ends[0] - ends[1]) / 2e-4, rel=1e-6)
+
+
+def stopped_crank(**laws: dict[str, float]) -> Scene:
+    """A slider-crank whose bearings A and B rub by what presses on them, with an end stop of its slide."""
+    scene = Scene("stopped_crank").gravity(0, -GRAVITY)
+    scene.rigid("c", mass=1.9787, inertia=0.00378463475625, center_of_mass=(0.07575, 0),
+                markers={"tip": {"position": (0.1515, 0)}})  # fmt: skip
+    scene.rigid("k", mass=1.3757, inertia=0.03371488635441667, center_of_mass=(0.27115, 0),
+                markers={"tip": {"position": (0.5423, 0)}})  # fmt: skip
+    scene.rigid("s", mass=1.4464, inertia=0.001)
+    scene.revolute("A", "ground.origin", "c.origin", friction=laws["A"])
+    scene.revolute("B", "c.tip", "k.origin", friction=laws["B"]).revolute("C", "k.tip", "s.origin")
+    scene.prismatic("D", "ground.origin", "s.origin", limits={"lower": 0.4717, "restitution": 0.0})
+    scene.torque("q", "c.origin", "3.9797 * sin(4.5106 * t + 2.5083)").independent("c.theta")
+    scene.initial({"c.theta": {"value": -1.02, "fixed": True}, "k.theta": 0.24035735528428023, "s.x": 0.606})
+    return scene.rates({"c.theta": {"value": 3.92, "fixed": True}})
+
+
+FALLING = {
+    "A": {"mu": 0.4915, "mu_static": 0.695, "radius": 0.0514, "stribeck_velocity": 0.0861},
+    "B": {"mu": 0.273, "mu_static": 0.3137, "radius": 0.0414, "stribeck_velocity": 0.1898},
+}
+
+
+@pytest.mark.parametrize("steps", [{"scheme": "dopri5", "dt": 1.45e-3}, {"tolerance": 1e-4}], ids=["dt", "tolerance"])
+def test_a_stop_beside_two_frictions_lets_go(model_of: Build, steps: dict[str, Any]) -> None:
+    """Event-driven equations by hand: it leaves at 0.846554 s and comes to 1.330134 rad; the stop never pulls."""
+    run = simulate(model_of(stopped_crank(**FALLING).build()), t_end=1.45, **steps)
+    assert run.status.name == "completed" and run["D.stop_force"].min() >= 0
+    assert run["c.theta"][-1] == pytest.approx(1.330134, abs=2e-6)
+    leaves = [event.time for event in run.events if event.name == "A.friction" and "forwards" in event.text]
+    assert leaves[-1] == pytest.approx(0.846554, abs=2e-6)
+    rests = (run.t > 0.43) & (run.t < 0.8465)
+    assert rests.any() and not run["c.theta_dot"][rests].any()
+
+
+def test_a_wrong_choice_of_modes_ends_the_run(model_of: Build, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever decides: a stop that would pull is named where it is decided, and behind it where that is missed."""
+    scene = Scene("thrown").gravity(0, -GRAVITY).rigid("ball", mass=1.0, inertia=0.1)
+    scene.ground(markers={"up": {"position": (0, 0), "angle": np.pi / 2}})
+    scene.prismatic("rail", "ground.up", "ball.origin", limits={"lower": 0.0, "restitution": 0.0})
+    scene.force("lift", "ball.origin", 0.0, "40 * t").initial({"ball.y": 0.05})
+    model = model_of(scene.simulation(t_end=1.0, dt=0.01, scheme="rk4").build())
+    assert simulate(model).status.name == "completed"
+
+    def all_hold(A: np.ndarray, b: np.ndarray, *_: Any) -> np.ndarray:
+        return np.zeros(len(b), dtype=int)
+
+    monkeypatch.setattr("runtime.schemes.switching.settle.complementary", all_hold)
+    run = simulate(model)
+    assert run.status.name == "no_mode" and "rail.limits.lower" in run.status.cause and run.t[-1] < 0.26
+    monkeypatch.setattr("runtime.schemes.switching.settle.broken_law", lambda *_: None)
+    run = simulate(model)
+    assert run.status.name == "no_mode" and "rail.limits.lower pulls" in run.status.cause

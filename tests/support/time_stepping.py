@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 Law = dict[str, float]
+STRUCK = 0.05  # rad/s: a stop that is reached faster is struck
 
 
 class Stop(NamedTuple):
@@ -45,6 +46,11 @@ class Mechanism:
         """(joints,)."""
         return np.array([0.0 if law is None else law["viscous"] for law in self.laws])
 
+    @property
+    def rubs_by_force(self) -> bool:
+        """Are the bounds shares of what joints press with?"""
+        return False
+
     def closure(self, at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """C and C_q."""
         return np.zeros(0), np.zeros((0, len(at)))
@@ -70,7 +76,8 @@ class Links(Mechanism):
     """Links by their absolute angles, from the ground one after the other; with `span` the last one is the rocker of a
     four-bar that stands on the ground at (span, 0).
 
-    Rates of the joints are G phi'; the drives act on joints.
+    Rates of the joints are G phi'; the drives act on joints. radii: of the bearings of a four-bar, whose laws are then
+    shares of its joints' forces.
     """
 
     lengths: Sequence[float]
@@ -78,6 +85,7 @@ class Links(Mechanism):
     drives: Sequence[Callable[[float], float]]
     gravity: float = 0.0
     span: float = 0.0
+    radii: Sequence[float] = ()
 
     @cached_property
     def G(self) -> np.ndarray:
@@ -104,6 +112,22 @@ class Links(Mechanism):
         driven = self.G[: len(self.drives)].T @ np.array([drive(t) for drive in self.drives])
         return np.asarray(turning + weight + driven - self.G.T @ (self.viscous * (self.G @ rates)))
 
+    @property
+    def rubs_by_force(self) -> bool:
+        return len(self.radii) > 0
+
+    def arms(self, phi: np.ndarray, rates: np.ndarray, change: np.ndarray, h: float, closing: np.ndarray) -> np.ndarray:
+        """(joints,) radius times force in each joint of a four-bar over a step h, by Newton's law of its links.
+
+        change (links,): of the rates; closing (2,): the impulse on the coupler's end, by the loop's closure.
+        """
+        across, along = np.array([-np.sin(phi), np.cos(phi)]), np.array([np.cos(phi), np.sin(phi)])
+        gained = (self._levers * change) @ across.T - h * (self._levers * rates**2) @ along.T
+        crank, coupler, rocker = gained + h * np.array([0.0, self.gravity])  # by joints alone
+        second = coupler - closing
+        forces = [crank + second, second, closing, rocker + closing]
+        return np.asarray(self.radii) * np.linalg.norm(forces, axis=1) / h
+
     def closure(self, phi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """C and C_q of the loop."""
         if not self.span:
@@ -121,7 +145,7 @@ def moreau(own: Any, start: np.ndarray, h: float, t_end: float) -> tuple[np.ndar
     G, rates, at = own.G, np.zeros(len(start)), start.copy()
     rows = np.vstack([G, *(one.side * G[[one.joint]] for one in own.stops)])
     e = np.array([0.0] * len(G) + [one.e for one in own.stops])
-    p, found, joints = np.zeros(len(rows)), [at], [G @ rates]
+    p, found, joints, arms = np.zeros(len(rows)), [at], [G @ rates], np.ones(len(G))
     for k in range(round(t_end / h)):
         middle = at + h / 2 * rates
         C, J = own.closure(middle)
@@ -133,9 +157,15 @@ def moreau(own: Any, start: np.ndarray, h: float, t_end: float) -> tuple[np.ndar
         A, v = rows @ by, rows @ free + e * np.minimum(rows @ rates, 0.0)
         most = h * own.bounds(G @ rates)
         reached = [np.inf if one.side * (G[one.joint] @ middle - one.end) <= 0 else 0.0 for one in own.stops]
-        lower, upper = np.append(-most, np.zeros(len(e) - len(G))), np.append(most, reached)
+        hit = any(r > 0 and v[len(G) + j] < -STRUCK for j, r in enumerate(reached))
         for _ in range(200):
             before = p.copy()
+            if own.rubs_by_force and not hit:  # an impact rubs nowhere: then joints press as they did before
+                acts = h * own.force((k + 0.5) * h, middle, rates) + rows.T @ p
+                closing = -S @ (J @ (rates + inverse @ acts) + 0.1 * C / h)
+                arms = own.arms(middle, rates, free + by @ p - rates, h, closing)
+            bounds = most * arms
+            lower, upper = np.append(-bounds, np.zeros(len(e) - len(G))), np.append(bounds, reached)
             for i in range(len(p)):
                 p[i] = np.clip(p[i] - (v[i] + A[i] @ p) / A[i, i], lower[i], upper[i])
             if np.abs(p - before).max() < 1e-10 * max(np.abs(p).max(), 1e-3 * h):
