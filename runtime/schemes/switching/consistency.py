@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from runtime.contract.model import Model
+from runtime.contract.model import EmittedModel
 from runtime.contract.tape import shared
 from runtime.schemes.sparse_lu import Number, factor, solve
 
@@ -35,7 +35,7 @@ class NoMode:
 
 
 def broken_law(
-    model: Model,
+    model: EmittedModel,
     at: Mapping[str, np.ndarray],
     c: np.ndarray,
     modes: np.ndarray,
@@ -76,7 +76,7 @@ def broken_law(
 
 
 def broken_on_the_way(
-    model: Model, at: Mapping[str, np.ndarray], c: np.ndarray, left: np.ndarray, length: float
+    model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray, left: np.ndarray, length: float
 ) -> str | None:
     """What of the modes among c is over without an event; left (n_m,): see `element_forces`; length [m]: of it all."""
     over = np.flatnonzero(~(left >= 0))
@@ -97,7 +97,7 @@ def broken_on_the_way(
     return None
 
 
-def elements_of(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
+def elements_of(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
     """The function `elements` at a state with constants c; what is one column is flat."""
     found = {name: np.asarray(one, dtype=float) for name, one in model.evaluate("elements", **at, c=c).items()}
     return {name: one if name in ("M_hat", "G") else one.ravel() for name, one in found.items()}
@@ -107,7 +107,7 @@ def _told(broken: str) -> NoMode:
     return NoMode(f"{broken}: what was decided breaks a law of friction or stops", REMEDY)
 
 
-def with_modes(model: Model) -> ca.Function:
+def with_modes(model: EmittedModel) -> ca.Function:
     """(q_i, q_d, q_i_dot, q_d_dot, t, c) -> left (n_m,), v and v' (n_e,) with the modes among c: see `element_forces`.
 
     Exported C has this function, too.
