@@ -133,7 +133,7 @@ class LaneRuns:
 
     def _decided(self, blocks: np.ndarray, cases: int) -> np.ndarray:
         """(cases,) those whose start is not one of lanes; what is held in the others is among their parameters now."""
-        from runtime.schemes.switching.settle import settled
+        from runtime.schemes.switching.settle import NoMode, settled
 
         model, scheme, alone = self.programs.model, self.programs.scheme, np.zeros(cases, dtype=bool)
         modes, none = model.element_modes, np.zeros(len(model.element_modes))
@@ -144,7 +144,11 @@ class LaneRuns:
         decided = self.values(blocks, cases, "p")[:, first + modes]
         for k, (z, c) in enumerate(zip(states, constants, strict=True)):
             found = settled(model, state_of(scheme, z, scheme.constants(c)), c, none, none)
-            if found is None or found.push.any() or (scheme.remembers and (found.modes != decided[k]).any()):
+            if (
+                isinstance(found, NoMode)
+                or found.push.any()
+                or (scheme.remembers and (found.modes != decided[k]).any())
+            ):
                 alone[k] = True
             else:
                 decided[k] = found.modes
