@@ -52,7 +52,8 @@ class GaugeRecord:
     """A place of `body` at `position` [m] in its axes; stresses in the order xx yy zz yz xz xy [Pa].
 
     shapes (6, nf): per unit of q_f. fields (6, 9 + 9 nf), forces (6, 6) by marker: per unit of each cause of
-    runtime.contract.flexible; empty where they are not known.
+    runtime.contract.flexible; empty where they are not known. error_shapes (r, nf), error_fields, error_forces (r, 6):
+    rows [Pa] whose sum over the causes has the length of the error that the mesh leaves.
     """
 
     body: str
@@ -61,6 +62,9 @@ class GaugeRecord:
     shapes: list[list[float]]
     fields: list[list[float]] = field(default_factory=list)
     forces: dict[str, list[list[float]]] = field(default_factory=dict)
+    error_shapes: list[list[float]] = field(default_factory=list)
+    error_fields: list[list[float]] = field(default_factory=list)
+    error_forces: dict[str, list[list[float]]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -123,6 +123,8 @@ def _markers(solution: Solution, body: str) -> list[float]:
 def missing_stresses(solution: Solution) -> tuple[dict[str, float], list[Event]]:
     """`missing_stress.body`: largest von Mises stress of what the modes leave out over the largest one.
 
+    `mesh_error.body` [Pa]: what the mesh leaves unknown of the largest stress.
+
     In words where the scene measures stresses. Of beams `missing_stress.measure`, the like of their largest moment.
     """
     shares: dict[str, float] = {}
@@ -146,6 +148,8 @@ def missing_stresses(solution: Solution) -> tuple[dict[str, float], list[Event]]
         )
         if not (np.isfinite(lacking).all() and largest.value > 0.0):
             continue
+        if np.isfinite(largest.mesh_error):
+            shares[f"mesh_error.{body}"] = largest.mesh_error
         share = float(lacking.max()) / largest.value
         shares[f"missing_stress.{body}"] = share
         if share > WORTH_A_WORD and any(one.unit == "Pa" for one in solution.model.description.measures):

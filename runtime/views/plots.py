@@ -332,6 +332,8 @@ def stresses(solution: Solution, body: str, path: str | Path | None = None) -> F
             ax.plot(found.t, factor * values, style, color=COLOURS[k % len(COLOURS)], lw=1.2, label=name)
     largest = found.largest()
     about = f"at most {factor * largest.value:.3g} {unit}, {largest.gauge} at {largest.t:.4g} s"
+    if np.isfinite(largest.mesh_error):
+        about += f"; mesh: +-{factor * largest.mesh_error:.2g} {unit}"
     ax.set_title(about, fontsize=9.5, loc="left", fontweight="bold")
     ax.set_ylabel(literal(f"[{unit}]"), fontsize=9)
     ax.set_xlabel("t [s]", fontsize=9)

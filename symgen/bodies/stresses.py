@@ -21,22 +21,24 @@ from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import total
 from symgen.scene import BeamBody, SpatialModalBody
 from symgen.scene.flexible import ALL_GAUGES, COMPONENTS
-from symgen.scene.measures import KNOWN_BY
+from symgen.scene.measures import KNOWN_BY, MESH_ERROR
 
 SMALLEST = 1e-300  # [Pa^2]: keeps the rate of a von Mises stress finite where there is no stress
 
 
 def gauge_stress(body: SpatialModalBody, gauge: str, component: str, q_f: list[ca.SX], table: ParameterTable) -> ca.SX:
-    """A component in the axes of the body, or the von Mises stress [Pa]; of all gauges the largest."""
+    """A component in the axes of the body, the von Mises stress, or the error of the mesh [Pa]; of all gauges the
+    largest.
+    """
+    square = _error_square if component == MESH_ERROR else _von_mises_square
     if gauge == ALL_GAUGES:
         found = ca.SX(0)
         for name in body.gauges:
-            found = ca.fmax(found, _square(_components(body, name, q_f, table)))
+            found = ca.fmax(found, square(body, name, q_f, table))
         return ca.sqrt(ca.fmax(found, SMALLEST))
-    values = _components(body, gauge, q_f, table)
-    if component == "von_mises":
-        return ca.sqrt(ca.fmax(_square(values), SMALLEST))
-    return values[COMPONENTS.index(component)]
+    if component in COMPONENTS:
+        return _components(body, gauge, q_f, table)[COMPONENTS.index(component)]
+    return ca.sqrt(ca.fmax(square(body, gauge, q_f, table), SMALLEST))
 
 
 def _components(body: SpatialModalBody, gauge: str, q_f: list[ca.SX], table: ParameterTable) -> list[ca.SX]:
@@ -45,7 +47,15 @@ def _components(body: SpatialModalBody, gauge: str, q_f: list[ca.SX], table: Par
     return [total(data[row, a] * q_f[a] for a in range(len(q_f)) if shapes[row, a]) for row in range(len(COMPONENTS))]
 
 
-def _square(values: list[ca.SX]) -> ca.SX:
+def _error_square(body: SpatialModalBody, gauge: str, q_f: list[ca.SX], table: ParameterTable) -> ca.SX:
+    rows = np.array(body.gauges[gauge].error_shapes)
+    data = table.data(rows, f"{body.name}.{gauge}.mesh_error", "Pa per unit of q_f", "error of the mesh at a gauge")
+    parts = [total(data[r, a] * q_f[a] for a in range(len(q_f)) if rows[r, a]) for r in range(len(rows))]
+    return ca.SX(total(part**2 for part in parts))
+
+
+def _von_mises_square(body: SpatialModalBody, gauge: str, q_f: list[ca.SX], table: ParameterTable) -> ca.SX:
+    values = _components(body, gauge, q_f, table)
     xx, yy, zz, yz, xz, xy = values
     return ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * (yz**2 + xz**2 + xy**2)
 

@@ -7,6 +7,16 @@ module each: reading or assembling a `FEStructure`, checking that it is one free
 from symgen.fe.body import FlexibleBody
 from symgen.fe.frame import LineMesh, Section
 from symgen.fe.inertia import Marker
-from symgen.fe.structure import STEEL, FEStructure, FiniteElementError, Material
+from symgen.fe.structure import STEEL, FEStructure, FiniteElementError, FiniteElementWarning, Material
 
-__all__ = ["STEEL", "FiniteElementError", "FlexibleBody", "LineMesh", "Marker", "Material", "Section", "FEStructure"]
+__all__ = [
+    "STEEL",
+    "FEStructure",
+    "FiniteElementError",
+    "FiniteElementWarning",
+    "FlexibleBody",
+    "LineMesh",
+    "Marker",
+    "Material",
+    "Section",
+]

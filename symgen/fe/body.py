@@ -314,7 +314,7 @@ class FlexibleBody:
         body = self.structure
         shapes, faces = body.nodal(self.modes.shapes, 0), body.facets
         found = surface_data(body.positions, shapes, faces, self.origin, max_triangles)
-        return {**found, "stresses": self.stresses().at(found["vertices"])}
+        return {**found, "stresses": self.stresses().at(found["vertices"]).astype(np.float32)}
 
     def stresses(self) -> ModalStresses:
         """Stress tensors per unit of q_f inside the elements of a solid; `von_mises(q_f)` of a motion's coordinates.

@@ -15,7 +15,7 @@ Gauges: places of a solid whose stress a scene knows.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -27,6 +27,7 @@ from numpy.typing import ArrayLike
 from runtime.contract.flexible import BodyMotion
 from symgen.fe.inertia import dusted
 from symgen.fe.mode_sets import ModeSet
+from symgen.fe.recovery import RecoveredPlaces, StressRecovery
 from symgen.fe.static import acting, inertia_relief
 from symgen.fe.structure import (
     AXES,
@@ -47,12 +48,14 @@ class EquilibriumStresses:
 
     tensors (k, 3, 3, n) [Pa]: of the fields x_i e_j (9, i slowest), phi_a,i e_j (9 nf, a slowest, then i), and of the
     forces and moments of the interfaces (6 each). interfaces: name -> position (3,) [m] of the marker; nf: modes.
+    find_error_rows: the rows of `error_rows` of each point, () inside the elements.
     """
 
     points: Array
     tensors: Array
     interfaces: dict[str, Array]
     nf: int
+    find_error_rows: Callable[[], Sequence[Array]]
 
     def of(self, motion: BodyMotion) -> Array:
         """(N, 3, 3, n) stress tensors [Pa] of a motion, `solution.body_motion(name)`.
@@ -66,6 +69,41 @@ class EquilibriumStresses:
         """(N, n) von Mises stress [Pa]; arguments and errors as of `of`."""
         return np.array([von_mises(np.tensordot(row, self.tensors, axes=1)) for row in self._causes(motion)])
 
+    def mesh_error(self, motion: BodyMotion) -> Array:
+        """Estimate the error [Pa] that the mesh leaves in the stress at the places.
+
+        Parameters
+        ----------
+        motion : BodyMotion
+            N samples, of `solution.body_motion(name)`.
+
+        Returns
+        -------
+        Array, shape (N, n)
+            Von Mises stress [Pa] of how an averaged field differs from the element's own, root mean square over the
+            nodes of the element that holds the place. No bound; it does not shrink at a sharp corner, where the stress
+            has no limit.
+
+        Raises
+        ------
+        FiniteElementError
+            As `of`; and for points inside the elements, where nothing is averaged: name places, `at=...`.
+
+        References
+        ----------
+        O. C. Zienkiewicz, J. Z. Zhu, A simple error estimator and adaptive procedure for practical engineering
+        analysis, Int. J. Numer. Methods Eng. 24 (1987) 337-357.
+        """
+        if not self.error_rows:
+            raise FiniteElementError("mesh_error", "is of places", "take body.equilibrium_stresses(at=...)")
+        amounts = self._causes(motion)
+        return np.stack([np.linalg.norm(amounts @ rows.T, axis=1) for rows in self.error_rows], axis=1)
+
+    @cached_property
+    def error_rows(self) -> Sequence[Array]:
+        """Of each place rows (r, k) [Pa]: the length of rows @ amounts of the unit causes is the error of the mesh."""
+        return self.find_error_rows()
+
     def _causes(self, motion: BodyMotion) -> Array:
         """(N, k) amounts of the unit causes."""
         size = float(np.ptp(self.points, axis=0).max()) if len(self.points) > 1 else 1.0
@@ -73,23 +111,65 @@ class EquilibriumStresses:
 
 
 def equilibrium_stresses(
-    body: FEStructure, shapes: Array, origin: Array, interfaces: Mapping[str, Interface], at: ArrayLike | None
+    body: FEStructure,
+    shapes: Array,
+    origin: Array,
+    interfaces: Mapping[str, Interface],
+    at: ArrayLike | None,
+    items: Sequence[str] = (),
 ) -> EquilibriumStresses:
-    """For shapes (n_dof, nf) about `origin` (3,) [m]; at: see `FlexibleBody.equilibrium_stresses`, errors too."""
+    """For shapes (n_dof, nf) about `origin` (3,) [m]; at: see `FlexibleBody.equilibrium_stresses`, errors too.
+
+    items: names of the places in messages.
+    """
     stress = solid_stress(body)
-    points, pick = stress.points - origin, _all
-    if at is not None:
-        places = _places(at)
-        near, weights = linear_fit(points, places)
-        points, pick = places, lambda tensors: np.einsum("ijmk,mk->ijm", tensors[:, :, near], weights)
     solve = inertia_relief(body.K, body.M, body.rigid(body.positions.mean(axis=0)))
     linear = (body.positions - origin)[:, :, None]  # (nodes, i, 1)
     fields = [_along_axes(body, linear), _along_axes(body, body.nodal(shapes, 0))]
     loads = [body.M @ np.hstack(fields), *(np.asarray(part.average.todense()).T for part in interfaces.values())]
-    bent = solve(np.hstack(loads))
-    tensors = [pick(stress.tensors(bent[:, k : k + 1])[0]) for k in range(bent.shape[1])]
     markers = {name: np.asarray(part.position - origin) for name, part in interfaces.items()}
-    return EquilibriumStresses(fixed(points), fixed(np.stack(tensors)), markers, shapes.shape[1])
+    if at is None:
+        bent = solve(np.hstack(loads))
+        tensors = np.concatenate([stress.tensors(bent[:, k : k + 1]) for k in range(bent.shape[1])])
+        return EquilibriumStresses(fixed(stress.points - origin), fixed(tensors), markers, shapes.shape[1], tuple)
+    places = _places(at)
+    found = stress.recovery.at(places + origin, items or [f"at[{k}]" for k in range(len(places))], origin)
+    around = stress.of_elements(found.elements)
+    bent = solve(np.hstack(loads))
+    values = np.stack([around.components(bent[:, k : k + 1])[0] @ found.values.T for k in range(bent.shape[1])])
+    tensors = np.moveaxis(values[:, TENSOR], 3, -1)
+
+    def rows() -> Sequence[Array]:
+        return error_rows(around, bent, found)
+
+    return EquilibriumStresses(fixed(found.places - origin), fixed(tensors), markers, shapes.shape[1], rows)
+
+
+def error_rows(around: SolidStress, displacements: Array, found: RecoveredPlaces) -> list[Array]:
+    """Of each place rows (r, k) [Pa] for displacements (n_dof, k): the length of rows @ amounts is the error there.
+
+    The error is the von Mises stress of `differences`, root mean square over the nodes, a positive quadratic form in
+    the amounts; of its directions those are kept that count.
+    """
+    count = around.basis.Nbfun
+    rows: list[Array] = []
+    for first in range(0, len(found.places), PLACES_AT_ONCE):
+        last = min(first + PLACES_AT_ONCE, len(found.places))
+        part = found.differences[first * count : last * count]
+        each = [around.components(displacements[:, k : k + 1])[0] @ part.T for k in range(displacements.shape[1])]
+        blocks = np.stack(each, axis=-1).reshape(len(VOIGT), last - first, count, -1)  # (6, places, nodes, k)
+        equivalent = np.einsum("ab,bpnk->pnak", VON_MISES_ROOT, blocks) / np.sqrt(count)
+        rows += [_compressed(block.reshape(-1, block.shape[-1])) for block in equivalent]
+    return rows
+
+
+def _compressed(rows: Array) -> Array:
+    """Fewer rows (r, k) with nearly the same length of rows @ amounts, whatever the unit of each amount."""
+    sizes = np.linalg.norm(rows, axis=0)
+    scale = np.where(sizes > 0.0, sizes, 1.0)
+    _, values, directions = np.linalg.svd(rows / scale, full_matrices=False)
+    kept = values > DIRECTION_KEPT * max(float(values.max(initial=0.0)), np.finfo(float).tiny)
+    return np.asarray((values[kept, None] * directions[kept]) * scale)
 
 
 def _places(at: ArrayLike) -> Array:
@@ -97,10 +177,6 @@ def _places(at: ArrayLike) -> Array:
     if wanted.shape[1] != AXES or not np.isfinite(wanted).all():
         raise FiniteElementError("at", "has rows that are no points", "give x, y, z in metres")
     return wanted
-
-
-def _all(tensors: Array) -> Array:
-    return tensors
 
 
 def _along_axes(body: FEStructure, nodal: Array) -> Array:
@@ -121,31 +197,41 @@ def gauge_fields(
     body: FEStructure, modes: ModeSet, origin: Array, interfaces: Mapping[str, Interface], gauges: Gauges
 ) -> dict[str, dict[str, Any]]:
     """What a scene holds of each gauge, about `origin` (3,) [m]. Raises FiniteElementError."""
-    stresses = modal_stresses(body, modes.shapes, origin)
-    if not gauges:
+    if not gauges and solid_stress(body):
         return {}
     if len(gauges) > MOST_GAUGES:
         raise FiniteElementError("gauges", f"{len(gauges)} are named", f"name at most {MOST_GAUGES}")
     places = {name: _place(body, origin, name, given) for name, given in gauges.items()}
-    recovered = equilibrium_stresses(body, modes.shapes, origin, interfaces, list(places.values()))
-    near, weights = linear_fit(stresses.points, np.array(list(places.values())))
-    modal = np.stack([np.einsum("amk,mk->ma", stresses.tensors[:, i, j][:, near], weights) for i, j in VOIGT], axis=1)
+    items = [f"gauges['{name}']" for name in places]
+    recovered = equilibrium_stresses(body, modes.shapes, origin, interfaces, list(places.values()), items)
+    modal = modal_stresses(body, modes.shapes, origin)
+    shapes, own_errors = modal.at(recovered.points), modal.error_rows(recovered.points)
     causes = np.stack([recovered.tensors[:, i, j] for i, j in VOIGT])  # (6, k, gauges)
-    first = 9 + 9 * recovered.nf
     found = {}
     for place, name in enumerate(places):
-        own = causes[:, :, place]
-        forces = {
-            marker: _clean(own[:, start : start + RIGID_MOTIONS])
-            for marker, start in zip(recovered.interfaces, range(first, own.shape[1], RIGID_MOTIONS), strict=True)
-        }
+        fields, forces = _by_cause(recovered, causes[:, :, place])
+        error_fields, error_forces = _by_cause(recovered, recovered.error_rows[place])
         found[name] = {
-            "position": places[name].tolist(),
-            "shapes": _clean(modal[place]),
-            "fields": _clean(own[:, :first]),
+            "position": recovered.points[place].tolist(),
+            "shapes": _clean(shapes[place]),
+            "fields": fields,
             "forces": forces,
+            "error_shapes": _clean(own_errors[place]),
+            "error_fields": error_fields,
+            "error_forces": error_forces,
         }
     return found
+
+
+def _by_cause(recovered: EquilibriumStresses, rows: Array) -> tuple[list[list[float]], dict[str, list[list[float]]]]:
+    """Rows (r, k): those of the fields, and of the forces at each interface."""
+    first = 9 + 9 * recovered.nf
+    starts = range(first, rows.shape[1], RIGID_MOTIONS)
+    forces = {
+        marker: _clean(rows[:, start : start + RIGID_MOTIONS])
+        for marker, start in zip(recovered.interfaces, starts, strict=True)
+    }
+    return _clean(rows[:, :first]), forces
 
 
 def _place(body: FEStructure, origin: Array, name: str, given: int | ArrayLike) -> Array:
@@ -164,8 +250,20 @@ def _clean(values: Array) -> list[list[float]]:
 
 
 VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
-NEIGHBOURS = 27
-FLAT = 1e-3  # points around that do not spread in a direction say nothing of it
+TENSOR = np.array([[0, 5, 4], [5, 1, 3], [4, 3, 2]])  # places of the components in VOIGT
+# The length of this matrix times xx yy zz yz xz xy is the von Mises stress.
+VON_MISES_ROOT = np.array(
+    [
+        [0.5**0.5, -(0.5**0.5), 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.5**0.5, -(0.5**0.5), 0.0, 0.0, 0.0],
+        [-(0.5**0.5), 0.0, 0.5**0.5, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 3.0**0.5, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 3.0**0.5, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 3.0**0.5],
+    ]
+)
+DIRECTION_KEPT = 0.01  # of the largest: directions of an error that count
+PLACES_AT_ONCE = 100  # of which errors are known at once
 
 
 @dataclass(frozen=True, eq=False)
@@ -182,6 +280,20 @@ class SolidStress:
     def points(self) -> Array:
         """(points, 3) [m]."""
         return np.asarray(self.basis.global_coordinates()).reshape(AXES, -1).T
+
+    @cached_property
+    def recovery(self) -> StressRecovery:
+        """Stress at places from that at the points."""
+        return StressRecovery(self.basis)
+
+    def of_elements(self, elements: Integers) -> SolidStress:
+        """The same stresses at the points of these elements (e,) only."""
+        return SolidStress(self.basis.with_elements(elements), self.material)
+
+    def components(self, vectors: Array) -> Array:
+        """(k, 6, points) stress xx yy zz yz xz xy [Pa] of displacements (n_dof, k) [m]."""
+        tensors = self.tensors(vectors)
+        return np.stack([tensors[:, i, j] for i, j in VOIGT], axis=1)
 
     def tensors(self, vectors: Array) -> Array:
         """(k, 3, 3, points) stress [Pa] of displacements (n_dof, k) [m]."""
@@ -211,23 +323,60 @@ class SolidStress:
 
 @dataclass(frozen=True, eq=False)
 class ModalStresses:
-    """Stresses of a body per unit of q_f: tensors (nf, 3, 3, n) [Pa/m] at points (n, 3) [m] from its frame's origin."""
+    """Stresses of a body per unit of q_f: tensors (nf, 3, 3, n) [Pa/m] at points (n, 3) [m] from its frame's origin.
+
+    stress, shapes (n_dof, nf), origin (3,) [m]: what they are made from.
+    """
 
     points: Array
     tensors: Array
+    stress: SolidStress
+    shapes: Array
+    origin: Array
 
     def of(self, q_f: ArrayLike) -> Array:
         """(N, 3, 3, n) stress tensors [Pa] for modal coordinates (N, nf): the sum of the modal stresses."""
         return np.asarray(np.tensordot(np.atleast_2d(np.asarray(q_f, dtype=float)), self.tensors, axes=1))
 
     def at(self, places: ArrayLike) -> Array:
-        """(m, 6, nf) stresses xx yy zz yz xz xy [Pa/m] at places (m, 3) [m], also on the surface, as float32.
+        """Stresses per unit of q_f at places in and on the body (symgen/fe/recovery.py).
 
-        From the points around, by the linear field that fits them best: exact where the stress is linear.
+        Parameters
+        ----------
+        places : array_like, shape (m, 3)
+            From the origin of the body's frame [m]; one beside the body by less than a tenth of a cell moves to its
+            surface.
+
+        Returns
+        -------
+        Array, shape (m, 6, nf)
+            Components xx yy zz yz xz xy [Pa per unit of q_f].
+
+        Raises
+        ------
+        FiniteElementError
+            For rows that are no points, and for a place farther outside.
         """
-        near, weights = linear_fit(self.points, np.asarray(places, dtype=float))
-        parts = [self.tensors[:, i, j] for i, j in VOIGT]
-        return np.stack([np.einsum("amk,mk->ma", part[:, near], weights) for part in parts], axis=1, dtype=np.float32)
+        found = self._recovered(places)
+        columns = self._columns(found)
+        parts = [self.tensors[:, i, j][:, columns] @ found.values.T for i, j in VOIGT]  # (nf, m) each
+        return np.ascontiguousarray(np.moveaxis(np.stack(parts), 2, 0))
+
+    def error_rows(self, places: ArrayLike) -> list[Array]:
+        """Of each place (m, 3) [m] rows (r, nf) [Pa]: the length of rows @ q_f is the error that the mesh leaves there.
+
+        See `EquilibriumStresses.mesh_error`. Raises as `at`.
+        """
+        found = self._recovered(places)
+        return error_rows(self.stress.of_elements(found.elements), self.shapes, found)
+
+    def _recovered(self, places: ArrayLike) -> RecoveredPlaces:
+        wanted = _places(places)
+        return self.stress.recovery.at(wanted + self.origin, [f"at[{k}]" for k in range(len(wanted))], self.origin)
+
+    def _columns(self, found: RecoveredPlaces) -> Integers:
+        each = self.stress.recovery.points_each
+        return (found.elements[:, None] * each + np.arange(each)).ravel()
 
     def von_mises(self, q_f: ArrayLike) -> Array:
         """(N, n) von Mises stress [Pa] for modal coordinates (N, nf)."""
@@ -241,21 +390,10 @@ def von_mises(tensors: Array) -> Array:
     return np.asarray(np.sqrt(1.5 * np.einsum("ijp,ijp->p", deviator, deviator)))
 
 
-def linear_fit(points: Array, places: Array) -> tuple[Integers, Array]:
-    """Places of points around and their weights (m, k each): a linear field's values at places (m, 3) [m]."""
-    from scipy.spatial import KDTree  # when it is needed: importing it takes long
-
-    _, near = KDTree(points).query(places, k=min(NEIGHBOURS, len(points)))
-    apart = points[near] - places[:, None]
-    size = np.linalg.norm(apart, axis=2).max(axis=1)[:, None]
-    fit = np.concatenate([np.ones((*near.shape, 1)), apart / size[..., None]], axis=2)
-    return near, np.linalg.pinv(fit, rcond=FLAT)[:, 0]
-
-
 def modal_stresses(body: FEStructure, shapes: Array, origin: Array) -> ModalStresses:
     """Of shapes (n_dof, nf) about `origin` (3,) [m]; errors as of `solid_stress`."""
     stress = solid_stress(body)
-    return ModalStresses(fixed(stress.points - origin), fixed(stress.tensors(shapes)))
+    return ModalStresses(fixed(stress.points - origin), fixed(stress.tensors(shapes)), stress, shapes, origin)
 
 
 def solid_stress(body: FEStructure) -> SolidStress:

@@ -121,6 +121,10 @@ class FiniteElementError(SymgenError, ValueError):
     """
 
 
+class FiniteElementWarning(UserWarning):
+    """Something in finite-element data can be used, but may not be what was meant."""
+
+
 Integers = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 # displacements (n_dof, k) of k stress states and shapes (n_dof, nf) -> geometric stiffness (k, nf, nf)

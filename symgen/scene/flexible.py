@@ -180,13 +180,17 @@ class StressGauge(StrictModel):
     """Stress at a place of a flexible body, in its axes, as FlexibleBody.fields(gauges=...) gives it.
 
     position [m]; shapes (6 x nf): xx yy zz yz xz xy [Pa] per unit of q_f; fields (6 x (9 + 9 nf)) and forces (6 x 6 for
-    each interface, by its marker): per unit of each cause of runtime.contract.flexible, or left out.
+    each interface, by its marker): per unit of each cause of runtime.contract.flexible, or left out. error_shapes
+    (r x nf), error_fields, error_forces (r x ...): rows [Pa] whose sum has the length of the error of the mesh.
     """
 
     position: tuple[Number, Number, Number] = (0.0, 0.0, 0.0)
     shapes: Rows
     fields: Rows = ()
     forces: dict[Name, Rows] = Field(default_factory=dict)
+    error_shapes: Rows = ()
+    error_fields: Rows = ()
+    error_forces: dict[Name, Rows] = Field(default_factory=dict)
 
     def misfits(self, name: str, body: SpatialModalBody) -> Iterator[Fault]:
         """What does not fit its body; name: its own."""
@@ -203,6 +207,18 @@ class StressGauge(StrictModel):
                 yield Fault(".forces", f"body '{body.name}' has no marker '{marker}'", did_you_mean(marker, markers))
             if not _six_rows(rows, len(COMPONENTS)):
                 yield Fault(f".forces.{marker}", "is not 6 x 6", remedy)
+        yield from self._error_misfits(nf, remedy)
+
+    def _error_misfits(self, nf: int, remedy: str) -> Iterator[Fault]:
+        if any(len(row) != nf for row in self.error_shapes):
+            yield Fault(".error_shapes", f"has rows that are not {nf} long", remedy)
+        causes = {"error_fields": (self.error_fields, 9 + 9 * nf)}
+        causes |= {f"error_forces.{marker}": (rows, len(COMPONENTS)) for marker, rows in self.error_forces.items()}
+        for key, (rows, columns) in causes.items():
+            if len(rows) != len(self.error_fields) or any(len(row) != columns for row in rows):
+                yield Fault(f".{key}", f"is not {len(self.error_fields)} x {columns}", remedy)
+        if self.error_fields and (lacking := sorted(set(self.forces) - set(self.error_forces))):
+            yield Fault(".error_forces", f"has no rows of '{lacking[0]}', which forces has", remedy)
 
 
 def _six_rows(rows: Rows, columns: int) -> bool:

@@ -103,17 +103,21 @@ STRESSED_BY = {  # what a stress of a beam needs of its section, by the shapes t
 }
 
 
+MESH_ERROR = "mesh_error"
+
+
 class StressMeasure(_Measure):
     """Stress [Pa] of a finite-element body at a gauge `body.gauge` by its modes, in the body's axes; or of a beam.
 
-    component: von_mises, or xx, yy, zz, yz, xz, xy. `body.all`: the largest von Mises stress of all its gauges.
+    component: von_mises, or xx, yy, zz, yz, xz, xy, or mesh_error, what the mesh leaves unknown of it. `body.all`: the
+    largest von Mises stress, or error, of all its gauges.
     `Solution.stresses` has what equilibrium says. Of a beam the von Mises stress at a marker `beam.marker`, or the
     largest along it, `beam.all`, by its shapes; see symgen/bodies/stresses.py.
     """
 
     type: Literal["stress"] = "stress"
     of: GaugeRef
-    component: Literal["von_mises", "xx", "yy", "zz", "yz", "xz", "xy"] = "von_mises"
+    component: Literal["von_mises", "xx", "yy", "zz", "yz", "xz", "xy", "mesh_error"] = "von_mises"
 
     def faults(self, scene: Any) -> Iterator[Fault]:
         """A gauge that is not there, or a beam whose section is not known."""
@@ -130,8 +134,17 @@ class StressMeasure(_Measure):
         elif gauge not in (*gauges[name], ALL_GAUGES):
             remedy = did_you_mean(gauge, [*gauges[name], ALL_GAUGES])
             yield Fault("of", f"body '{name}' has no gauge '{gauge}'", remedy)
+        elif self.component == MESH_ERROR:
+            yield from self._unknown_errors(scene.body(name))
         elif gauge == ALL_GAUGES and self.component != "von_mises":
             yield Fault("component", "the largest of all gauges has no sign", 'take "von_mises", or name one gauge')
+
+    def _unknown_errors(self, body: SpatialModalBody) -> Iterator[Fault]:
+        gauge = self.of.partition(".")[2]
+        lacking = [name for name, one in body.gauges.items() if gauge in (name, ALL_GAUGES) and not one.error_shapes]
+        if lacking:
+            remedy = "take what FlexibleBody.fields(gauges=...) gives now"
+            yield Fault("component", f"gauge '{lacking[0]}' does not know the error of its mesh", remedy)
 
     def _of_beam(self, beam: BeamBody) -> Iterator[Fault]:
         place, known = self.of.partition(".")[2], {**beam.implicit_markers(), **beam.markers}
