@@ -144,7 +144,7 @@ class StressRecovery:
     @cached_property
     def _coefficients(self) -> Array:
         """(terms, points): the polynomial through the stress at the points."""
-        return np.linalg.pinv(self._monomials(np.asarray(self.basis.X), self.degree))
+        return np.linalg.pinv(self._monomials(np.asarray(self.basis.X), self.degree)), dtype=float)
 
     def _monomials(self, X: Array, degree: int) -> Array:
         """(n, terms) at local coordinates (3, n): of each direction up to the degree, or of all together."""
@@ -217,7 +217,7 @@ class StressRecovery:
         at = nodes >= 0
         elements[at] = first[nodes[at]]
         local[at] = np.asarray(self.basis.elem.doflocs, dtype=float)[corner[nodes[at]]]
-        for k in np.flatnonzero(~at):
+        for k in map(int, np.flatnonzero(~at)):
             found = self._nearest(places[k], size)
             if found is None:
                 nearest = self.node_places[near[k]] - origin
