@@ -118,7 +118,7 @@ class StressRecovery:
     @cached_property
     def extrapolation(self) -> Array:
         """(nodes, points): stress at the nodes of an element from that at its points."""
-        return self._monomials(self.own_nodes, self.degree) @ self._coefficients
+        return np.asarray(self._monomials(self.own_nodes, self.degree) @ self._coefficients, dtype=float)
 
     @cached_property
     def smooth_extrapolation(self) -> Array:
@@ -128,7 +128,7 @@ class StressRecovery:
         half = 0.5 / 3**0.5
         inner = np.array(list(product([0.5 - half, 0.5 + half], repeat=AXES))).T
         trilinear = self._monomials(self.own_nodes, 1) @ np.linalg.pinv(self._monomials(inner, 1))
-        return trilinear @ self._monomials(inner, self.degree) @ self._coefficients
+        return np.asarray(trilinear @ self._monomials(inner, self.degree) @ self._coefficients, dtype=float)
 
     @cached_property
     def degree(self) -> int:
@@ -144,7 +144,7 @@ class StressRecovery:
     @cached_property
     def _coefficients(self) -> Array:
         """(terms, points): the polynomial through the stress at the points."""
-        return np.linalg.pinv(self._monomials(np.asarray(self.basis.X), self.degree)), dtype=float)
+        return np.linalg.pinv(self._monomials(np.asarray(self.basis.X), self.degree))
 
     def _monomials(self, X: Array, degree: int) -> Array:
         """(n, terms) at local coordinates (3, n): of each direction up to the degree, or of all together."""
