@@ -144,7 +144,7 @@ class StressRecovery:
     @cached_property
     def _coefficients(self) -> Array:
         """(terms, points): the polynomial through the stress at the points."""
-        return np.linalg.pinv(self._monomials(np.asarray(self.basis.X), self.degree))
+        return np.asarray(np.linalg.pinv(self._monomials(np.asarray(self.basis.X), self.degree)), dtype=float)
 
     def _monomials(self, X: Array, degree: int) -> Array:
         """(n, terms) at local coordinates (3, n): of each direction up to the degree, or of all together."""
