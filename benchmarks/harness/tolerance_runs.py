@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
+from math import gcd
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from runtime.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import floored
 from runtime.running.ladder import FIRST, Ladder, Method, Rung
-from runtime.running.problem import Problem
+from runtime.running.problem import Plan, Problem
 from runtime.running.run import Further
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
@@ -46,6 +47,14 @@ class Made:
     steps: int
     operations: float
     error: float
+
+
+class SampledLadder(Ladder):
+    """A ladder whose rungs are sampled at the times of a reference that are ends of their steps."""
+
+    def plan(self, method: Method, steps: int, known: Plan | None = None) -> Plan:
+        """See Ladder."""
+        return replace(super().plan(method, steps, known), seen_steps=steps // gcd(steps, KEPT))
 
 
 class Case:
@@ -92,13 +101,13 @@ class Case:
         return float(np.abs(np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [A_q, A_v]]))).max())
 
     def error_of(self, rung: Rung) -> float:
-        """True error of a rung at its marks: RMS of the worst coordinate, over its amplitude."""
-        steps = [step for step in rung.marks.steps() if step % rung.marks.every == 0]
-        if rung.lost or not steps:
+        """True error of a rung of a SampledLadder at its samples: RMS of the worst coordinate, over its amplitude."""
+        if rung.lost:
             return np.inf
-        exact = self.reference[[round(step * KEPT / rung.steps) for step in steps]]
+        steps = rung.run.record.steps()[1:]
+        exact = self.reference[[step * KEPT // rung.steps for step in steps]]
         with np.errstate(all="ignore"):
-            rms = np.sqrt(np.mean((rung.marks.told(self.model, steps)[0] - exact) ** 2, axis=0))
+            rms = np.sqrt(np.mean((rung.run.record.told(self.model, steps)[0] - exact) ** 2, axis=0))
         found = float((rms / floored(self.model, self.reference.std(axis=0))).max())
         return found if np.isfinite(found) else np.inf
 
@@ -114,7 +123,12 @@ def runs_of_an_oracle(case: Case, tolerances: Iterable[float], methods: Iterable
 
     Methods that would take ten times the operations of the best are given up.
     """
-    ladder, least, found, best = Ladder(case.problem, 1e-12, None, Further()), min(tolerances), list[Made](), np.inf
+    ladder, least, found, best = (
+        SampledLadder(case.problem, 1e-12, None, Further()),
+        min(tolerances),
+        list[Made](),
+        np.inf,
+    )
     for method in methods:
         steps = FIRST
         while steps < MOST_STEPS:

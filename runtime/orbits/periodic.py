@@ -22,13 +22,14 @@ from runtime.orbits.shooting import Closed, Conditions, NoPeriodicMotion, Period
 from runtime.orbits.states import States
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.results.solution import Solution
+from runtime.running.comparison_times import common_steps, coprime
 from runtime.running.inputs import InputValue, bound
 from runtime.running.simulate import simulate
 from runtime.schemes.catalogue import scheme_kind
 
 FREE = "free"
 SCHEME = "exponential_rk4"
-MARKS = 20  # places of a period at which two solutions are compared
+MARKS = 20  # places of a period at which two solutions are compared, at least
 STEPS, MOST_STEPS = 200, 50_000  # a period: the first try, and the last
 SETTLED = 20  # periods of a transient, where Newton's method does not find the motion from the start
 REPEATS = 1e-5  # of a coordinate's size: what is driven, and loads, repeat up to this
@@ -303,27 +304,23 @@ def doubted(one: Floquet, beside: Floquet) -> Floquet:
 
 
 def companion_steps(scheme: str, steps: int, parts: int, samples: int) -> int:
-    """Steps of the motion that one is compared with: fewer, of half the error.
+    """Steps of the motion that one is compared with: fewer, of half the error, with as many common times as there are.
 
-    Between two marks they have no common divisor, so that forces are seen at other phases.
+    Between two of these the numbers of steps have no common divisor, so that forces are seen at other phases.
     """
-    ratio = 2.0 ** (1.0 / scheme_kind(scheme).make.order)
-    unit, least = lcm(MARKS * parts, samples), lcm(parts, samples)
-    if steps % unit:
+    ratio, least = 2.0 ** (1.0 / scheme_kind(scheme).make.order), lcm(parts, samples)
+    if steps % least:
         other = max(1, round(steps / ratio / least)) * least
-        return other if other != steps or samples == 1 else 2 * steps
-    own = steps // unit
-    for other in sorted(range(1, own + 2), key=lambda count: abs(count - own / ratio)):
-        if other != own and gcd(own, other) == 1:
-            return other * unit
-    return 2 * steps
+        return other if other != steps else 2 * steps
+    a = common_steps(steps, ratio, steps // least)
+    return 2 * steps if steps // a < MARKS else steps // a * coprime(a, ratio)
 
 
 def _difference(motion: PeriodicMotion, other: PeriodicMotion) -> MotionError:
-    """Over the period, at as many places as both have."""
-    samples = []
+    """Over the period, at the ends of steps that both have."""
+    samples, places = [], gcd(motion.steps, other.steps)
     for one in (motion, other):
-        every = one.steps // gcd(one.steps, MARKS)
+        every = one.steps // places
         run = one.simulate(1, seen_every=every * one.period / one.steps)
         if not run.status.ok:
             raise SymgenError(f"model {motion.model.name}: the motion that repeats cannot be simulated: {run.status}")

@@ -119,10 +119,12 @@ def motion_error(
     other: np.ndarray,
     sizes: np.ndarray,
     rates: tuple[np.ndarray, np.ndarray] | None = None,
+    seen_rates: np.ndarray | None = None,
 ) -> MotionError:
     """The difference of two motions at times t (N,) [s]: q, other (N, n_told); sizes: amplitudes (n_told,).
 
-    rates, of both (N, n_told): it is judged by these, too, by their RMS, as `<coordinate>_dot`.
+    rates, of both (N, n_told): it is judged by these, too, by their RMS, as `<coordinate>_dot`. seen_rates (M, n_told):
+    those of the motion at other times, which tell their sizes, too.
     """
     names = followed(model)[0]
     off = np.abs(q - other)
@@ -136,12 +138,13 @@ def motion_error(
     def by_name(values: np.ndarray, end: str = "") -> dict[str, float]:
         return {name + end: value for name, value in zip(names, values.tolist(), strict=True)}
 
-    by = by_name(judged) | ({} if rates is None else by_name(_of_rates(model, *rates), "_dot"))
+    by = by_name(judged) | ({} if rates is None else by_name(_of_rates(model, *rates, seen_rates), "_dot"))
     return MotionError(by_name(rms), by_name(off[-1]), by_name(sizes), by_name(rms / least), by, reliable_until=until)
 
 
-def _of_rates(model: EmittedModel, v: np.ndarray, other: np.ndarray) -> np.ndarray:
+def _of_rates(model: EmittedModel, v: np.ndarray, other: np.ndarray, seen: np.ndarray | None = None) -> np.ndarray:
     """(n_told,) what moves less than others of its kind is not judged by its own size."""
-    sizes = np.sqrt(np.mean(np.concatenate([v, other]) ** 2, axis=0))
+    known = [v, other] if seen is None else [v, other, seen]
+    sizes = np.sqrt(np.mean(np.concatenate(known) ** 2, axis=0))
     rms = np.sqrt(np.mean((v - other) ** 2, axis=0))
     return np.asarray(rms / np.maximum(np.maximum(sizes, STATIONARY * _largest_of_kind(model, sizes)), RESTS))

@@ -22,8 +22,9 @@ from runtime.contract.status import Status
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.results.solution import Solution
+from runtime.running.comparison_times import comparison_steps, refined, shared
 from runtime.running.monitor import known_slopes
-from runtime.running.outcome import EARLY, FINER, LARGEST, compared, finished, loads_missed, marks_of, passed_by
+from runtime.running.outcome import FINER, LARGEST, compared, early_steps, finished, loads_missed, marks_of, passed_by
 from runtime.running.problem import (
     AUTO,
     DEFAULT,
@@ -35,7 +36,7 @@ from runtime.running.problem import (
     make_plan,
     refuse_alike,
 )
-from runtime.running.record import Marks
+from runtime.running.record import Marks, among
 from runtime.running.run import Further, Run, begun, integrate
 from runtime.running.time_functions import OfTime, force_of_time
 from runtime.running.turns import frequency_at_start, frequency_at_states
@@ -51,6 +52,7 @@ MOST = 2.5  # times the steps of the rung before
 AFTER_LOST = 3.0  # the same, where the motion was lost
 MOST_FINER = 10.0  # the same, where its steps turned a loop too far
 SHOWN = 0.8  # of the order of a method: where three rungs show that much, the error is half of the difference
+BISECTIONS = 40  # of the order that is shown
 SEEN = 1000  # samples of a rung that is kept
 MOST_STEPS = 10**8
 MOST_OPERATIONS = 10**12  # of all rungs: some minutes
@@ -110,11 +112,19 @@ class Rung:
     told: MotionError = field(default_factory=lambda: MotionError(reason="there is no rung before it"))
 
     @cached_property
-    def seen(self) -> tuple[np.ndarray, np.ndarray]:
-        """(numbers of its marks (N,), what tells the motion and its rates at them (2, N, n_told))."""
-        steps = [step for step in self.marks.steps() if step % self.marks.every == 0]
-        told = self.marks.told(self.run.problem.model, steps if self.marks.early else None)
-        return np.array(steps, dtype=int) // self.marks.every, told
+    def reached(self) -> np.ndarray:
+        """(N,) steps of `marks.at` that the motion has come to; an event may end it before."""
+        return np.asarray(self.marks.at[among(self.marks.at, np.array(self.marks.steps()))])
+
+    @cached_property
+    def seen(self) -> np.ndarray:
+        """(2, N, n_told) what tells the motion and its rates there."""
+        return self.marks.told(self.run.problem.model, self.reached)
+
+    @cached_property
+    def sampled(self) -> np.ndarray:
+        """(2, N, n_told) the same at its samples, which may be in phase with a vibration, and there."""
+        return np.concatenate([self.run.record.told(self.run.problem.model), self.seen], axis=1)
 
     @property
     def lost(self) -> bool:
@@ -197,18 +207,21 @@ class Ladder:
 
     def climb(self, method: Method) -> Iterator[Rung]:
         """Rungs from the first to the one that meets the tolerance, or to the last that it is worth to make."""
-        count, rungs, spent = ceil((method.first or self.first(method)) / self.unit), list[Rung](), 0.0
-        count = max(count, self._units(frequency_at_start(self.problem.model, self.problem.state)))
-        seen = 0
+        least = max(
+            (method.first or self.first(method)) / self.unit,
+            self._units(frequency_at_start(self.problem.model, self.problem.state)),
+        )
+        count, rungs, spent = refined(0, least), list[Rung](), 0.0
+        seen, common = 0, shared(count)
         plan = None
         while True:
             plan = self.plan(method, count * self.unit, plan)
-            rung = self.rung(plan, rungs[-1].run if rungs else None)
+            rung = self.rung(plan, rungs[-1].run if rungs else None, [common, shared(count)])
             order = plan.scheme.order
             if rungs and not rung.lost and not rungs[-1].lost:
                 self.judge(rungs, rung, order)
                 if plan.scheme.damps and rung.error <= self.tolerance:  # rungs that have lost a vibration agree
-                    told = compared(rung.run, rung.marks, rung.run.record.told(self.problem.model)[0], 1 / FINER, True)
+                    told = compared(rung.run, rung.marks, rung.sampled, 1 / FINER, True)
                     if told.measured and self._asked(told) > rung.error:
                         rung.error, rung.told = self._asked(told), told
             rungs.append(rung)
@@ -220,9 +233,10 @@ class Ladder:
             following = following if following is None else max(following, seen)
             if (turned := min(self._turned_by(rung), ceil(MOST_FINER * count))) > count:  # it tells nothing yet
                 following = max(following or 0, turned)
+            following = following if following is None else refined(count, following)
             if following is None or spent * following / count > MOST_OPERATIONS or following * self.unit > MOST_STEPS:
                 return
-            count = following
+            count, common = following, shared(count)
 
     def first(self, method: Method) -> int:
         """Steps of a first rung: such as see what loads do, within the stability limit at the start."""
@@ -249,11 +263,14 @@ class Ladder:
         """Steps, in units, of so many in a second."""
         return ceil(self.span * frequency / self.unit)
 
-    def rung(self, plan: Plan, like: Run | None = None) -> Rung:
-        """A whole motion, of which one is known with other steps; nobody looks whether steps see what loads do."""
-        steps = ceil(plan.steps / self.unit) * self.unit  # those that do not fit into the motion among them
-        every = steps // self.unit * max(1, self.unit // FIRST)
-        marks = Marks(every, every // min(EARLY, every) if plan.scheme.damps else 0)
+    def rung(self, plan: Plan, like: Run | None = None, common: Sequence[int] = (1,)) -> Rung:
+        """A whole motion, of which one is known with other steps; nobody looks whether steps see what loads do.
+
+        common: of how many units the steps of each motion are a multiple that this one is compared with.
+        """
+        steps, whole = round(self.span / plan.grid.dt_L), plan.whole_steps  # all, those within the motion
+        at = [comparison_steps(whole, max(1, steps // (units * self.unit))) for units in common]
+        marks = Marks(np.unique(np.concatenate(at)), early_steps(whole) if plan.scheme.damps else ())
         further = Further(progress=self.further.progress)
         run = begun(self.problem, replace(plan, outputs=()), marks, further, quiet=True, like=like)
         began = time.process_time()
@@ -263,20 +280,26 @@ class Ladder:
     def judge(self, before: list[Rung], rung: Rung, order: int) -> None:
         """The error of a rung by the one before it, in place; by extrapolation where three rungs show the order."""
         last = before[-1]
-        here, there = (np.isin(one.seen[0], other.seen[0]) for one, other in ((rung, last), (last, rung)))
-        common = rung.seen[0][here]
+        places = gcd(rung.steps, last.steps)  # ends of steps of both
+        every, others = rung.steps // places, last.steps // places
+        ours, theirs = (
+            one.reached[one.reached % apart == 0] // apart for one, apart in ((rung, every), (last, others))
+        )
+        common = np.intersect1d(ours, theirs)
         if not len(common):
             return
         model, plan = self.problem.model, rung.run.plan
-        (mine, v), (theirs, other) = (rung.seen[1].compress(here, axis=1), last.seen[1].compress(there, axis=1))
-        sizes = amplitudes(model, np.concatenate([mine, theirs, rung.run.record.told(model)[0]]))
-        t = plan.t0 + common * rung.marks.every * plan.grid.dt_L
-        rung.told = motion_error(model, t, mine, theirs, sizes, (v, other))
+        q, v = rung.seen.compress(among(rung.reached, common * every), axis=1)
+        other_q, other_v = last.seen.compress(among(last.reached, common * others), axis=1)
+        sizes = amplitudes(model, np.concatenate([other_q, rung.sampled[0]]))
+        t = plan.t0 + common * every * plan.grid.dt_L
+        rung.told = motion_error(model, t, q, other_q, sizes, (v, other_v), rung.sampled[1])
         rung.error = rung.differs = self._asked(rung.told)
         if len(before) > 1 and 0 < rung.error < last.differs:
-            shown = np.log(last.differs / rung.differs) / np.log(rung.steps / last.steps)
+            ratio = rung.steps / last.steps
+            shown = shown_order(last.differs, rung.differs, last.steps / before[-2].steps, ratio, order)
             if shown > SHOWN * order:
-                richer = max(2.0, (rung.steps / last.steps) ** min(shown, order) - 1)
+                richer = max(2.0, ratio**shown - 1)
                 rung.error *= min(0.5, RICHARDSON / richer)
                 rung.told = rung.told.scaled(1 / richer)
 
@@ -304,10 +327,7 @@ class Ladder:
                 return None
         least = 2 ** (1 / order)
         factor = MOST if not np.isfinite(last.error) else (last.error / (SAFETY * self.tolerance)) ** (1 / order)
-        if len(rungs) < 3:
-            factor = min(factor, MOST)
-        wanted = max(count + 1, ceil(count * min(max(factor, least), MOST)))
-        return next(one for one in range(wanted, 2 * wanted + 2) if gcd(one, count) == 1 or one > wanted + 3)
+        return ceil(count * min(max(factor, least), MOST))
 
     @cached_property
     def resolving(self) -> int:
@@ -355,6 +375,31 @@ class Ladder:
                 "more steps do not bring it down"
             )
         return found.but(stats=stats, status=status)
+
+
+def shown_order(earlier: float, later: float, first: float, second: float, most: float) -> float:
+    """The order p that three motions show, each by so many times the steps of the one before (`first`, `second`), that
+    differ by `earlier` and by `later`; at most `most`, and 0 where they show none.
+
+    Their errors are as 1, first^-p and (first second)^-p, so that
+
+        (first^p - 1) / (1 - second^-p) = earlier / later,
+
+    whose left side grows with p.
+    """
+    if not later > 0:
+        return most if earlier > 0 else 0.0
+
+    def above(p: float) -> bool:
+        return bool((first**p - 1) * later > earlier * (1 - second**-p))
+
+    low, high = 0.0, float(most)
+    if not above(high):
+        return high
+    for _ in range(BISECTIONS):
+        middle = (low + high) / 2
+        low, high = (low, middle) if above(middle) else (middle, high)
+    return low
 
 
 def _stagnant(rungs: list[Rung]) -> bool:

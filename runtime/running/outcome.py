@@ -2,18 +2,15 @@
 
 The error is measured: the whole motion is made again with other steps, and the difference is the error. Steps 2^(1/p)
 times as long err twice as much, so the plain difference is the error of the run. It is not divided by r^p - 1: where
-modes are not resolved there is no order, and the difference is still of the error's size. The numbers of steps between
-two marks have no common divisor, else both see a periodic force at like phases.
+modes are not resolved there is no order, and the difference is still of the error's size. At which times: see
+comparison_times.py.
 """
 
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
 from dataclasses import replace
-from functools import cache
-from itertools import count
-from math import ceil, gcd
+from math import ceil
 from typing import Any
 
 import numpy as np
@@ -23,8 +20,9 @@ from runtime.contract.status import Event, Status
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.results.solution import Solution
 from runtime.results.undefined import undefined_measures
+from runtime.running.comparison_times import common_steps, comparison_steps, coprime
 from runtime.running.problem import Plan, Problem
-from runtime.running.record import Marks
+from runtime.running.record import Marks, among
 from runtime.running.run import Run, begun, integrate
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import INSIDE, check_time_functions
@@ -187,43 +185,22 @@ def with_limits(solution: Solution) -> Solution:
 
 # ---- The same motion with other steps ---------------------------------------------------------------------------
 
-MARKS = 20  # times at which two motions are compared, about
-SHORTEST, LONGEST = 10, 20  # steps from mark to mark of a short run; of longer ones so many numbers are looked at
+FIRST_PART = 1 / 20  # of a motion, in which methods that damp are compared with far shorter steps
+SHORTER = 2  # times shorter steps, of which a regular error of order 2 leaves a quarter: where a run may be condemned
+EARLY, FINER = 8, 4  # times there, and how much shorter those steps are
+SAVED = 20  # samples of a companion, which nobody sees but who looks for trouble
 LEAST = 4  # steps in the time in which a load acts
-REST = 3.0  # price of what lies behind the last mark, beside the distance of a ratio from the one that is wanted
-EARLY, FINER = 8, 4  # marks in the first stretch of a method that damps, and how much shorter steps there are
-
-
-@cache
-def steps_of_mark(steps: int, ratio: float, base: int | None = None) -> int:
-    """a: so many steps of a run as have a number b of steps in the same time that has no divisor in common with it.
-
-    ratio: what a / b should be. base: steps of the run between times at which both have to end a step, if there are.
-    """
-    longest = max(LONGEST, steps // MARKS)
-    choices: Sequence[int] = range(min(steps, longest - SHORTEST), min(steps, longest) + 1)
-    if base is not None:
-        choices = [a for a in choices if base % a == 0] or [base]
-
-    def distance(a: int) -> float:
-        return float(abs(np.log(a / coprime(a, ratio) / ratio))) + REST * (steps % a) / steps
-
-    return min(choices, key=distance)
-
-
-def coprime(a: int, ratio: float) -> int:
-    """The number nearest to a / ratio, in proportion, that has no divisor with a in common and is not a."""
-    wanted = a / ratio
-    below = next((b for b in range(int(wanted), 0, -1) if b != a and gcd(a, b) == 1), None)
-    above = next(b for b in count(int(wanted) + 1) if b != a and gcd(a, b) == 1)
-    return above if below is None or above / wanted < wanted / below else below
 
 
 def marks_of(problem: Problem, plan: Plan) -> Marks:
     """Where a run of the plan is looked at, to be compared with its companion."""
-    a = _steps_of_mark(problem, plan)
-    every = a * ceil(plan.whole_steps / (a * 2 * MARKS))
-    return Marks(every, every // min(EARLY, every))
+    every = 1 if plan.scheme.adaptive else _common_steps(problem, plan)
+    return Marks(comparison_steps(plan.whole_steps, every), early_steps(plan.whole_steps))
+
+
+def early_steps(steps: int) -> np.ndarray:
+    """(N,) steps, rising, at which the first part of a motion of so many steps is looked at."""
+    return comparison_steps(ceil(steps * FIRST_PART), most=EARLY)
 
 
 def measured(run: Run, solution: Solution) -> MotionError:
@@ -236,22 +213,24 @@ def measured(run: Run, solution: Solution) -> MotionError:
         return MotionError(reason="the run was not looked at on its way")
     if not run.problem.forgets:
         return MotionError(reason="a controller keeps a memory of its own: give its numbers as Sampled(memory=...)")
-    q = solution.q[:, followed(run.problem.model)[1]]
+    columns = followed(run.problem.model)[1]
+    seen = np.stack([solution.q[:, columns], solution.q_dot[:, columns]])
+    seen = np.concatenate([seen, marks.told(run.problem.model)], axis=1)  # samples may be in phase with a vibration
     try:
         if any(event.kind == "load_missed" for event in run.events):  # other steps of this length miss it, too
             for short in passed_by(run, LEAST / INSIDE)[:1]:  # even steps of an eighth may pass it by
                 return MotionError(reliable_until=short.told.time, reason=short.told.text)
-            return compared(run, marks, q, 1 / INSIDE)
-        if marks.last_step < marks.every:  # an event has ended it soon
-            return compared(run, marks, q, 1 / FINER, early=True)
-        found = compared(run, marks, q, _ratio(plan))
+            return compared(run, marks, seen, 1 / INSIDE)
+        if not among(marks.at, np.array(marks.steps())).any():  # an event has ended it soon
+            return compared(run, marks, seen, 1 / FINER, early=True)
+        found = compared(run, marks, seen, _ratio(plan))
         if not found.measured or max(found.judged.values()) > LARGEST:
-            shorter = compared(run, marks, q, 1 / _ratio(plan))
+            shorter = compared(run, marks, seen, 1 / SHORTER)
             found = min((one for one in (found, shorter) if one.measured), key=lambda one: one.largest, default=found)
         if not found.measured:
-            found = compared(run, marks, q, 1 / FINER)
+            found = compared(run, marks, seen, 1 / FINER)
         if found.measured and plan.scheme.damps:
-            early = compared(run, marks, q, 1 / FINER, early=True)
+            early = compared(run, marks, seen, 1 / FINER, early=True)
             found = max((one for one in (found, early) if one.measured), key=lambda one: max(one.judged.values()))
     except KeyboardInterrupt:
         return MotionError(reason="stopped by the user while it was measured")
@@ -262,50 +241,45 @@ def _ratio(plan: Plan) -> float:
     return float(2 ** (1 / plan.scheme.order))
 
 
-def _steps_of_mark(problem: Problem, plan: Plan) -> int:
+def _common_steps(problem: Problem, plan: Plan) -> int:
+    """Steps of a run from one time at which its companion ends a step, too, to the next."""
     base = None if problem.spacing is None else round(problem.spacing / plan.grid.dt_L)
     whole = plan.whole_steps
-    return steps_of_mark(whole, _ratio(plan), base if base is not None and base < whole else None)
+    return common_steps(max(1, whole), _ratio(plan), base if base is not None and base < whole else None)
 
 
-def compared(run: Run, marks: Marks, q: np.ndarray, ratio: float, early: bool = False) -> MotionError:
+def compared(run: Run, marks: Marks, seen: np.ndarray, ratio: float, early: bool = False) -> MotionError:
     """The difference to a companion whose steps are about `ratio` times as long; or why there is none.
 
-    q (N, n_told): samples of the run, which tell its amplitudes. early: until the first mark only.
+    seen (2, N, n_told): of the whole run and of its rates, which tells its amplitudes. early: in its first part only.
     """
     problem, plan = run.problem, run.record.segments[0].plan
-    if plan.scheme.adaptive:
-        a = b = marks.early if early else marks.every
-    elif early:
-        a, b = marks.early, marks.early * FINER
-    else:
-        a = _steps_of_mark(problem, plan)
-        b = coprime(a, ratio)
-    every = marks.every // a * b if not early else b
-    seen = marks.steps()
-    shown = marks.every // a if early else min(plan.whole_steps // marks.every, len(seen))
-    if not shown:
+    a = 1 if plan.scheme.adaptive or early else _common_steps(problem, plan)
+    b = 1 if plan.scheme.adaptive else FINER if early else coprime(a, ratio)
+    at = marks.early if early else marks.at
+    at = at[among(at, np.array(marks.steps()))]
+    if not len(at):
         return MotionError(reason="the run is too short for it")
-    stepped = stepped_by(problem, plan, plan.grid.dt_L * a / b, every * shown, every, ratio)
-    other = begun(problem, stepped, None, quiet=True, like=run)
+    beside = Marks(at // a * b)
+    stepped = stepped_by(problem, plan, plan.grid.dt_L * a / b, int(beside.at[-1]), ratio)
+    other = begun(problem, stepped, beside, quiet=True, like=run)
     if ratio == 1 / INSIDE and (missed := [one for one in loads_missed(other) if one.kind == "load_missed"]):
         return MotionError(reliable_until=missed[0].time, reason=missed[0].text)
     status = integrate(other)
     if status.name == "interrupted":
         raise KeyboardInterrupt
-    step = marks.early if early else marks.every
-    common = [k for k in range(1, shown + 1) if k * step in seen and k * every <= other.record.last_step]
-    if status.ok and not common:
+    both = among(beside.at, np.array(beside.steps()))
+    if status.ok and not both.any():
         return MotionError(reason="it ends before it is looked at twice")
     if not status.ok:
         reason = f"made again with steps of {other.segment.plan.grid.dt_L:.3g} s the motion ends as {status.name}"
         return MotionError(reliable_until=status.time, reason=f"{reason} at t = {status.time:.4g} s")
     model = problem.model
-    mine, v = marks.told(model, [k * step for k in common])
-    theirs, other_v = other.record.told(model, [k * every for k in common])
-    t = np.array([plan.time(k * step) for k in common])
-    sizes = amplitudes(model, q if early else np.concatenate([mine, theirs, q]))  # of the whole motion
-    return motion_error(model, t, mine, theirs, sizes, (v, other_v))
+    mine, v = marks.told(model, at[both])
+    theirs, other_v = beside.told(model, beside.at[both])
+    t = np.array([plan.time(step) for step in at[both].tolist()])
+    sizes = amplitudes(model, seen[0] if early else np.concatenate([theirs, seen[0]]))  # of the whole motion
+    return motion_error(model, t, mine, theirs, sizes, (v, other_v), seen[1])
 
 
 def loads_missed(run: Run) -> list[Event]:
@@ -314,11 +288,12 @@ def loads_missed(run: Run) -> list[Event]:
     return check_time_functions(segment.model, segment.c, segment.plan, state, segment.switches)
 
 
-def stepped_by(problem: Problem, plan: Plan, dt: float, steps: int, every: int, ratio: float) -> Plan:
+def stepped_by(problem: Problem, plan: Plan, dt: float, steps: int, ratio: float) -> Plan:
     """The plan of a companion."""
     options = None
     if plan.scheme.adaptive:
         dt, tolerance = plan.grid.dt_L, plan.options["tolerance"]
         larger = ratio > 1 and 2 * tolerance <= LARGEST_TOLERANCE
         options = {**plan.options, "tolerance": tolerance * (2 if larger else 0.5)}
-    return replace(plan.with_steps(problem.model, dt, steps, options), seen_steps=every, outputs=(), force=True)
+    stepped = plan.with_steps(problem.model, dt, steps, options)
+    return replace(stepped, seen_steps=max(1, steps // SAVED), outputs=(), force=True)

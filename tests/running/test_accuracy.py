@@ -14,7 +14,7 @@ from scipy.linalg import eigh
 from runtime import Model, ModelError, Sampled, Solution, reference_solution, simulate
 from runtime.contract.coordinates import followed
 from runtime.results.motion_error import floored
-from runtime.running.outcome import coprime, steps_of_mark
+from runtime.running.comparison_times import common_steps, comparison_steps, coprime
 from symgen.scene import Scene, SceneRecord
 from tests.support.scenes import driven_bob, on_hinge
 
@@ -248,11 +248,13 @@ def test_a_tolerance_resolves_a_fast_mode_that_nothing_damps(built_in: Load) -> 
 def test_numbers_of_steps_without_a_common_divisor(steps: int, order: int) -> None:
     """From some ten steps on the companion's steps are 2^(1/p) as long, to a tenth, and most of the run is compared."""
     ratio = 2 ** (1 / order)
-    a = steps_of_mark(steps, ratio)
+    a = common_steps(steps, ratio)
     b = coprime(a, ratio)
     assert np.gcd(a, b) == 1 and a != b and a <= steps
     if steps >= 10:
         assert a / b == pytest.approx(ratio, rel=0.1) and steps % a <= 0.1 * steps
+    at = comparison_steps(steps, a)
+    assert (np.diff(at) > 0).all() and at[0] >= a and at[-1] == steps - steps % a and (at % a == 0).all()
 
 
 @pytest.mark.parametrize(("dt", "t_end"), [(0.1, 0.2), (0.1, 4.0), (0.02, 4.0)])

@@ -19,12 +19,14 @@ from runtime.contract.model import EmittedModel, refuse_events
 from runtime.engine.rows import evaluator
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.results.solution import Solution
+from runtime.running.comparison_times import comparison_steps
 from runtime.running.ladder import Rung
 from runtime.running.outcome import statistics
 from runtime.running.problem import Problem
 from runtime.studies.advice.methods import checked_grades
 
 RTOL, ATOL = 1e-11, 1e-13
+FINE = 2**40  # parts of a motion, of which times are multiples
 LOOSER = 100.0  # its own error is estimated from a path with tolerances this much looser
 Path = Callable[[np.ndarray], np.ndarray]
 
@@ -50,7 +52,7 @@ class Reference:
     @cached_property
     def sizes(self) -> np.ndarray:
         """(n_told,) amplitudes of the motion [m or rad]."""
-        return amplitudes(self.problem.model, self.path(np.linspace(0.0, self.problem.t_end, 401)))
+        return amplitudes(self.problem.model, self.path(_times(self.problem, 400)))
 
     @property
     def amplitudes(self) -> dict[str, float]:
@@ -93,8 +95,14 @@ def independent_reference(
     tight, looser = (reference_path(problem, RTOL * factor, ATOL * factor) for factor in (1.0, LOOSER))
     arguments = {"parameters": parameters, "initial": initial, "start": start}
     found = Reference(problem, tight, names, 0.0, arguments)
-    times = np.linspace(0.0, problem.t_end, 101)
+    times = _times(problem, 100)
     return Reference(problem, tight, names, found.worst(found.error(times, looser(times))), arguments)
+
+
+def _times(problem: Problem, count: int) -> np.ndarray:
+    """(N,) times of a motion [s], rising, that no vibration is in phase with; the last one is its end."""
+    span = problem.t_end - problem.t0
+    return problem.t0 + span / FINE * comparison_steps(FINE, most=count)
 
 
 def reference_path(problem: Problem, rtol: float, atol: float) -> Path:
@@ -162,7 +170,9 @@ def trial_of(label: str, rung: Rung, reference: Reference) -> Trial:
     if rung.lost:
         return Trial(label, dt, *made, np.inf, np.inf, failure=rung.status.cause or rung.status.name)
     seen = run.seen()
-    error = reference.error(seen.t, told(reference.problem.model, seen))
+    at = first.plan.t0 + rung.reached * dt  # samples alone, evenly spaced, may be in phase with a vibration
+    q = np.concatenate([rung.seen[0], told(reference.problem.model, seen)])
+    error = reference.error(np.concatenate([at, seen.t]), q)
     if not reference.worst(error) < HOPELESS:
         return Trial(label, dt, *made, np.inf, np.inf, failure="error above the motion itself")
     errors = {name: error.relative[name] for name in reference.graded}
