@@ -26,7 +26,8 @@ def import_robot(arguments: argparse.Namespace) -> Outcome:
     path = Path(arguments.out) if arguments.out else Path(f"{Path(arguments.file).stem}.toml")
     if path.exists() and not arguments.force:
         raise SceneError(f"file '{path}'", "is there already", "choose another --out, or replace it with --force")
-    robot = read(arguments.file, arguments.base, arguments.flexible, meshes=not arguments.no_meshes)
+    meshes, packages = not arguments.no_meshes, arguments.package or ()
+    robot = read(arguments.file, arguments.base, arguments.flexible, meshes=meshes, packages=packages)
     scene = robot.build()
     write_text(path, scene.to_toml())
     lines = [f"Wrote {path}: {len(scene.moving_bodies)} bodies, {len(scene.joints)} joints.", *_lost(robot.dropped)]

@@ -193,6 +193,7 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
                 "--flexible", "flexible", "the beam or finite-element body of a scene file for a link", words.file_of
             ),
             opt("--no-meshes", "leave out mesh files"),
+            opt("--package DIR", "a further folder whose meshes may be read; may be repeated", action="append"),
             opt("--out FILE", "the scene file to write (default: NAME.toml)"),
             opt("--force", "replace a file that is already there"),
         ),

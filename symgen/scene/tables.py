@@ -9,7 +9,7 @@ import math
 from collections.abc import Sequence
 from functools import cached_property
 from itertools import pairwise
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import casadi as ca
@@ -17,7 +17,7 @@ import numpy as np
 from pydantic import Field, Strict, model_validator
 
 from runtime.contract.tape import Table, table_of
-from symgen.scene.toml_io import text_of
+from symgen.scene.toml_io import named_file, text_of
 from symgen.schema.errors import SceneError, show
 from symgen.schema.fields import Number, StrictModel, refuse
 from symgen.schema.texts import Line, Text
@@ -178,13 +178,9 @@ def with_tables(data: dict[str, Any], folder: Path) -> dict[str, Any]:
 def _read(item: str, entry: Any, folder: Path) -> Any:
     if not isinstance(entry, dict) or "file" not in entry:
         return entry
-    name, columns = entry["file"], entry.get("columns", (0, 1))
-    if not isinstance(name, str) or PurePosixPath(name).is_absolute() or ".." in PurePosixPath(name).parts:
-        raise SceneError(
-            f"{item}.file", f"{show(name)} is not below the scene's folder", "put it beside the scene file"
-        )
+    found = named_file(entry["file"], folder, f"{item}.file", "table")
     kept = {key: value for key, value in entry.items() if key not in ("file", "columns")}
-    return {**kept, **read_points(folder / name, columns, item)}
+    return {**kept, **read_points(found, entry.get("columns", (0, 1)), item)}
 
 
 def read_points(path: str | Path, columns: Sequence[int] | Literal["grid"], item: str) -> dict[str, Any]:

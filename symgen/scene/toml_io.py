@@ -66,6 +66,23 @@ def content_of(path: str | Path, item: str, kind: str) -> bytes:
     return content
 
 
+def within(path: Path, *folders: Path) -> Path | None:
+    """The file behind a path and its links, None where it is below none of the folders."""
+    try:
+        found = path.resolve()
+        return found if any(found.is_relative_to(folder.resolve()) for folder in folders) else None
+    except (OSError, ValueError, RuntimeError):  # what no path can hold, links in a circle
+        return None
+
+
+def named_file(name: object, folder: Path, item: str, what: str) -> Path:
+    """A file that a scene in the folder names. Raises SceneError for one that is not below it."""
+    found = within(folder / name, folder) if isinstance(name, str) else None
+    if found is None:
+        raise SceneError(item, f"{show(name)} is not below the scene's folder", f"put the {what} beside the scene file")
+    return found
+
+
 def parse(text: str, item: str) -> dict[str, Any]:
     """The contents of a TOML text; raises SceneError naming ``item``."""
     if _LONG_KEY.search(text):
@@ -205,10 +222,8 @@ def _names_file(shape: Any) -> bool:
 
 
 def _read(shape: dict[str, Any], folder: Path, item: str) -> dict[str, Any]:
-    name = shape["file"]
-    if not isinstance(name, str) or "\0" in name or not (folder / name).resolve().is_relative_to(folder.resolve()):
-        raise SceneError(item, f"{show(name)} is not below the scene's folder", "put the mesh beside the scene file")
-    return {**{key: value for key, value in shape.items() if key != "file"}, **read_mesh(folder / name, item)}
+    found = named_file(shape["file"], folder, item, "mesh")
+    return {**{key: value for key, value in shape.items() if key != "file"}, **read_mesh(found, item)}
 
 
 def read_mesh(path: str | Path, item: str = "shape") -> dict[str, Any]:

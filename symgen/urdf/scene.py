@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import keyword
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
@@ -23,7 +23,7 @@ from symgen.scene import toml_io
 from symgen.scene.appearance import MOST_TRIANGLES
 from symgen.scene.bodies import quaternion_of
 from symgen.scene.builder import Scene
-from symgen.scene.toml_io import read_mesh
+from symgen.scene.toml_io import read_mesh, within
 from symgen.schema.errors import SceneError, did_you_mean
 from symgen.urdf.robot import (
     TURNS_OR_SLIDES,
@@ -119,14 +119,16 @@ def flexible_link(link: str, name: str, path: str | Path) -> FlexibleLink:
     return FlexibleLink(link, {**body, "name": name, "markers": dict(body.get("markers", {}))}, pose(xyz, rpy))
 
 
-def shapes_of(link: Link, seat: Pose, folder: Path, meshes: bool, dropped: list[Dropped]) -> list[dict[str, Any]]:
+def shapes_of(
+    link: Link, seat: Pose, folders: MeshFolders, meshes: bool, dropped: list[Dropped]
+) -> list[dict[str, Any]]:
     """Entries of a body's `shape`; seat: the link's pose in the body.
 
     Where a visual cannot be had the collision geometry stands for all visuals of the link, if it can be had.
     """
-    shapes, lost = _shapes(link.name, link.visuals, seat, folder, meshes)
+    shapes, lost = _shapes(link.name, link.visuals, seat, folders, meshes)
     dropped += lost
-    solid, missing = _shapes(link.name, link.collisions, seat, folder, meshes) if lost else ([], [])
+    solid, missing = _shapes(link.name, link.collisions, seat, folders, meshes) if lost else ([], [])
     if solid and not missing:
         return solid
     if link.collisions:
@@ -135,7 +137,7 @@ def shapes_of(link: Link, seat: Pose, folder: Path, meshes: bool, dropped: list[
 
 
 def _shapes(
-    name: str, elements: list[Element], seat: Pose, folder: Path, meshes: bool
+    name: str, elements: list[Element], seat: Pose, folders: MeshFolders, meshes: bool
 ) -> tuple[list[dict[str, Any]], list[Dropped]]:
     found, lost = [], []
     for element in elements:
@@ -148,14 +150,14 @@ def _shapes(
                 raise SceneError(f"link '{name}'", "meshes were not asked for", "ask for them")
             own = seat.then(pose_of(element, f"link '{name}'"))
             place = {"position": own.p.tolist(), "axis": own.R[:, 2].tolist(), "x_axis": own.R[:, 0].tolist()}
-            found.append({**_geometry(kind, f"link '{name}'", folder), **place})
+            found.append({**_geometry(kind, f"link '{name}'", folders), **place})
         except SceneError as error:
             lost.append(Dropped(element.tag, name, f"{kind.get('filename', '') if kind is not None else ''} "
                                 f"{error.problem}".strip()))  # fmt: skip
     return found, lost
 
 
-def _geometry(kind: Element, item: str, folder: Path) -> dict[str, Any]:
+def _geometry(kind: Element, item: str, folders: MeshFolders) -> dict[str, Any]:
     if kind.tag == "box":
         return {"type": "box", "size": _lengths(kind, "size", item, 3)}
     if kind.tag == "sphere":
@@ -168,7 +170,7 @@ def _geometry(kind: Element, item: str, folder: Path) -> dict[str, Any]:
         }
     if kind.tag != "mesh":
         raise SceneError(item, f"a {kind.tag} is not drawn", "give a box, a sphere, a cylinder or a mesh")
-    mesh = read_mesh(located(kind.get("filename", ""), folder, item), item)
+    mesh = read_mesh(folders.file(kind.get("filename", ""), item), item)
     if len(mesh["triangles"]) > MOST_TRIANGLES:
         problem = f"{len(mesh['triangles'])} triangles are more than {MOST_TRIANGLES}"
         raise SceneError(item, problem, "coarsen the mesh")
@@ -183,24 +185,38 @@ def _lengths(kind: Element, key: str, item: str, count: int = 1) -> list[float]:
     return [float(value) for value in found]
 
 
-def located(name: str, folder: Path, item: str) -> Path:
-    """The file behind `package://package/rest`, `file:///...` or a path beside the URDF.
+class MeshFolders:
+    """Where meshes of a URDF may lie: its folder, the package that it is in, and folders that the user names."""
 
-    A package is looked for in the URDF's folder and in those above it, by its name or, as where the folder is the
-    package, without. Raises SceneError where there is none.
-    """
-    scheme, colon, rest = name.partition("://")
-    if not colon:
-        return folder / name
-    if scheme == "file":
-        return Path(rest)
-    if scheme == "package" and "\0" not in rest and ".." not in Path(rest).parts:
+    def __init__(self, folder: Path, given: Sequence[str | Path] = ()) -> None:
+        own = folder.resolve()
+        package = next((above for above in (own, *own.parents) if (above / "package.xml").is_file()), own)
+        self.folder, self.known = folder, [*dict.fromkeys([own, package, *(Path(one).resolve() for one in given)])]
+
+    def file(self, name: str, item: str) -> Path:
+        """The file behind `package://package/rest`, `file:///...` or a path beside the URDF, its links resolved.
+
+        A package is looked for in each folder, by its name or, where the folder is the package, without. Raises
+        SceneError for a file that is in none of them.
+        """
+        for place in self._places(name):
+            found = within(place, *self.known)
+            if found is not None and found.is_file():
+                return found
+        problem = "is neither in the folder of the URDF nor in its package (packages=[...] names further folders)"
+        raise SceneError(item, problem, "name the folder of the meshes")
+
+    def _places(self, name: str) -> list[Path]:
+        scheme, colon, rest = name.partition("://")
+        if not colon:
+            return [self.folder / name]
+        if scheme == "file":
+            return [Path(rest)]
+        if scheme != "package":
+            return []
         package, _, inner = rest.lstrip("/").partition("/")
-        for above in (folder.resolve(), *folder.resolve().parents):
-            for place in (above / package / inner, *([above / inner] if above.name == package else [])):
-                if place.is_file():
-                    return place
-    raise SceneError(item, "is in no folder above the URDF", "put the package there")
+        own = [known / inner for known in self.known if known.name == package]
+        return [*(known / package / inner for known in self.known), *own]
 
 
 TYPES = {"continuous": "revolute", "fixed": "weld"}  # of a scene, where they are called otherwise
@@ -229,22 +245,33 @@ def read(
     base: Literal["fixed", "free"] = "fixed",
     flexible: Mapping[str, str | Path] | None = None,
     meshes: bool = True,
+    packages: Sequence[str | Path] = (),
 ) -> RobotBuilder:
     """The scene of a URDF file under gravity of 9.81 m/s^2 against z.
 
     base: the root link stands on the ground or floats. flexible: link -> file of the beam or finite-element body in its
-    place. meshes: draw mesh files, too (package:// is looked for above the file). Raises SceneError naming file,
-    element and reason for what no scene can be made of.
+    place. meshes: draw mesh files, too: those below the folder of the URDF or of its package, the nearest folder above
+    with a package.xml. packages: further folders whose meshes may be read. Raises SceneError naming file, element and
+    reason for what no scene can be made of.
     """
     if base not in ("fixed", "free"):
         refuse("base", f"is {base!r}", 'give "fixed" or "free"')
     robot = robot_of(read_document(path), Path(path).name)
-    return _RobotScene(robot, Path(path), base == "free", flexible or {}, meshes).builder
+    return _RobotScene(robot, Path(path), base == "free", flexible or {}, meshes, packages).builder
 
 
 class _RobotScene:
-    def __init__(self, robot: Robot, path: Path, free: bool, flexible: Mapping[str, str | Path], meshes: bool) -> None:
-        self.robot, self.file, self.folder, self.meshes, self.free = robot, path.name, path.parent, meshes, free
+    def __init__(
+        self,
+        robot: Robot,
+        path: Path,
+        free: bool,
+        flexible: Mapping[str, str | Path],
+        meshes: bool,
+        packages: Sequence[str | Path],
+    ) -> None:
+        self.robot, self.file, self.meshes, self.free = robot, path.name, meshes, free
+        self.folders = MeshFolders(path.parent, packages)
         for link in flexible.keys() - robot.links.keys():
             refuse(f"{self.file}: link '{link}'", "is not there", did_you_mean(link, robot.links))
         self.groups = groups_of(robot, flexible)
@@ -310,7 +337,7 @@ class _RobotScene:
         shapes = []
         for link in self.groups.members[group]:
             own, pose = self.robot.links[link], self.groups.seats[link].pose
-            shapes += shapes_of(own, pose, self.folder, self.meshes, self.builder.dropped)
+            shapes += shapes_of(own, pose, self.folders, self.meshes, self.builder.dropped)
         look = {"shape": shapes} if shapes else {}
         if group == self.on_ground:
             self.builder.ground(markers=markers, **look)

@@ -184,3 +184,12 @@ def test_a_scene_file_reads_nothing_outside_its_folder(tmp_path: Path) -> None:
     (tmp_path / "scene.toml").write_text('name = "s"\n[tables]\ncurve = { file = "../curve.csv" }\n')
     with pytest.raises(SceneError, match="below the scene's folder"):
         SceneRecord.from_toml(tmp_path / "scene.toml")
+    inner = tmp_path / "inner"
+    inner.mkdir()
+    (tmp_path / "curve.csv").write_text("0,0\n1,1\n")
+    (inner / "link.csv").symlink_to(tmp_path / "curve.csv")
+    (inner / "circle.csv").symlink_to(inner / "circle.csv")
+    for name in ("link.csv", "circle.csv", str(tmp_path / "curve.csv")):
+        (inner / "scene.toml").write_text(f'name = "s"\n[tables]\ncurve = {{ file = "{name}" }}\n')
+        with pytest.raises(SceneError, match="below the scene's folder"):
+            SceneRecord.from_toml(inner / "scene.toml")

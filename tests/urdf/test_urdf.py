@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -145,6 +146,7 @@ def test_shapes_and_meshes(tmp_path: Path) -> None:
     arm = link("arm").replace("</link>", "".join(visual.format(shape) for shape in shapes) + "</link>")
     folder = tmp_path / "my_robot" / "urdf"
     folder.mkdir()
+    (tmp_path / "my_robot" / "package.xml").write_text("<package/>")
     builder = reading(folder, robot('<link name="base"/>', arm, joint("j", "revolute", "base", "arm")))
     (body,) = builder.build().moving_bodies
     assert [shape.type for shape in body.shape] == ["box", "cylinder", "sphere", "mesh"]
@@ -152,8 +154,40 @@ def test_shapes_and_meshes(tmp_path: Path) -> None:
     assert np.max(body.shape[3].vertices) == 2.0
     assert [one.detail for one in builder.dropped] == [
         "a capsule is not drawn",
-        "package://elsewhere/a.stl is in no folder above the URDF",
+        "package://elsewhere/a.stl is neither in the folder of the URDF nor in its package "
+        "(packages=[...] names further folders)",
     ]
+
+
+def test_meshes_of_other_folders_are_read_where_these_are_named(tmp_path: Path) -> None:
+    """Not by ../, file://, package:// or a link; the folder of the URDF and its package need no naming."""
+    trimesh = pytest.importorskip("trimesh")
+    robots, package, outside = (tmp_path / name for name in ("alone", "arm_description", "outside"))
+    for place in (robots, robots / "meshes", package / "urdf", package / "meshes", outside):
+        place.mkdir(parents=True, exist_ok=True)
+    (package / "package.xml").write_text("<package/>")
+    for place in (robots / "meshes", package / "meshes", outside):
+        trimesh.creation.box().export(place / "box.stl")
+    for place in (robots, package / "urdf"):
+        (place / "link.stl").symlink_to(outside / "box.stl")
+        (place / "circle.stl").symlink_to(place / "circle.stl")
+
+    def drawn(folder: Path, name: str, **how: Any) -> bool:
+        visual = f'<visual><geometry><mesh filename="{name}"/></geometry></visual></link>'
+        text = robot('<link name="base"/>', link("a").replace("</link>", visual), joint("j", "revolute", "base", "a"))
+        (folder / "robot.urdf").write_text(text, encoding="utf-8")
+        builder = read(folder / "robot.urdf", **how)
+        return "vertices" in builder.to_toml()
+
+    assert drawn(robots, "meshes/box.stl") and drawn(robots, f"file://{robots}/meshes/box.stl")
+    assert drawn(robots, "package://alone/meshes/box.stl")
+    for name in ("../meshes/box.stl", "package://arm_description/meshes/box.stl", f"file://{package}/meshes/box.stl"):
+        assert drawn(package / "urdf", name) and not drawn(robots, name.replace("../", "../arm_description/"))
+    away = ("../outside/box.stl", f"file://{outside}/box.stl", "package://outside/box.stl", "package://x/../../outside/box.stl",
+            "link.stl", "circle.stl", str(outside / "box.stl"))  # fmt: skip
+    for name in away:
+        assert not drawn(robots, name)
+        assert drawn(robots, name, packages=[outside]) is (name != "circle.stl")
 
 
 def test_a_loop_is_closed_by_a_further_joint(tmp_path: Path) -> None:
