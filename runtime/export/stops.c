@@ -221,7 +221,7 @@ static int first_bracket(Run *r, double *from, double *to) {
 
 /* where in the part that leads to F an event happens first */
 static int bracket(Run *r, double *from, double *to) {
-  double slopes[ROW], ends[ROW], a = 0, b = 0;
+  double slopes[ROW], ends[ROW], before[ROW], a = 0, b = 0;
   const double *quiet = quiet_of(r->S);
   const int whole = passed(r->first, r->last, quiet, r->start, ALL, NULL);
   int declared;
@@ -231,8 +231,9 @@ static int bracket(Run *r, double *from, double *to) {
   M(slopes)(ends, r->F, shown_by(r, r->F[SEEN]), r->w);
   if (!unsure(r, slopes, ends, quiet)) return whole;
   declared = first_bracket(r, &a, &b);
-  if (passed(r->first, r->last, quiet, r->start, LOADS, NULL)) {
-    *to = declared ? b : r->length;
+  look(r, declared ? a : r->length, before);
+  if (passed(r->first, before, quiet, r->start, LOADS, NULL)) { /* one behind the first event is left for later */
+    *to = declared ? a : r->length;
     return 1;
   }
   *from = a, *to = b;

@@ -707,9 +707,9 @@ def _bracket(
     found = None
     if not kinks.all():
         found = first_bracket(lambda a, b: bool(passed(scheme, a, b, asleep | kinks)), values, reached, length)
-    if passed(scheme, values(np.array([reached]))[0], after, asleep | ~kinks):
-        return reached, length if found is None else found[1]
-    return found
+    first = length if found is None else found[0]
+    low, high = values(np.array([reached, first]))
+    return (reached, first) if passed(scheme, low, high, asleep | ~kinks) else found
 
 
 def _made_again(scheme: AdaptiveSteps, z: np.ndarray, end: float, run: Step) -> np.ndarray:

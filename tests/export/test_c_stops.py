@@ -59,6 +59,12 @@ def between() -> Scene:
     return builder.event("tops", "cos(30 * t) - 0.999", action={"m": "m + 1"})
 
 
+def before_a_kink() -> Scene:
+    """What passes zero twice, of which one way counts, before a wall is met in the same long step."""
+    builder = cart("before_a_kink", "-20 * max(0, way - 0.25) + 0 * n", 0.0, 1.0).input("n", 0.0)
+    return builder.event("turn", "cos(20 * t + 1.2)", direction="rising", action={"n": "n + 1"})
+
+
 def chattering() -> Scene:
     """Two events that undo each other."""
     builder = cart("chattering", "n", v=0.1).input("n", -1.0, "N")
@@ -87,6 +93,7 @@ CASES = [  # scene, scheme, step, steps, how it ends
     (relay, "single_rate", 1e-3, 4000, 1),
     (kinks, "exponential", 1e-3, 2000, 0),
     (between, "rk4", 0.05, 60, 0),
+    (before_a_kink, "rk4", 0.3, 8, 0),
     (travelling, "rk4", 3e-3, 600, 0),
     (between, "single_rate", 0.05, 60, 0),
     (chattering, "rk4", 0.01, 100, 2),

@@ -26,3 +26,19 @@ def test_steps_of_whole_turns_pass_nothing_over(model_of: Build, dt: float) -> N
     run = simulate(model, scheme="dopri5", tolerance=1e-6, options={"error_of": "step"})
     times = [brentq(lambda t: np.cos(2 * np.pi * t) + 1.05 - 0.01 * t, k, k + 0.5, xtol=1e-13) for k in range(5, 20)]
     assert [event.time for event in run.events] == pytest.approx(times, rel=0, abs=1e-9)
+
+
+@pytest.mark.parametrize("scheme", ["rk4", "exponential", "dopri5"])
+def test_an_event_that_is_over_before_a_load_kinks_in_the_same_step(model_of: Build, scheme: str) -> None:
+    """cos(20 t + 1.2) falls and rises again before a wall is met, in one step: a raw ValueError. The event is at
+    (3 pi / 2 - 1.2) / 20; then the wall at 0.25 s, in which x = 0.25 + sin(w (t - 0.25)) / w."""
+    wall = "where(x > 0.25, -10*(x - 0.25), 0)"
+    builder = Scene("both").rigid("b", mass=1.0, inertia=1.0, free=True).measure("x", "x", of="b.origin")
+    builder.input("seen").force("wall", "b.origin", wall, 0.0).rates({"b.x": 1.0})
+    builder.event("turn", when="cos(20*t + 1.2)", direction="rising", action={"seen": "seen + 1"})
+    call = {"tolerance": 0.1, "options": {"error_of": "step"}} if scheme == "dopri5" else {"dt": 0.3}
+    run = simulate(model_of(builder.build()), scheme=scheme, t_end=0.3, error="off", **call)
+    assert [event.time for event in run.events] == pytest.approx([(1.5 * np.pi - 1.2) / 20], abs=1e-9)
+    w = np.sqrt(10.0)
+    assert run["b.x"][-1] == pytest.approx(0.25 + np.sin(w * 0.05) / w, abs=1e-6 if scheme != "dopri5" else 1e-4)
+    assert run.stats["kinks"] == 1

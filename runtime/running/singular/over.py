@@ -213,6 +213,8 @@ class Way:
             return None
         model, scheme = segment.model, segment.plan.scheme
 
+        looked: dict[float, np.ndarray] = {}
+
         def values(s: np.ndarray) -> np.ndarray:
             times = self.t + s
             q, q_dot = self.states(times)
@@ -220,6 +222,7 @@ class Way:
             found = evaluate(model.kernel("events"), at, segment.c)["events"][:, : len(asleep)]
             for k, value in known.items():
                 found[s == 0, k] = value  # past zero, whatever rounding makes of it
+            looked.update(zip(s.tolist(), found, strict=True))  # many at once may round otherwise than one
             return found
 
         def ask(old: np.ndarray, new: np.ndarray) -> list[int]:
@@ -229,7 +232,6 @@ class Way:
         bracket = first_bracket(lambda a, b: bool(ask(a, b)), values, 0.0, length)
         if bracket is None:
             return None
-        low, high = ((s, values(np.array([s]))[0]) for s in bracket)
+        low, high = ((s, looked[s]) for s in bracket)
         s, before = first_passage(ask, lambda s: values(np.array([s]))[0], low, high, length)
-        after = values(np.array([s]))[0]
-        return self.t + s, ask(before, after), after
+        return self.t + s, ask(before, looked[s]), looked[s]

@@ -348,7 +348,10 @@ class _EventStep:
         asleep: np.ndarray,
         at: Callable[[float], np.ndarray],
     ) -> tuple[float, float] | None:
-        """Where on the way to `found`, so far away [s], an event that is not asleep happens first [s]."""
+        """Where on the way to `found`, so far away [s], an event that is not asleep happens first [s].
+
+        What happens between the two places is seen from their values: a kink behind the first event is left for later.
+        """
         scheme = self.steps.stepper.scheme
         kinks = are_kinks(scheme)
         bracket = (0.0, length) if passed(scheme, at(0.0), at(length), asleep) else None
@@ -366,9 +369,8 @@ class _EventStep:
             length,
             seen=1,
         )
-        if passed(scheme, at(0.0), at(length), asleep | ~kinks):
-            return 0.0, length if of_events is None else of_events[1]
-        return of_events
+        first = length if of_events is None else of_events[0]
+        return (0.0, first) if passed(scheme, at(0.0), at(first), asleep | ~kinks) else of_events
 
     def _jumped(self, z: np.ndarray, before: float, after: float) -> bool:
         """What jumps between two clocks [s]: an impulse, and events that pass zero just there. Does one end the run?"""
