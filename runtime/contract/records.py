@@ -125,7 +125,8 @@ class BeamRecord:
 
     loads: names of loads and of joints with friction, in the order of their columns in `load_forces`. missing: share of
     the static bending energy of what its ends carry that the shapes miss, 0 if they carry it. stresses: names of the
-    measures of its stress.
+    measures of its stress. section: area [m^2], section_modulus, section_modulus_z, torsion_modulus [m^3], shear_factor
+    by the names of their parameters, where its stress is measured.
     """
 
     body: str
@@ -133,6 +134,7 @@ class BeamRecord:
     loads: list[str] = field(default_factory=list)
     missing: float = 0.0
     stresses: list[str] = field(default_factory=list)
+    section: dict[str, str] = field(default_factory=dict)
 
 
 def beam_records(plain: Iterable[Mapping[str, Any]]) -> list[BeamRecord]:

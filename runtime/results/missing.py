@@ -14,11 +14,13 @@ from runtime.contract.orientations import NEAR_SINGULAR, angles, regularity
 from runtime.contract.records import BeamRecord
 from runtime.contract.status import Event
 from runtime.engine.rows import evaluate
+from runtime.results.section_forces import STRETCHING
 from runtime.results.solution import Solution
 
 LOOKS = 100  # samples at most
 WORTH_OF_SHAPES = 1e-3  # of a deflection
 WORTH_A_WORD = 0.05  # of a stress or a force
+WORTH_A_WORD_OF_NORMAL = 0.01  # of a stress, where no shape knows the normal force
 
 
 def looked_at(solution: Solution) -> Solution:
@@ -167,24 +169,26 @@ def _missing_of_beam(solution: Solution, record: BeamRecord, shares: dict[str, f
     """Adds the share of the measures of a beam's stress, and the event."""
     some = looked_at(solution)
     try:
-        whole, shapes = (some.section_forces(record.body, way=way) for way in ("equilibrium", "modes"))
-    except ModelError:  # loads whose place on the beam is not known
+        whole, shapes = (some.beam_stresses(record.body, way=way).von_mises for way in ("equilibrium", "modes"))
+    except ModelError:  # loads whose place on the beam is not known, or a section that is not
         return
-    parts = [(getattr(whole, part), getattr(shapes, part)) for part in PARTS["N m"]]
-    known = [(all_, found) for all_, found in parts if np.isfinite(found).all()]
-    largest = max((float(np.abs(all_).max()) for all_, _ in known), default=0.0)
-    if not largest > 0.0:
+    largest = float(whole.max(initial=0.0))
+    if not (np.isfinite(whole).all() and largest > 0.0):
         return
-    lacking = np.max([np.abs(all_ - found).max(axis=1) for all_, found in known], axis=0)
+    lacking = np.abs(whole - shapes).max(axis=1)
     share = float(lacking.max()) / largest
     shares |= {f"missing_stress.{name}": share for name in record.stresses}
-    if share > WORTH_A_WORD:
+    if share > WORTH_A_WORD or (share > WORTH_A_WORD_OF_NORMAL and not _stretches(record)):
         text = (
-            f"{', '.join(record.stresses)}: up to {100 * share:.2g} % of the largest moment of {record.body} are "
-            f"not in its stress, for its shapes do not hold it; give more modes, or divide the moments of "
-            f"solution.section_forces('{record.body}') by its section moduli"
+            f"{', '.join(record.stresses)}: up to {100 * share:.2g} % of the largest stress of {record.body} are not "
+            f"in it, for its shapes do not hold it{'' if _stretches(record) else ' (no axial modes: no N / A)'}; "
+            f"solution.beam_stresses('{record.body}') has it by equilibrium, or give more modes"
         )
         events.append(Event(float(some.t[int(lacking.argmax())]), "stresses_missing", text))
+
+
+def _stretches(record: BeamRecord) -> bool:
+    return any(one.axis == STRETCHING for one in record.sets)
 
 
 # ---- Events of Euler angles that are read off near their singular orientation; the motion knows nothing of it.

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from runtime.results.friction import joint_friction as _joint_friction
     from runtime.results.friction import joint_stop as _joint_stop
     from runtime.results.section_forces import section_forces as _section_forces
+    from runtime.results.stresses import beam_stresses as _beam_stresses
     from runtime.results.stresses import stresses as _stresses
     from runtime.views.animation import animate as _animate
     from runtime.views.plots import coordinates as _coordinates
@@ -66,7 +67,8 @@ class Solution(Samples):
     """The result of a run: samples of the motion, how it ended, how far it is off, and what can be made of them.
 
     status, error, events, balance, stats: how it went. t (N,) [s]; q, q_dot, q_ddot (N, n) [m, rad; per s, s^2];
-    `run["name"]` (N,): any column. joint_force, load_force, motor, friction, section_forces, stresses; view, plot, ...
+    `run["name"]` (N,): any column. joint_force, load_force, motor, friction, section_forces,
+    stresses, beam_stresses; view, plot, ...
     """
 
     # Each of these is the function that it names, with the solution as its first argument.
@@ -78,6 +80,7 @@ class Solution(Samples):
         section_forces = _section_forces
         deflections = _deflections
         stresses = _stresses
+        beam_stresses = _beam_stresses
         friction = _joint_friction
         stop = _joint_stop
         body_motion = _body_motion
@@ -127,6 +130,12 @@ class Solution(Samples):
             from runtime.results.stresses import stresses
 
             return stresses
+
+        @LazyMethod
+        def beam_stresses():
+            from runtime.results.stresses import beam_stresses
+
+            return beam_stresses
 
         @LazyMethod
         def friction():

@@ -17,6 +17,7 @@ from runtime.contract.flexible import UnknownInterface, causes
 from runtime.contract.records import GaugeRecord
 from runtime.results.body_motion import body_motion
 from runtime.results.samples import Samples
+from runtime.results.section_forces import section_forces
 
 StressWay = Literal["equilibrium", "modes"]
 COMPONENTS = ("xx", "yy", "zz", "yz", "xz", "xy")
@@ -70,6 +71,68 @@ def von_mises(components: np.ndarray) -> np.ndarray:
     xx, yy, zz, yz, xz, xy = np.moveaxis(components, -1, 0)
     square = ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * (yz**2 + xz**2 + xy**2)
     return np.asarray(np.sqrt(square))
+
+
+@dataclass(frozen=True, eq=False)
+class BeamStresses:
+    """Von Mises stress of a beam at fractions of its length, the larger one of two places in each section.
+
+    t (N,) [s]; at (n,); von_mises (N, n) [Pa].
+    """
+
+    body: str
+    t: np.ndarray
+    at: np.ndarray
+    von_mises: np.ndarray
+
+    def largest(self) -> tuple[float, float, float]:
+        """The largest over all samples and sections: value [Pa], t [s], fraction of the length."""
+        sample, place = np.unravel_index(int(np.nanargmax(self.von_mises)), self.von_mises.shape)
+        return float(self.von_mises[sample, place]), float(self.t[sample]), float(self.at[place])
+
+
+def beam_stresses(solution: Samples, body: str, way: StressWay = "equilibrium") -> BeamStresses:
+    """Von Mises stress along a beam whose stress the scene measures, with N / A whatever its shapes are.
+
+    Parameters
+    ----------
+    solution : Samples
+        N samples.
+    body : str
+        A beam.
+    way : {"equilibrium", "modes"}
+        Section forces by equilibrium of the part beyond each section, or those of the shapes, which know no normal
+        force without axial modes.
+
+    Returns
+    -------
+    BeamStresses
+        At 33 sections: sqrt(sigma^2 + 3 tau^2) [Pa], the larger of that at the outermost fibre and at the neutral line
+        (symgen/bodies/stresses.py).
+
+    Raises
+    ------
+    ModelError
+        For a beam whose stress no measure asks for, and as `section_forces`.
+    """
+    record = next((one for one in solution.model.description.beams if one.body == body), None)
+    if record is None:
+        raise ModelError(f"model {solution.model.name} has no beam {body!r}")
+    names = [one.name for one in solution.model.parameters]
+    if not record.section or any(name not in names for name in record.section.values()):
+        remedy = f'measure it: scene.measure("peak", "stress", of="{body}.all")'
+        raise ModelError(f"the section of beam {body!r} is not known to model {solution.model.name}; {remedy}")
+    value = {key: float(solution.parameters[names.index(name)]) for key, name in record.section.items()}
+    found = section_forces(solution, body, way=way)
+    area, zero = value["area"], np.zeros_like(found.moment)
+    pulled = np.abs(np.nan_to_num(found.normal)) / area
+    moments = {"section_modulus": found.moment, "section_modulus_z": found.moment_y}
+    bent = sum((np.abs(np.nan_to_num(moments[key])) / value[key] for key in moments if key in value), zero)
+    twisted = np.abs(np.nan_to_num(found.torsion)) / value["torsion_modulus"] if "torsion_modulus" in value else zero
+    shear = np.hypot(np.nan_to_num(found.shear), np.nan_to_num(found.shear_z))
+    sheared = twisted + value["shear_factor"] * shear / area
+    squares = np.maximum((pulled + bent) ** 2 + 3 * twisted**2, pulled**2 + 3 * sheared**2)
+    return BeamStresses(body, solution.t, np.asarray(found.at), np.sqrt(squares))
 
 
 def stresses(solution: Samples, body: str, way: StressWay = "equilibrium") -> Stresses:

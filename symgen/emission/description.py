@@ -35,7 +35,7 @@ from runtime.contract.records import (
     SurfaceRecord,
 )
 from symgen.pipeline import Derived
-from symgen.scene import GroundBody, RigidBody, SceneRecord
+from symgen.scene import BeamBody, GroundBody, RigidBody, SceneRecord
 from symgen.scene.appearance import BoxShape, CylinderShape, MeshShape, SphereShape
 from symgen.scene.flexible import SpatialModalBody
 
@@ -97,14 +97,24 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
             for strut in body.struts
         ],
         beams=[
-            BeamRecord(body, sets, eq.loads_on(body), missing.get(body, 0.0), _stresses(scene, body))
+            BeamRecord(body, sets, eq.loads_on(body), missing.get(body, 0.0), *_stresses(scene, body))
             for body, sets in eq.beams.items()
         ],
     )
 
 
-def _stresses(scene: SceneRecord, body: str) -> list[str]:
-    return [one.name for one in scene.measures if one.type == "stress" and one.of.partition(".")[0] == body]
+SECTION = ("area", "section_modulus", "section_modulus_z", "torsion_modulus", "shear_factor")
+
+
+def _stresses(scene: SceneRecord, body: str) -> tuple[list[str], dict[str, str]]:
+    """Names of the measures of the stress of a beam, and the names of the parameters that its section has."""
+    measures = [one.name for one in scene.measures if one.type == "stress" and one.of.partition(".")[0] == body]
+    beam = scene.body(body)
+    if not measures or not isinstance(beam, BeamBody):
+        return measures, {}
+    given = {key: getattr(beam, key) for key in SECTION}
+    names = {key: value if isinstance(value, str) else f"{body}.{key}" for key, value in given.items()}
+    return measures, {key: name for key, name in names.items() if given[key] is not None}
 
 
 def _bodies(derived: Derived) -> list[BodyRecord]:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from runtime import equilibrium, simulate
+from runtime.contract.errors import ModelError
 from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 from symgen.schema.errors import SceneError
@@ -92,6 +93,31 @@ def test_what_the_shapes_leave_out_of_a_stress_is_told(model_of: Build) -> None:
     assert run["peak"][0] == pytest.approx(5 / 6 * moment / SECTION["section_modulus"], rel=1e-3)
     assert run.stats["missing_stress.peak"] == pytest.approx(1 / 6, rel=0.01)
     assert any(one.kind == "stresses_missing" and "peak" in one.text for one in run.events)
+
+
+def test_a_normal_force_that_no_shape_knows(model_of: Build) -> None:
+    """Pulled and pushed without axial modes: N / A is by equilibrium; the measure lacks it and says so."""
+    builder = Scene("cantilever").gravity(0, 0).beam("arm", **SECTION, lateral={"modes": 2})
+    builder.weld("root", "ground.origin", "arm.start").force("load", "arm.end", PULL, PUSH)
+    model = model_of(builder.measure("peak", "stress", of="arm.all").build())
+    run = simulate(model, initial=equilibrium(model), t_end=1e-6, scheme="rk4", dt=1e-7, force=True)
+    bending, pulled = PUSH * LENGTH / SECTION["section_modulus"], PULL / AREA
+    found, shapes = run.beam_stresses("arm"), run.beam_stresses("arm", way="modes")
+    tip = PUSH * LENGTH**3 / (3 * SECTION["youngs_modulus"] * SECTION["second_moment"])
+    whole = pulled + bending - PULL * tip / SECTION["section_modulus"]  # equilibrium is that of the bent beam
+    assert found.von_mises[0, 0] == pytest.approx(whole, rel=1e-5)
+    assert found.von_mises[0, -1] == pytest.approx(np.hypot(pulled, np.sqrt(3) * 1.5 * PUSH / AREA), rel=1e-4)
+    assert found.largest()[0] == pytest.approx(whole, rel=1e-5) and found.largest()[2] == 0.0
+    assert shapes.von_mises[0, 0] == pytest.approx(run["peak"][0], rel=1e-6) == pytest.approx(bending, rel=1e-4)
+    assert run.stats["missing_stress.peak"] == pytest.approx(pulled / (pulled + bending), rel=1e-3)
+    assert any(one.kind == "stresses_missing" and "no axial modes" in one.text for one in run.events)
+    silent = Scene("silent").gravity(0, 0).beam("arm", **SECTION, lateral={"modes": 2})
+    silent.weld("root", "ground.origin", "arm.start")
+    still = simulate(model_of(silent.build()), t_end=1e-6, scheme="rk4", dt=1e-7)
+    with pytest.raises(ModelError, match="section of beam 'arm' is not known.*measure it"):
+        still.beam_stresses("arm")
+    with pytest.raises(ModelError, match="has no beam 'leg'"):
+        still.beam_stresses("leg")
 
 
 @pytest.mark.parametrize(
