@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field, replace
+from decimal import Decimal
 from functools import cache, cached_property
 from threading import Lock
 from typing import Any, NoReturn
@@ -26,7 +27,7 @@ from runtime.contract.orientations import (
     quaternion,
 )
 from runtime.contract.records import Coordinate
-from runtime.contract.status import EventKind
+from runtime.contract.status import Event, EventKind
 
 # Dense linear algebra by one thread of BLAS: several wait for each other longer than some hundred rows take.
 #
@@ -472,6 +473,29 @@ def with_words(state: ConsistentState, coordinates: Sequence[Coordinate], given:
         if places:
             told.append(f"another branch lies about as near: {_shown(places)}. Give one of them to choose it")
     return replace(state, told=(*state.told, *((ASSEMBLED, text) for text in told)))
+
+
+# What assembly did to what somebody gave: told where it is more than the digits that were given.
+
+LEAST_CHANGE = 1e-9  # of a value, and m, rad or their rates: less is what assemblies round
+DIGITS = 1e-3  # of a value: no more is laid to digits that were left out
+
+
+def start_events(state: ConsistentState, t0: float) -> list[Event]:
+    """What a run tells of its start at t0 [s]: what may not be what was meant."""
+    found = [Event(t0, kind, text) for kind, text in state.told]
+    for name, (given, used) in state.changed.items():
+        if not rounds_to(given, used):
+            text = f"{name} was given as {given:.9g} and begins at {used:.9g}, where joints and stops allow it"
+            found.append(Event(t0, "start_changed", text, name))
+    return found
+
+
+def rounds_to(given: float, used: float) -> bool:
+    """Is a value the given one but for digits that were left out there?"""
+    change, exponent = abs(used - given), Decimal(repr(float(given))).normalize().as_tuple().exponent
+    digits = 0.5 * 10.0**exponent if isinstance(exponent, int) else 0.0
+    return change <= max(LEAST_CHANGE * max(1.0, abs(given)), min(digits, DIGITS * abs(given)))
 
 
 def _left_open(coordinates: Sequence[Coordinate], given: Collection[str]) -> list[int]:

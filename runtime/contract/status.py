@@ -31,6 +31,7 @@ StatusName = Literal[
 ]
 EventKind = Literal[
     "assembled",
+    "start_changed",
     "not_settled",
     "repartition",
     "singular_position",

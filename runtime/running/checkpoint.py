@@ -23,9 +23,10 @@ from runtime.contract.errors import ModelError
 from runtime.contract.files import OutputError, replacing, try_writing
 from runtime.contract.model import EmittedModel
 from runtime.contract.status import Event
+from runtime.results.motion_error import MotionError
 from runtime.results.solution import Solution
 from runtime.running.inputs import InputValue, bound
-from runtime.running.outcome import finished, marks_of
+from runtime.running.outcome import NOT_ASKED, finished, marks_of
 from runtime.running.problem import Plan, Problem
 from runtime.running.record import record_of
 from runtime.running.run import Further, Pace, Progress, Run, with_reads
@@ -239,9 +240,9 @@ def resume(
         [Event(**event) for event in header["events"]],
         guard=Guard.remembered(header["guard"]),
         earlier=kept.arrays.get("earlier"),
-        marks=marks_of(problem, plan),
+        marks=marks_of(problem, plan) if "mark_samples" in kept.arrays else None,
     )
-    if run.marks is not None and "mark_samples" in kept.arrays:
+    if run.marks is not None:
         marks = {name: kept.arrays[f"mark_{name}"] for name in ("sample_segments", "samples")}
         run.marks.segments = record.segments
         run.marks.restore(marks, 0, -1)
@@ -251,17 +252,18 @@ def resume(
     schedule.resume(header["schedule"])
     run.schedule = with_reads(schedule, run)
     run.set_up = time.perf_counter() - started
-    return finished(run)
+    return finished(run, MotionError(reason=NOT_ASKED) if run.marks is None else None)
 
 
 def _segments(model: EmittedModel, kept: Checkpoint, engine: str, path: str | Path) -> list[SteppedModel]:
     """Those that the run has had, built again. Raises ModelError if z does not fit the one under way."""
     header = kept.header
     plan = Plan.of_numbers(model, header["plan"])
-    segments = [SteppedModel.of_run(model, plan, kept.p, engine)]
+    begin = ConsistentState(kept.arrays["start_q"], kept.arrays["start_q_dot"], {})
+    segments = [SteppedModel.of_run(model, plan, kept.p, engine, begin)]
     for q_i in header["segments"][1:]:
         variant = model if q_i == model.q_i else variant_of(model, q_i, np.array(header["position"]))
-        segments.append(SteppedModel.of_run(variant, plan.on(variant), kept.p, engine))
+        segments.append(SteppedModel.of_run(variant, plan.on(variant), kept.p, engine, begin))
     current = segments[header["segment"]]
     fitting = current.stepper.start(0.0, model.initial_q, model.initial_q_dot, current.c, plan.grid.dt_L)
     if len(fitting) != len(kept.z):

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from runtime.contract.arguments import BY_NAME, NUMBER, arguments
-from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.consistent_state import ConsistentState, start_events
 from runtime.contract.coordinates import at_home, dependent_part, parts, whole
 from runtime.contract.errors import ModelError
 from runtime.contract.model import EmittedModel
@@ -71,7 +71,7 @@ def driven_solution(
     none = np.zeros((len(times), 0))
     motion = _motion(model, times, c, none, none, q_d)
     status = Status("completed", float(times[-1])) if not lost else _lost(float(times[-1]))
-    events = _impulses(follower, t0, float(times[-1]), dependent_part(model, state.q))
+    events = start_events(state, t0) + _impulses(follower, t0, float(times[-1]), dependent_part(model, state.q))
     stats: dict[str, float | int | str] = {"seconds": time.perf_counter() - started, "closures": follower.closures}
     found = assemble_solution(model, times, *motion, p, c, SCHEME, dt, [], stats, status)
     return with_limits(replace(found, events=events))

@@ -31,6 +31,7 @@ from runtime.schemes.options import LARGEST_TOLERANCE
 LARGEST = 0.1  # of an amplitude: the error from which a run is not accurate
 LARGEST_OF_RATES = 0.5  # the same of rates: vibrations that hardly move anything have a part in them
 WORTH_A_WORD = 0.03  # of an amplitude
+NOT_ASKED = "it was switched off"  # why there is no error
 SMALLER_STEP = "Take a smaller step, or a tolerance instead of a step."
 SMALLER_TOLERANCE = "Take a smaller tolerance."
 

@@ -13,6 +13,7 @@ from typing import Self
 
 import numpy as np
 
+from runtime.contract.consistent_state import start_events
 from runtime.contract.files import OutputError
 from runtime.contract.status import Event, Status
 from runtime.results.solution import Solution
@@ -433,7 +434,7 @@ def begun(
     started = time.perf_counter()
     state, further = problem.state, (further or Further()).checked()
     segment = SteppedModel.of_run(problem.model, plan, problem.p, problem.engine, state)
-    events = [Event(plan.t0, kind, text) for kind, text in state.told]
+    events = start_events(state, plan.t0)
     if not quiet:
         events += check_time_functions(problem.model, segment.c, plan, state, segment.switches)
     z = segment.start(state.q, state.q_dot)

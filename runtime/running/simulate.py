@@ -16,7 +16,7 @@ from runtime.operating.given_state import given_state
 from runtime.results.motion_error import MotionError
 from runtime.results.solution import Solution
 from runtime.running.inputs import InputValue, bound, scheduled, started
-from runtime.running.outcome import finished, marks_of
+from runtime.running.outcome import NOT_ASKED, finished, marks_of
 from runtime.running.problem import (
     AUTO,
     Problem,
@@ -137,7 +137,7 @@ def simulate(
     plan = replace(plan, force=force, outputs=tuple(outputs or ()))
     problem = Problem.of(model, end, parameters, initial, start, begin, inputs, engine, plan.grid.dt_L)
     run = begun(problem, plan, marks_of(problem, plan) if error == MEASURED else None, further)
-    return finished(run, MotionError(reason="it was switched off") if error == OFF else None)
+    return finished(run, MotionError(reason=NOT_ASKED) if error == OFF else None)
 
 
 def _made_once(problem: Problem, wanted: str) -> str:

@@ -78,3 +78,29 @@ def test_a_chain_is_placed_without_turning(model_of: Build, second: str) -> None
     assert at["b.x"] == pytest.approx(np.cos(0.3) + 0.5 * np.cos(turn), abs=1e-12)
     assert at["b.y"] == pytest.approx(np.sin(0.3) + 0.5 * np.sin(turn), abs=1e-12)
     assert at["b.e0"] == pytest.approx(np.cos(turn / 2), abs=1e-12)
+
+
+def contradicting() -> Scene:
+    """A slider-crank of which crank and slide are given, which one freedom does not allow."""
+    scene = Scene("sc").rigid("crank", mass=1.0, inertia=0.1, markers={"tip": {"position": [0.1, 0]}})
+    scene.rigid("rod", mass=0.5, inertia=0.01, center_of_mass=(0.15, 0), markers={"tip": {"position": [0.3, 0]}})
+    scene.rigid("sl", mass=0.3, inertia=1e-3).revolute("a", "ground.origin", "crank.origin")
+    scene.revolute("b", "crank.tip", "rod.origin").revolute("c", "rod.tip", "sl.origin")
+    return scene.prismatic("g", "ground.origin", "sl.origin").simulation(t_end=0.02, dt=1e-3, scheme="rk4")
+
+
+def test_what_a_start_changes_is_an_event(model_of: Build) -> None:
+    """Positions and rates that contradict each other are told, from what to what; what only lacks digits is not."""
+    given = {"crank.theta": 1.0, "sl.x": 0.3, "crank.theta_dot": 1.0, "sl.x_dot": 5.0}
+    scene = contradicting().initial({"crank.theta": 1.0, "sl.x": 0.3}).rates({"crank.theta": 1.0, "sl.x": 5.0})
+    run = simulate(model_of(scene.build()))
+    told = {event.name: event for event in run.events if event.kind == "start_changed"}
+    assert told.keys() == given.keys() and all(event.time == 0 for event in told.values())
+    for name, event in told.items():
+        assert f"given as {given[name]:.9g} and begins at {run[name][0]:.9g}" in event.text
+    x = 0.1 * np.cos(1.0) + np.sqrt(0.09 - (0.1 * np.sin(1.0)) ** 2)  # by hand
+    fixed = {"value": 1.0, "fixed": True}
+    found = simulate(model_of(contradicting().initial({"crank.theta": fixed, "sl.x": round(float(x), 4)}).build()))
+    assert not [event for event in found.events if event.kind == "start_changed"]
+    found = simulate(model_of(contradicting().initial({"crank.theta": fixed, "sl.x": 0.3}).build()))
+    assert [event.name for event in found.events if event.kind == "start_changed"] == ["sl.x"]
