@@ -249,6 +249,42 @@ def test_what_settles_solves_the_complementarity_problem() -> None:
             assert sides.tolist() == expected.tolist()
 
 
+def pile(n: int) -> Scene:
+    """Blocks one on the other, each rubs on the one below it and is pulled by a parameter."""
+    scene, below = Scene("pile"), "ground.origin"
+    for k in range(n):
+        scene.parameter(f"pull{k}", 0.0, "N").rigid(f"b{k}", mass=MASSES[k], inertia=0.1)
+        scene.prismatic(f"j{k}", below, f"b{k}.origin", friction={"coulomb": FRICTIONS[k]})
+        scene.force(f"pull{k}", f"b{k}.origin", f"pull{k}", 0.0)
+        below = f"b{k}.origin"
+    return scene.simulation(t_end=0.01, dt=0.01, scheme="rk4")
+
+
+MASSES, FRICTIONS = (5.0, 0.3, 2.0, 0.8), (6.0, 4.0, 1.5, 0.7)
+
+
+def test_a_pile_of_blocks_sets_out_as_coulomb_says(model_of: Build) -> None:
+    """From rest, 40 sets of pulls: each force of friction is within its bound, at it against the sliding, and where it
+    is within it nothing slides. Only one motion does so, found here by Gauss-Seidel; loads are constant: v = a t.
+    """
+    n, random, model = 4, np.random.default_rng(3), model_of(pile(4).build())
+    D = np.eye(n) - np.eye(n, k=-1)  # relative velocities of positions x
+    A, sliding = D @ np.diag(1 / np.array(MASSES)) @ D.T, np.zeros(n, dtype=int)
+    for _ in range(40):
+        pulls = random.uniform(-12, 12, n)
+        b, f, bound = D @ (pulls / MASSES), np.zeros(n), np.array(FRICTIONS)
+        for _ in range(5000):
+            for k in range(n):
+                f[k] = np.clip(f[k] - (b[k] + A[k] @ f) / A[k, k], -bound[k], bound[k])
+        run = simulate(model, parameters={f"pull{k}": pulls[k] for k in range(n)}, error="off")
+        assert run.status.ok
+        a = (pulls + D.T @ f) / MASSES
+        assert [run[f"b{k}.x_dot"][-1] for k in range(n)] == pytest.approx((0.01 * a).tolist(), abs=1e-12)
+        assert [run.friction(f"j{k}").force[-1] for k in range(n)] == pytest.approx(f.tolist(), abs=1e-10)
+        sliding += np.abs(f) >= bound
+    assert (sliding >= 5).all() and (sliding <= 38).all()
+
+
 def test_modes_are_not_inputs_of_the_user(model_of: Build) -> None:
     """They are neither listed nor set; an input that jumps decides anew, in a stepper too."""
     model = model_of(block({"coulomb": 8.0}, "more"))

@@ -106,6 +106,30 @@ def test_forces_and_impulses_of_a_stop_are_outputs(model_of: Build, tmp_path: An
         run.friction("rail")
 
 
+def test_a_stop_tells_of_its_own_joint_only(model_of: Build) -> None:
+    """One ball bounces, a block beside it is held by friction of 30 N before its stop, another one by its stop.
+
+    What a stop gave, and its force, is what momentum changes by beside gravity; what friction holds is not the stop's.
+    """
+    scene = Scene("three").gravity(0.0, -9.81)
+    scene.ground(markers={"up": {"position": (0.0, 0.0), "angle": pi / 2}})
+    for name, more in (("ball", {}), ("block", {"friction": {"coulomb": 30.0}}), ("weight", {})):
+        scene.rigid(name, mass=2.0, inertia=0.1)
+        limits = {"lower": 0.0, "restitution": 0.5}
+        scene.prismatic(f"{name}_rail", "ground.up", f"{name}.origin", limits=limits, **more)
+    scene.initial({"ball.y": 1.0, "block.y": 0.5, "weight.y": 0.0}).simulation(t_end=1.0, dt=0.01, scheme="rk4")
+    run = simulate(model_of(scene.build()), seen_every=0.0)
+    for name in ("ball", "block", "weight"):
+        stop = run.stop(f"{name}_rail")
+        gave = stop.impulses[:, 1].sum() + np.trapezoid(stop.force, run.t)
+        held = -np.trapezoid(run.friction("block_rail").force, run.t) if name == "block" else 0.0
+        momentum = 2.0 * (run[f"{name}.y_dot"][-1] - run[f"{name}.y_dot"][0])
+        assert gave + abs(held) - 2.0 * 9.81 * run.t[-1] == pytest.approx(momentum, abs=1e-9), name
+    assert len(run.stop("ball_rail").impulses) == 2
+    assert run.stop("block_rail").impulses.shape == (0, 2) and not run.stop("block_rail").force.any()
+    assert run.stop("block_rail").at_rest == 0 and run.stop("weight_rail").at_rest == pytest.approx(1.0)
+
+
 def test_an_upper_stop_pushes_back(model_of: Build) -> None:
     """Its force and impulse are negative along the coordinate: a block that is pressed on by 10 N."""
     scene = Scene("press").rigid("m", mass=2.0, inertia=0.1).rates({"m.x": 1.0}).force("press", "m.origin", 10.0, 0.0)

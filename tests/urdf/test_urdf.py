@@ -226,6 +226,23 @@ lateral_z = { modes = 2 }
 """
 
 
+@pytest.mark.parametrize("at", ["0.01 0 -1.2", "0 0.01 -1.2", "0 0 -1.21", "0 0 0.01"])
+def test_what_is_joined_off_the_line_of_a_beam_is_refused(tmp_path: Path, at: str) -> None:
+    """To one side, to the other, beyond its end, before its start: by 10 mm each, and the middle is on it."""
+    beam = tmp_path / "beam.toml"
+    beam.write_text(BEAM, encoding="utf-8")
+
+    def read(place: str) -> None:
+        text = robot('<link name="base"/>', link("rod", 0.324, at="0 0 -0.6"), link("lump", 0.5),
+                     joint("pivot", "revolute", "base", "rod", axis="0 1 0"),
+                     joint("flange", "fixed", "rod", "lump", at=place))  # fmt: skip
+        reading(tmp_path, text, flexible={"rod": beam})
+
+    read("0 0 -0.6")
+    with pytest.raises(SceneError, match=r"joint 'flange' is at .* off its line of 1.2 m"):
+        read(at)
+
+
 def test_a_link_as_a_beam(tmp_path: Path) -> None:
     """A rod along -z of its link, with a lump welded to its end, hangs as the rigid rod does, and bends."""
     beam = tmp_path / "beam.toml"
