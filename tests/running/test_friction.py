@@ -135,6 +135,9 @@ def test_friction_whose_coefficient_is_zero_holds_nothing(model_of: Build, angle
     scene.force("pull", "m.origin", "2 * max(t - 1, 0)", 0.0)
     run = simulate(model_of(scene.simulation(t_end=2.0, dt=0.01, scheme="rk4").build()))
     assert run["m.x"][-1] == pytest.approx(np.cos(angle) ** 2 / 3, abs=1e-9)
+    slides = run.friction("rail")
+    moving = np.abs(slides.velocity) > 1e-9
+    assert (slides.mode[moving] == np.sign(slides.velocity[moving])).all() and not slides.force.any()
 
 
 def test_a_spring_lets_a_block_stick_for_good(model_of: Build) -> None:

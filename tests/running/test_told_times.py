@@ -39,9 +39,10 @@ def test_impulses_are_told_when_they_are_given(model_of: Build, scheme: str, wat
 @pytest.mark.parametrize("scheme", ["rk4", "single_rate", "exponential"])
 @pytest.mark.parametrize("at", [0.3337, 0.33, 0.0051])
 def test_what_happens_by_a_jump_happens_when_it_jumps(model_of: Build, scheme: str, at: float) -> None:
-    """An event whose value jumps through zero sets a push: x = push (t - at)^2 / 2 m from there on, exactly."""
+    """A load sets in, and an event whose value jumps with it sets a push: x = (2 + 6) (t - at)^2 / 2 m, exactly."""
     scene = Scene("pushed").input("push", 0.0, "N", "along the rail").rigid("cart", mass=2.0, inertia=0.1)
     scene.prismatic("rail", "ground.origin", "cart.origin").force("push", "cart.origin", "push", 0.0)
+    scene.force("load", "cart.origin", f"where(t >= {at}, 2, 0)", 0.0)
     scene.event("gate", when=f"where(t >= {at}, 1, -1)", action={"push": 6.0})
     model = model_of(scene.simulation(t_end=0.5, dt=0.01, scheme=scheme).build())
     run = simulate(model, seen_every=0.0, error="off")
@@ -49,8 +50,8 @@ def test_what_happens_by_a_jump_happens_when_it_jumps(model_of: Build, scheme: s
     assert event.time == pytest.approx(at, abs=1e-9)
     assert run.t == pytest.approx(np.arange(51) * 0.01, abs=1e-12)
     since = np.maximum(run.t - at, 0.0)
-    assert run["cart.x"] == pytest.approx(1.5 * since**2, abs=1e-11)
-    assert run["cart.x_dot"][run.t > at + 0.01] == pytest.approx(3.0 * since[run.t > at + 0.01], abs=1e-11)
+    assert run["cart.x"] == pytest.approx(2.0 * since**2, abs=1e-11)
+    assert run["cart.x_dot"][run.t > at + 0.01] == pytest.approx(4.0 * since[run.t > at + 0.01], abs=1e-11)
 
 
 @pytest.mark.parametrize("scheme", ["rk4", "single_rate"])
