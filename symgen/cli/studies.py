@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from runtime.model import Model
     from runtime.orbits.branch import PeriodicBranch
     from runtime.studies.advice.advise import Advice
+    from runtime.studies.ensemble.parts import Executor
     from runtime.studies.stability.chart import StabilityChart
 
 MOST_CASES = 10_000_000
@@ -75,7 +77,8 @@ def _swept(model: Model, columns: dict[str, Any], hows: list[str], arguments: ar
     known = {parameter.name for parameter in model.parameters}
     starts = {name: values for name, values in columns.items() if name not in known}
     _refuse_unknown(model, starts)
-    how = ("scheme", "dt", "m", "options", "t_end", "start", "outputs", "seen_every", "samples", "workers")
+    how = ("scheme", "dt", "m", "options", "t_end", "start", "outputs", "seen_every", "samples", "workers", "folder")
+    executor = None if arguments.processes is None else _processes(arguments.processes)
     try:
         with Progress(f"symgen {model.name}", counted="cases") as progress:
             return ensemble(
@@ -84,10 +87,21 @@ def _swept(model: Model, columns: dict[str, Any], hows: list[str], arguments: ar
                 {**arguments.initial, **starts},
                 reduce=dict.fromkeys(arguments.outputs, hows) if hows else None,
                 progress=progress,
+                executor=executor,
                 **settings(arguments, how),
             )
     except CompilerError as error:
         raise UsageError(f"{error}; an ensemble needs llvmlite") from error
+
+
+def _processes(count: int) -> Callable[[], Executor]:
+    """What makes a pool of so many processes. Raises UsageError."""
+    from concurrent.futures import ProcessPoolExecutor
+    from multiprocessing import get_context
+
+    if count < 1:
+        raise UsageError(f"--processes {count}: give a number of at least 1")
+    return lambda: ProcessPoolExecutor(count, mp_context=get_context("spawn"))
 
 
 def _combined(given: list[tuple[str, list[float]]]) -> dict[str, Any]:

@@ -255,6 +255,8 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
             *SEEN,
             opt("--out FILE", "study.csv; the picture is study.png"),
             opt("--workers COUNT", "threads (default: one a processor)", int),
+            opt("--processes COUNT", "work in so many processes of this machine; one that dies is replaced", int),
+            opt("--folder DIR", "keeps what is done: the same command goes on from there"),
             MOTION,
             Group("run", FROM_THE_SCENE, (DT, M, SCHEME, SCHEME_OPTION)),
         ),

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import nullcontext
+from pathlib import Path
 from typing import Any
-
-import numpy as np
 
 from runtime.contract.arguments import BY_NAME, CALLED, NAMES, arguments
 from runtime.contract.errors import ArgumentError, ModelError
@@ -20,6 +19,7 @@ from runtime.schemes.switching.times import switching_times
 from runtime.start.start_state import start_state
 from runtime.studies.ensemble.answer import dataset
 from runtime.studies.ensemble.lane_runs import LaneResults
+from runtime.studies.ensemble.parts import CHUNK, Executor, HereExecutor, Maker, in_parts
 from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.rows import Rows
 from runtime.studies.ensemble.starts import columns_by_name, table_of, with_functions
@@ -44,6 +44,10 @@ def ensemble(
     seen_every: float | None = None,
     samples: int | None = None,
     workers: int | None = None,
+    executor: Executor | Maker | None = None,
+    folder: str | Path | None = None,
+    chunk: int | None = None,
+    retries: int = 3,
     progress: Progress | bool | None = None,
 ) -> Any:
     """Run many cases of a model side by side; each is, bit for bit, the run that `simulate` makes.
@@ -55,7 +59,13 @@ def ensemble(
     (largest magnitude), mean, rms, end, over all steps; an output without any is kept at its end. seen_every [s] or
     samples: histories instead, by the time between samples or their number.
 
-    workers: threads (None: as many as processors). progress(cases done, cases), or True for a line on the terminal.
+    workers: threads (None: as many as processors; with an executor one a worker). progress(cases done, cases), or True
+    for a line on the terminal.
+
+    executor: where parts of `chunk` cases (1,000) are worked out: anything with `submit`, such as a
+    ProcessPoolExecutor or `Client.get_executor()` of dask; or a function that makes one, called again where workers
+    have died. folder: keeps parts that are done, so that the same call goes on where another was stopped. A part that
+    fails is tried again `retries` times. Order and bits are those of one process.
 
     The result is an xarray Dataset over `case` (and `time`), without xarray a dictionary of arrays: the outputs (values
     of whole runs as `<output>_<reduction>`), status and time_reached [s] of each case, and what was varied. A case that
@@ -64,7 +74,7 @@ def ensemble(
     """
     if not model.q_i:
         raise ModelError(f"every coordinate of model {model.name} is driven: use simulate, there is nothing to step")
-    count = _processors() if workers is None else whole_number(workers)
+    count = (1 if executor is not None else _processors()) if workers is None else whole_number(workers)
     if count is None or count < 1:
         raise ArgumentError("workers", f"must be a whole number of threads of at least 1, not {workers!r}")
     model, constant = with_functions(model, inputs)
@@ -76,18 +86,45 @@ def ensemble(
     plan = make_plan(model, t_end, dt, m, scheme, seen, options, t0, bounded=True)
     question = Question.ask(model, names, plan, start, outputs, reduce)
     _check_names(question)
+    size, tries = _whole("chunk", CHUNK if chunk is None else chunk, 1), _whole("retries", retries, 0)
+    if executor is not None and not (hasattr(executor, "submit") or callable(executor)):
+        raise ArgumentError("executor", f"{executor!r} has no submit", "give an executor, or a function that makes one")
+    if chunk is not None and executor is None and folder is None:
+        raise ArgumentError("chunk", "is of parts, which nobody asked for", "give an executor or a folder, too")
+
+    def parts(stopped: Callable[[], bool]) -> Iterator[tuple[int, LaneResults]]:
+        if executor is None and folder is None:
+            return Rows(question, table).in_threads(count, stopped)
+        where = executor if executor is not None else HereExecutor()
+        return in_parts(
+            question, table, executor=where, chunk=size, threads=count, retries=tries, folder=folder, stopped=stopped
+        )
+
     with Meter(model.name, counted="cases") if progress is True else nullcontext(progress or None) as told:
-        return dataset(question, table, _answered(question, table, count, told))
+        return dataset(question, table, _answered(question, len(table), parts, told))
 
 
-def _answered(question: Question, table: np.ndarray, workers: int, progress: Progress | None) -> LaneResults:
+def _answered(
+    question: Question,
+    cases: int,
+    parts: Callable[[Callable[[], bool]], Iterator[tuple[int, LaneResults]]],
+    progress: Progress | None,
+) -> LaneResults:
     """Of all cases; those that were not done are `interrupted`."""
-    found = LaneResults.none_yet(question, len(table))
+    found, done = LaneResults.none_yet(question, cases), 0
     with Interrupts() as interrupts:
-        for first, part in Rows(question, table).in_threads(workers, lambda: interrupts.asked):
+        for first, part in parts(lambda: interrupts.asked):
             found.put(first, part)
+            done += len(part.time)
             if progress is not None:
-                progress(first + len(part.time), len(table))
+                progress(done, cases)
+    return found
+
+
+def _whole(name: str, value: Any, least: int) -> int:
+    found = whole_number(value)
+    if found is None or found < least:
+        raise ArgumentError(name, f"must be a whole number of at least {least}, not {value!r}")
     return found
 
 

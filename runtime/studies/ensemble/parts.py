@@ -1,0 +1,297 @@
+"""An ensemble in parts: on any executor, kept in a folder, gone on with after a failure; the bits of one process.
+
+A part is so many cases. It is worked out wherever the executor has a worker: in processes of this machine, in a dask
+cluster, under MPI. What a worker needs is the model, which travels with its files, and plain numbers.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import time
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import BrokenExecutor
+from dataclasses import dataclass
+from functools import cache
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Any, Protocol, TypeAlias
+from zipfile import BadZipFile
+
+import numpy as np
+
+from runtime.contract.errors import ArgumentError, ModelError, NoResult, SymgenError
+from runtime.contract.files import OutputError, replacing, write_text
+from runtime.contract.model import EmittedModel
+from runtime.running.problem import Plan
+from runtime.studies.ensemble.lane_runs import LaneResults
+from runtime.studies.ensemble.question import Question
+from runtime.studies.ensemble.rows import Rows
+
+CHUNK = 1000  # cases of a part
+AHEAD = 4  # parts a worker that wait
+WORKERS = 16  # of an executor that does not say how many it has
+HEADER = "study.json"
+PAUSE = 0.005  # s from look to look at what is running
+
+
+class Work(Protocol):
+    """What `submit` of an executor gives."""
+
+    def done(self) -> bool:
+        """Has it ended?"""
+
+    def result(self) -> Any:
+        """What it gave; raises what it raised."""
+
+    def cancel(self) -> Any:
+        """Leave it out, if it has not begun."""
+
+
+class Executor(Protocol):
+    """Anything with `submit(function, *arguments)`: of concurrent.futures, dask.distributed, mpi4py, Ray."""
+
+    def submit(self, function: Callable[..., Any], /, *arguments: Any) -> Work:
+        """Have a worker call it."""
+
+
+Maker: TypeAlias = Callable[[], Executor]
+
+
+@dataclass(frozen=True)
+class Job:
+    """What a worker is told: the model and plain numbers; key: of the study."""
+
+    key: str
+    model: EmittedModel
+    parameters: list[str]
+    initial: list[str]
+    plan: dict[str, Any]
+    start: str
+    outputs: list[str]
+    reduced: list[tuple[str, str]]
+    version: str
+
+    @classmethod
+    def of(cls, question: Question, table: np.ndarray) -> Job:
+        """Of a question and its samples."""
+        plan = question.plan.numbers
+        parameters, initial, start = question.parameters, question.initial, question.start
+        outputs, reduced, model = question.outputs, question.reduced, question.model
+        said = [model.digest, own_version(), parameters, initial, plan, start, outputs, reduced]
+        digest = hashlib.sha256(json.dumps(said, default=str, sort_keys=True).encode())
+        digest.update(repr(sorted(model.input_values.items())).encode() + model.driven_by.encode())
+        digest.update(np.ascontiguousarray(table).tobytes())
+        key = digest.hexdigest()[:24]
+        return cls(key, model, parameters, initial, plan, start, outputs, reduced, own_version())
+
+    def question(self) -> Question:
+        """As it was asked."""
+        plan = Plan.of_numbers(self.model, self.plan)
+        return Question(self.model, self.parameters, self.initial, plan, self.start, self.outputs, self.reduced)
+
+
+@cache
+def own_version() -> str:
+    """Of the distribution, "unknown" where it is not installed."""
+    try:
+        return version("symgen")
+    except PackageNotFoundError:
+        return "unknown"
+
+
+_questions: dict[str, Question] = {}  # of this worker: prepared once for all parts of a study
+
+
+def work_out(job: Job, table: np.ndarray, threads: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """values, status and time of some cases: what a worker does. Raises ModelError where it has another version."""
+    if job.version != own_version():
+        problem = f"this worker has symgen {own_version()}, the study was begun with {job.version}"
+        raise ModelError("ensemble", problem, "install the same version everywhere")
+    if job.key not in _questions:
+        _questions.clear()
+        _questions[job.key] = job.question()
+    question = _questions[job.key]
+    found = LaneResults.none_yet(question, len(table))
+    for first, part in Rows(question, table).in_threads(threads, lambda: False):
+        found.put(first, part)
+    return found.values, found.status, found.time
+
+
+class StudyFolder:
+    """Parts of one study on disk: what was done is read again by the same call."""
+
+    def __init__(self, folder: str | Path, job: Job, cases: int, chunk: int) -> None:
+        self._folder = Path(folder)
+        own = {"study": job.key, "model": job.model.name, "cases": cases, "chunk": chunk}
+        header = self._folder / HEADER
+        if header.exists():
+            try:
+                found = json.loads(header.read_text(encoding="utf-8"))
+            except (OSError, ValueError) as error:
+                raise OutputError(f"{header} cannot be read ({error}); choose another folder") from error
+            if found != own:
+                problem = f"holds another study: {_about(found)}; this one is {_about(own)}"
+                raise ArgumentError("folder", f"{folder} {problem}", "choose another folder")
+        elif self._folder.is_dir() and any(self._folder.iterdir()):
+            raise ArgumentError("folder", f"{folder} holds other files", "choose an empty or a new folder")
+        else:
+            write_text(header, json.dumps(own))
+
+    def _file(self, first: int) -> Path:
+        return self._folder / f"part-{first:09d}.npz"
+
+    def read(self, first: int, count: int) -> LaneResults | None:
+        """The part from this case on; None where it was not done or is damaged."""
+        try:
+            with open(self._file(first), "rb") as stream, np.load(stream, allow_pickle=False) as part:
+                found = _results(part["values"], part["status"], part["time"])
+        except (OSError, ValueError, KeyError, EOFError, BadZipFile):
+            return None
+        return found if len(found.time) == count else None
+
+    def write(self, first: int, part: LaneResults) -> None:
+        """Keep a part, whole or not at all. Raises OutputError."""
+        with replacing(self._file(first)) as place, open(place, "wb") as stream:
+            np.savez(stream, values=part.values, status=part.status, time=part.time)
+
+
+def _results(values: np.ndarray, status: np.ndarray, reached: np.ndarray) -> LaneResults:
+    return LaneResults(values, status, reached, np.zeros(len(reached), dtype=bool))
+
+
+def _about(header: Any) -> str:
+    if not isinstance(header, Mapping):
+        return "something unreadable"
+    return f"{header.get('study')} of {header.get('model')}, {header.get('cases')} cases by {header.get('chunk')}"
+
+
+def in_parts(
+    question: Question,
+    table: np.ndarray,
+    *,
+    executor: Executor | Maker,
+    chunk: int,
+    threads: int,
+    retries: int,
+    folder: str | Path | None,
+    stopped: Callable[[], bool],
+) -> Iterator[tuple[int, LaneResults]]:
+    """(first case, results) of parts as they are done; ends early if `stopped` says so.
+
+    executor: one, or a function that makes one, called again where its workers have died. A part that fails is tried
+    again `retries` times. Raises NoResult with the first case of a part that still fails; what was done is kept.
+    """
+    job = Job.of(question, table)
+    study = None if folder is None else StudyFolder(folder, job, len(table), chunk)
+    left: list[int] = []
+    for first in range(0, len(table), chunk):
+        kept = study and study.read(first, len(table[first : first + chunk]))
+        if kept:
+            yield first, kept
+        else:
+            left.append(first)
+    workers = _Workers(executor, retries)
+    try:
+        for first, values in workers.work(job, table, left[::-1], chunk, threads, stopped):
+            part = _results(*values)
+            if study:
+                study.write(first, part)
+            yield first, part
+    finally:
+        workers.close()
+
+
+class _Workers:
+    """Parts on an executor, which is made anew where it breaks."""
+
+    def __init__(self, executor: Executor | Maker, retries: int) -> None:
+        self._make = None if hasattr(executor, "submit") else executor
+        self._pool: Any = executor if self._make is None else self._make()
+        self._retries = retries
+        self._running: dict[Any, int] = {}
+        self._failed: dict[int, int] = {}
+
+    def work(
+        self, job: Job, table: np.ndarray, left: list[int], chunk: int, threads: int, stopped: Callable[[], bool]
+    ) -> Iterator[tuple[int, Any]]:
+        """(first case, what a worker gave), as they are done."""
+        ahead = AHEAD * (getattr(self._pool, "_max_workers", None) or WORKERS)
+        while (left or self._running) and not stopped():
+            try:
+                while left and len(self._running) < ahead:
+                    work = self._pool.submit(work_out, job, table[left[-1] : left[-1] + chunk], threads)
+                    self._running[work] = left.pop()
+                done = [work for work in self._running if work.done()]
+                if not done:
+                    time.sleep(PAUSE)
+                for work in done:
+                    first = self._running.pop(work)
+                    try:
+                        found = work.result()
+                    except BrokenExecutor:
+                        left.append(first)
+                        raise
+                    except SymgenError:  # another try would end as this one
+                        raise
+                    except Exception as error:
+                        self._count(first, error)
+                        left.append(first)
+                        continue
+                    yield first, found
+            except BrokenExecutor as error:
+                left += self._running.values()
+                self._running.clear()
+                self._count(-1, error)
+                if self._make is None:
+                    remedy = "give a function that makes one, which is called again, and a folder, which keeps parts"
+                    raise NoResult("executor", f"its workers have died: {error}", remedy) from error
+                self._shut()
+                self._pool = self._make()
+
+    def _count(self, first: int, error: Exception) -> None:
+        self._failed[first] = self._failed.get(first, 0) + 1
+        if self._failed[first] > self._retries:
+            what = "its workers" if first < 0 else f"cases from {first} on"
+            problem = f"{what} failed {self._failed[first]} times, at last with {error!r}"
+            raise NoResult(
+                "ensemble", problem, "the same call with the same folder goes on from what was done"
+            ) from error
+
+    def _shut(self) -> None:
+        if hasattr(self._pool, "shutdown"):
+            self._pool.shutdown(wait=False, cancel_futures=True)
+
+    def close(self) -> None:
+        """Leave out what has not begun; an executor that was made here is ended."""
+        for work in self._running:
+            work.cancel()
+        if self._make is not None:
+            self._shut()
+
+
+class HereExecutor:
+    """Parts one after the other in this process: for a folder without an executor."""
+
+    _max_workers = 1
+
+    def submit(self, function: Callable[..., Any], /, *arguments: Any) -> Work:
+        """Call it when its result is asked for."""
+        return _Later(function, arguments)
+
+
+class _Later:
+    def __init__(self, function: Callable[..., Any], arguments: tuple[Any, ...]) -> None:
+        self._function, self._arguments = function, arguments
+
+    def done(self) -> bool:
+        """It can be asked for."""
+        return True
+
+    def result(self) -> Any:
+        """Called now."""
+        return self._function(*self._arguments)
+
+    def cancel(self) -> bool:
+        """It has not begun."""
+        return True
