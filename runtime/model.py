@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from runtime.contract.lazy_method import LazyMethod
-from runtime.contract.loading import load_folder, reduced
+from runtime.contract.loading import load_folder
 from runtime.contract.model import EmittedModel, model_card
+from runtime.contract.pickled_models import reduced
 
 if TYPE_CHECKING:
     from runtime.baselines.ode import ode as _ode

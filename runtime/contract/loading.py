@@ -4,15 +4,10 @@ runs, and the functions that it leaves out, derived from its scene when they are
 
 from __future__ import annotations
 
-import contextlib
-import copyreg
 import hashlib
 import json
-import tempfile
-import zlib
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import replace
-from functools import cache, lru_cache, partial
+from functools import cache, partial
 from importlib.abc import InspectLoader
 from importlib.util import module_from_spec, spec_from_loader
 from pathlib import Path
@@ -23,7 +18,6 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import ModelError, SymgenError
-from runtime.contract.files import WRITING, cache_folder, refused_folder, write_text
 from runtime.contract.model import EmittedModel
 from runtime.contract.records import Description, as_plain, description
 from runtime.contract.tape import table_from
@@ -153,7 +147,7 @@ def load_folder(
     files are missing, were edited since generation, or belong to another format.
     """
     path = Path(folder)
-    manifest = _manifest(path, read)
+    manifest = read_manifest(path, read)
     if digest is not None and manifest["sha256"] != digest:
         raise ModelError(
             f"{path}", "it holds another model than was meant: it was generated anew", "begin anew with it"
@@ -171,7 +165,8 @@ def load_folder(
         ) from error
 
 
-def _manifest(path: Path, read: Callable[[Path], bytes]) -> dict[str, Any]:
+def read_manifest(path: Path, read: Callable[[Path], bytes] = Path.read_bytes) -> dict[str, Any]:
+    """The manifest of a folder, its own hash checked. Raises ModelError."""
     try:
         manifest = json.loads(read(path / "manifest.json").decode("utf-8"))
     except (OSError, UnicodeDecodeError, json.JSONDecodeError, RecursionError) as error:
@@ -232,74 +227,6 @@ def _model(
         scene_toml=scene_toml,
         folder=str(path.resolve()),
     )
-
-
-# A model is pickled with the texts of its folder: on another machine a copy is laid into the cache, hashes compared.
-
-
-def reduced(model: EmittedModel) -> tuple[Any, ...]:
-    """What pickle keeps of a model: how it is loaded again. Raises ModelError for one without a folder."""
-    if not model.folder:
-        raise ModelError(f"model {model.name} was not loaded from a folder, and cannot be pickled without one")
-    functions = {name: function.serialize() for name, function in model.sources.items()}
-    numbers, texts = dict(model.input_values), packed_texts(model.folder, model.digest)
-    return reloaded, (type(model), model.folder, model.digest, numbers, functions, model.driven_by, texts)
-
-
-@lru_cache(maxsize=8)
-def packed_texts(folder: str, digest: str) -> bytes:
-    """The files of a model's folder that are still those of the hash, compressed. Raises ModelError."""
-    path = Path(folder)
-    manifest = _manifest(path)
-    if manifest["sha256"] != digest:
-        raise ModelError(
-            f"{folder} was generated anew since this model was loaded", "it is another one", "load it again"
-        )
-    names = ("manifest.json", *manifest["files"])
-    return zlib.compress(json.dumps({name: (path / name).read_text(encoding="utf-8") for name in names}).encode())
-
-
-def reloaded(
-    kind: type[M],
-    folder: str,
-    digest: str,
-    numbers: Mapping[str, float],
-    functions: Mapping[str, str],
-    driven_by: str,
-    texts: bytes,
-) -> M:
-    """The model that was pickled: its folder, if it still holds the same, else a copy in the cache. Raises
-    ModelError.
-    """
-    try:
-        found = load_folder(folder, kind, digest)
-    except ModelError:
-        found = load_folder(_unpacked(texts, digest), kind, digest)
-    sources = {name: ca.Function.deserialize(text) for name, text in functions.items()}
-    return replace(found, input_values=dict(numbers), sources=sources, driven_by=driven_by)
-
-
-def _unpacked(texts: bytes, digest: str) -> Path:
-    """The folder of the cache that holds these files, complete at once: another process sees all of it or nothing."""
-    models = cache_folder() / "models"
-    if refusal := refused_folder(models):
-        raise ModelError(
-            "a model that was sent here", f"cannot be kept: {refusal}", "set SYMGEN_CACHE to a folder of your own"
-        )
-    target = models / f"sent-{digest[:24]}"
-    if not (target / "manifest.json").exists():
-        with tempfile.TemporaryDirectory(dir=models, prefix=WRITING) as place:
-            made = Path(place) / "model"
-            for name, text in json.loads(zlib.decompress(texts)).items():
-                if Path(name).name != name:
-                    raise ModelError("a model that was sent here", f"has a file {name!r}", "pickle it anew")
-                write_text(made / name, text)
-            with contextlib.suppress(OSError):  # another process was first
-                made.rename(target)
-    return target
-
-
-copyreg.pickle(EmittedModel, reduced)
 
 
 def _reloaded(*_: Any) -> None:

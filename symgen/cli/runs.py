@@ -76,21 +76,22 @@ def cache(arguments: argparse.Namespace) -> Outcome:
     from runtime.contract.kept_models import KeptModels
     from runtime.engine.object_cache import MOST_BYTES, ObjectCache
 
-    cache, models, variants = ObjectCache(), KeptModels("models"), KeptModels("variants")
+    cache, models, variants, sent = ObjectCache(), *map(KeptModels, ("models", "variants", "sent"))
     refused = cache.refused()
     entries = cache.entries()
     size = sum(size for _, size, _ in entries)
     facts: dict[str, Any] = {"folder": str(cache.folder), "programs": len(entries), "bytes": size, "most": MOST_BYTES}
-    facts |= {"models": len(models.entries()), "variants": len(variants.entries())}
+    facts |= {"models": len(models.entries()), "variants": len(variants.entries()), "sent": len(sent.entries())}
     lines = [
         f"{cache.folder}: {len(entries)} compiled programs, {size / 1e6:.3g} of {MOST_BYTES / 1e6:.0f} MB; "
-        f"{facts['models']} generated models and {facts['variants']} variants beside them"
+        f"{facts['models']} generated models, {facts['variants']} variants and {facts['sent']} models from elsewhere "
+        "beside them"
     ]
     if refused:
         facts["refused"] = refused
         lines.append(f"not used: {refused}")
     elif arguments.clear:
-        facts["removed"] = sum(room.clear() for room in (cache, models, variants))
+        facts["removed"] = sum(room.clear() for room in (cache, models, variants, sent))
         lines.append(f"{facts['removed']} removed")
     return Outcome(facts, lines)
 

@@ -42,7 +42,7 @@ RUNTIME_ROOMS = {
     "gradients": "contract engine schemes start results operating running",
     "orbits": "contract schemes results operating running gradients",
     "studies": "baselines contract engine schemes start results operating running",
-    "views": "contract results operating orbits",
+    "views": "contract schemes results operating running orbits",
     "model": "contract operating baselines running export gradients orbits studies views",
     "structures": "contract engine views",
     "": "contract schemes results operating baselines running gradients orbits studies views model",

@@ -1,4 +1,4 @@
-"""Models, solutions and steppers go to other processes by folder and hash."""
+"""Models, solutions and steppers go to other processes by folder, hash and files."""
 
 from __future__ import annotations
 
@@ -52,15 +52,19 @@ def test_steppers_go_on_where_they_were(model_of: Callable[[SceneRecord], Model]
 
 
 def test_what_has_changed_is_not_taken(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Neither by a pickle nor by a worker of an ensemble, and none of its code runs before that is seen."""
+    """A pickle brings the model that was meant; of the changed folder no code runs."""
     meant = load_model(generate(pushed(2.0), tmp_path / "model"))
     text = pickle.dumps(meant)
     generate(pushed(2.0).model_copy(update={"title": "another"}), tmp_path / "model")
+    monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path / "cache"))
     ran: list[Path] = []
+    found, module = pickle.loads(text), loading._module
+    assert found.digest == meant.digest and found.title != "another" and str(tmp_path / "cache") in found.folder
     with monkeypatch.context() as patch:
-        patch.setattr(loading, "_module", lambda path, text: ran.append(path))
-        with pytest.raises(ModelError, match="generated anew"):
-            pickle.loads(text)
+        patch.setattr(loading, "_module", lambda path, text: (ran.append(path), module(path, text))[1])
+        pickle.loads(text)
+        assert ran == [Path(found.folder) / "model.py"]
+        ran.clear()
         with pytest.raises(ModelError, match="another model than was meant"):
             load_model(tmp_path / "model", meant.digest)
     assert not ran
@@ -68,11 +72,9 @@ def test_what_has_changed_is_not_taken(tmp_path: Path, monkeypatch: pytest.Monke
         pickle.dumps(replace(load_model(tmp_path / "model"), folder=""))
 
 
-def test_a_pickle_wants_the_folder_of_its_model(tmp_path: Path) -> None:
-    """As the guide says: another machine has not the folder; it derives the scene, or loads a copy of the folder."""
+def test_a_pickle_brings_the_files_of_its_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     model = load_model(generate(pushed(2.0), tmp_path / "here"))
     text = pickle.dumps(model)
     (tmp_path / "here").rename(tmp_path / "there")
-    with pytest.raises(ModelError, match="here"):
-        pickle.loads(text)
-    assert load_model(tmp_path / "there").digest == model.digest
+    monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path / "cache"))
+    assert pickle.loads(text).digest == load_model(tmp_path / "there").digest == model.digest
