@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import hashlib
 import os
+import secrets
 import stat
-import tempfile
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Iterator, Mapping
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
 from runtime.contract.errors import SymgenError
@@ -49,7 +49,6 @@ def replacing(path: str | Path) -> Iterator[Path]:
     temporary = _temporary(target)
     try:
         yield temporary
-        os.chmod(temporary, 0o644)
         os.replace(temporary, target)
     except OSError as error:
         raise OutputError(_refusal(target, error)) from error
@@ -74,23 +73,50 @@ def try_writing(path: str | Path) -> None:
 
 
 def _temporary(target: Path) -> Path:
-    """An empty file beside the target, on the same file system; stale ones there are removed. Raises OutputError."""
+    """An empty file beside the target, on the same file system; stale ones there are removed. Raises OutputError.
+
+    Its mode is what the user's umask leaves of 644: never that others may write.
+    """
+    path = target.parent / f"{WRITING}{secrets.token_hex(8)}{target.suffix}"
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
-        for path in target.parent.glob(f"{WRITING}*"):
-            if time.time() - path.lstat().st_mtime > STALE:
-                path.unlink(missing_ok=True)
-        handle, name = tempfile.mkstemp(dir=target.parent, prefix=WRITING, suffix=target.suffix)
-        os.close(handle)
+        for stale in target.parent.glob(f"{WRITING}*"):
+            with suppress(OSError):  # another process was first, or it is no file
+                if time.time() - stale.lstat().st_mtime > STALE:
+                    stale.unlink()
+        os.close(os.open(path, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o644))
     except (OSError, ValueError) as error:
         raise OutputError(_refusal(target, error)) from error
-    return Path(name)
+    return path
 
 
 def write_text(path: str | Path, text: str) -> None:
     """Write UTF-8 text with Unix line ends. Raises OutputError."""
     with replacing(path) as temporary:
         temporary.write_text(text, encoding="utf-8", newline="\n")
+
+
+def write_texts(folder: Path, texts: Mapping[str, str]) -> None:
+    """Write files of a folder as `write_text`, by name: none takes its place before all are on the disk.
+
+    They take their places in this order. Raises OutputError.
+    """
+    with ExitStack() as waiting:
+        whole = []
+        for name, text in texts.items():
+            target = folder / name
+            temporary = _temporary(target)
+            waiting.callback(temporary.unlink, missing_ok=True)
+            try:
+                temporary.write_text(text, encoding="utf-8", newline="\n")
+            except OSError as error:
+                raise OutputError(_refusal(target, error)) from error
+            whole.append((temporary, target))
+        for temporary, target in whole:
+            try:
+                os.replace(temporary, target)
+            except OSError as error:
+                raise OutputError(_refusal(target, error)) from error
 
 
 def _refusal(target: Path, error: Exception) -> str:

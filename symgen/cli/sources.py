@@ -179,4 +179,4 @@ def leave_model(model: EmittedModel, folder: Path) -> None:
         source = Path(model.folder)
         listed = json.loads((source / "manifest.json").read_text(encoding="utf-8"))["files"]
         files = {name: (source / name).read_bytes().decode("utf-8") for name in (*listed, "manifest.json")}
-        write_model(files, folder)  # the manifest last
+        write_model(files, folder)

@@ -13,7 +13,7 @@ import os
 from collections.abc import Iterable
 from pathlib import Path
 
-from runtime.contract.files import OutputError, write_text
+from runtime.contract.files import WRITING, OutputError, write_texts
 from symgen.schema.errors import SceneError
 
 MANIFEST = "manifest.json"
@@ -47,14 +47,16 @@ DATA_TOLERANCE = 1e-9  # eigenvectors and assembled states differ in the last di
 
 
 def write_model(files: dict[str, str], folder: Path) -> None:
-    """Write the files, each to a temporary name first, the manifest last.
+    """Write the files: all to temporary names, then each to its place, the manifest first.
 
-    Raises SceneError if the folder cannot be written, or holds files of these names that were not generated.
+    So a full disk changes nothing, and where the process is killed in between the manifest that is there names the
+    files: they do not fit its hashes, so they are not loaded, but they are known as the generator's and are replaced
+    the next time. Raises SceneError if the folder cannot be written, or holds files of these names that were not
+    generated.
     """
     refuse_foreign_files(files, folder)
     try:
-        for name, text in files.items():
-            write_text(folder / name, text)
+        write_texts(folder, {MANIFEST: files[MANIFEST], **files})
     except OutputError as error:
         raise SceneError(str(folder), str(error), "choose another output folder or change its permissions") from error
 
@@ -80,7 +82,7 @@ def compare_model(files: dict[str, str], folder: Path) -> str:
         sorted(
             path.name
             for path in folder.glob("*")
-            if path.is_file() and path.name not in files and path.name != "__init__.py"
+            if path.is_file() and path.name not in (*files, "__init__.py") and not path.name.startswith(WRITING)
         )
         if folder.is_dir()
         else []

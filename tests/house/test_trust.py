@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import errno
+import itertools
 import os
+import subprocess
+import sys
 import threading
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -48,6 +53,77 @@ def test_what_was_generated_is_generated_again(tmp_path: Path) -> None:
     generate(pendulum(), tmp_path)
     assert load_model(tmp_path).name == "pendulum"
     assert (tmp_path / "notes.txt").read_text() == "kept"
+
+
+KILLED = """
+import os, sys
+from pathlib import Path
+from runtime.contract import files
+from symgen.generate import generate
+from symgen.scenes.pendulums import pendulum
+
+left, real = int(sys.argv[1]), os.replace
+
+def replace(source, target):
+    global left
+    left -= 1
+    if left < 0:
+        os._exit(9)  # as kill -9: nothing is cleaned up
+    real(source, target)
+
+files.os.replace = replace
+generate(pendulum(), sys.argv[2])
+"""
+
+
+@pytest.mark.parametrize("had", [False, True], ids=["new", "again"])
+@pytest.mark.parametrize("placed", range(5))
+def test_a_generate_that_was_killed_is_repeated(placed: int, had: bool, tmp_path: Path) -> None:
+    """After so many of the five files are in place: what is there is not loaded if it is not whole, and is replaced."""
+    folder = tmp_path / "out"
+    if had:
+        generate(SceneRecord.from_toml_text(PENDULUM.replace("-9.81", "-1.62", 1)), folder)
+    done = subprocess.run([sys.executable, "-c", KILLED, str(placed), str(folder)], env=_environment())
+    assert done.returncode == 9
+    if had and placed == 0:
+        assert load_model(folder).name == "pendulum"  # the old one
+    else:
+        with pytest.raises(SymgenError):
+            load_model(folder)
+    generate(pendulum(), folder)
+    assert load_model(folder).name == "pendulum" and main(["generate", str(folder), "--check"]) == 0
+
+
+@pytest.mark.parametrize("written", range(5))
+def test_a_full_disk_changes_no_file_of_a_folder(written: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    generate(SceneRecord.from_toml_text(PENDULUM.replace("-9.81", "-1.62", 1)), tmp_path)
+    before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    real, count = Path.write_text, itertools.count()
+
+    def full(path: Path, text: str, **how: Any) -> int:
+        if next(count) == written:
+            real(path, text[: len(text) // 2], **how)
+            raise OSError(errno.ENOSPC, "No space left on device")
+        return real(path, text, **how)
+
+    monkeypatch.setattr(Path, "write_text", full)
+    with pytest.raises(SceneError, match="No space left"):
+        generate(pendulum(), tmp_path)
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
+    assert load_model(tmp_path).name == "pendulum"
+
+
+@pytest.mark.skipif(os.name == "nt", reason="modes are those of POSIX")
+def test_files_are_as_private_as_the_user_wants(tmp_path: Path) -> None:
+    before = os.umask(0o077)
+    try:
+        generate(pendulum(), tmp_path / "private")
+        os.umask(0o000)
+        generate(pendulum(), tmp_path / "open")
+    finally:
+        os.umask(before)
+    assert {path.stat().st_mode & 0o777 for path in (tmp_path / "private").iterdir()} == {0o600}
+    assert {path.stat().st_mode & 0o777 for path in (tmp_path / "open").iterdir()} == {0o644}
 
 
 def test_results_do_not_replace_a_model_folder_of_the_users_own(tmp_path: Path) -> None:
