@@ -202,7 +202,8 @@ class Samples(WithLater):
     its marker b; frictions (N, joints with friction or rigid stops, 2): force along the joint's coordinate on body b
     [N or N m], and velocity; parameters: the vector p that was used; m: ratio of each next group's step; events: what
     happened on the way; outputs: the columns that a run with `outputs` kept at every saved
-    sample, "t" first (all other arrays then hold the first and the last sample only); error: see MotionError.
+    sample, "t" first (all other arrays then hold the first and the last sample only); error: see MotionError;
+    driven: inputs that functions, samples or controllers drove, with what their controllers remember at the end.
     """
 
     model: EmittedModel
@@ -229,6 +230,7 @@ class Samples(WithLater):
     stops: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))
     frictions: np.ndarray = field(default_factory=lambda: np.zeros((0, 0, 2)))
     error: MotionError = field(default_factory=lambda: MotionError(reason="it was not asked for"))
+    driven: Mapping[str, list[float] | None] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         return (

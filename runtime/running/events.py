@@ -297,6 +297,13 @@ class EventActions:
             )
 
 
+def rest_until(scheme: Scheme, z: np.ndarray, quiet: Mapping[str, float]) -> None:
+    """These events are not looked for until then [s], in z (n_z,): a run before this one has had them."""
+    for k, event in enumerate(watched_events(scheme)):
+        if event.name in quiet:
+            sleep(scheme, z, k, quiet[event.name])
+
+
 def state_of(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> dict[str, np.ndarray]:
     """q_i, q_d, q_i_dot, q_d_dot, t that a state z shows with constants c as stages read them."""
     shown = scheme.observer(z=z[: scheme.layout.size], c=c)

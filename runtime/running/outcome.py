@@ -21,6 +21,7 @@ from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.results.solution import Solution
 from runtime.results.undefined import undefined_measures
 from runtime.running.comparison_times import common_steps, comparison_steps, coprime
+from runtime.running.going_on import driven_inputs
 from runtime.running.problem import Plan, Problem
 from runtime.running.record import Marks, among
 from runtime.running.run import Run, begun, integrate
@@ -74,6 +75,7 @@ def _ended(run: Run, error: MotionError | None) -> Solution:
     elif len(events) < len(run.events):
         stats["kinks"] = len(run.events) - len(events)
     solution = solution.but(status=status, stats=stats, events=events, parameters=run.segment.p, stops=_stops(run))
+    solution = solution.but(driven=driven_inputs(run.problem.model, run.schedule, run.problem.inputs))
     began = time.perf_counter()
     if not status.ok:
         error = MotionError(reason=f"it is {status.name}")

@@ -5,7 +5,7 @@ plan of its steps: a scheme on the model, how many of its steps are made and whi
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import accumulate
 from math import ceil
@@ -17,6 +17,7 @@ import numpy as np
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import Initial
 from runtime.contract.model import EmittedModel
+from runtime.running.going_on import goes_on
 from runtime.running.inputs import InputValue, Sampled, Schedule, scheduled, started
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import LARGEST_TOLERANCE, Grid, SchemeError
@@ -32,6 +33,7 @@ ROUNDING = 1e-6  # of an interval: a span is a whole number of them up to this
 class Problem:
     """A model from a consistent state at t0 until t_end [s], with parameters p (n_p,) and inputs.
 
+    quiet: events that are not looked for at first, and until when [s].
     Everybody who makes this motion takes it: a run, its companion, the rungs of a ladder. Nobody changes it.
     """
 
@@ -42,6 +44,7 @@ class Problem:
     t_end: float
     inputs: Mapping[str, InputValue]
     engine: str = "auto"
+    quiet: Mapping[str, float] = field(default_factory=dict)
 
     @staticmethod
     def of(
@@ -61,9 +64,14 @@ class Problem:
         """
         begin, end = span_of(model, t0, t_end)
         grid = dt if dt is not None else spacing_of(inputs or {}, begin) or (end - begin)
-        p = started(model, model.parameter_vector(parameters), scheduled(model, inputs, begin, grid), begin)
+        p = model.parameter_vector(parameters)
+        going = goes_on(model, initial, begin, p, parameters or {}, inputs or {})
+        if going is not None:
+            inputs, p = going.inputs, np.concatenate([p[: len(p) - len(going.w)], going.w])
+        p = started(model, p, scheduled(model, inputs, begin, grid), begin)
         state = start_state(model, p, model.constants(p), begin, initial, start)
-        return Problem(model, p, state, begin, end, dict(inputs or {}), engine)
+        quiet = {} if going is None else going.quiet
+        return Problem(model, p, state, begin, end, dict(inputs or {}), engine, quiet)
 
     def schedule(self, dt: float) -> Schedule:
         """What becomes of the inputs on a grid of steps dt [s], from the start; controllers remember nothing yet."""

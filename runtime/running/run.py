@@ -17,7 +17,7 @@ from runtime.contract.consistent_state import start_events
 from runtime.contract.files import OutputError
 from runtime.contract.status import Event, Status
 from runtime.results.solution import Solution
-from runtime.running.events import EventActions, ImpulseNotes
+from runtime.running.events import EventActions, ImpulseNotes, rest_until
 from runtime.running.inputs import EndlessInput, Schedule
 from runtime.running.monitor import Failure
 from runtime.running.problem import Plan, Problem, whole_number
@@ -438,6 +438,7 @@ def begun(
     if not quiet:
         events += check_time_functions(problem.model, segment.c, plan, state, segment.switches)
     z = segment.start(state.q, state.q_dot)
+    rest_until(plan.scheme, z, problem.quiet)
     changes = ", ".join(f"{key}: {a:.9g} -> {b:.9g}" for key, (a, b) in state.changed.items() if _differ(a, b))
     record = record_of(segment, z, further.stream, keep_rows=further.bounded)
     pace, guard = Pace.of(segment.stepper.operations), Guard.of(len(segment.determinants(z)[0]))
