@@ -25,8 +25,8 @@ ON_ITS_GRID = 1e-6  # of the period of a controller
 
 @dataclass(frozen=True)
 class GoesOn:
-    """w (n_w,): the inputs at the start; inputs: what drives them, with what controllers remember; quiet: events that are
-    not looked for, and until when [s].
+    """w (n_w,): the inputs at the start; inputs: what drives them, with what controllers remember; quiet: events that
+    are not looked for, and until when [s].
     """
 
     w: np.ndarray
