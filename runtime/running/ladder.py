@@ -61,7 +61,9 @@ STAGNANT = 0.5  # of a difference: rungs that do not come below it any more will
 SOON, LATE = 6, 11  # rungs before that is said, and where the motion is not resolved yet
 RICHARDSON = 3.0  # times the error by extrapolation where the order shows: on the safe side
 ACCURATE = 0.5  # of the error from which a run is not accurate: what nobody has graded stays below
-AGREED = 0.02  # of the motion: two rungs that stop so near to each other for the same reason stop at the same event
+BEFORE_END = 50  # steps before the end of a rung that stops early, from which on its end can be believed
+END_KNOWN = 2  # steps of a rung, to which the time of its end is known
+MOST_ENDING = 10**10  # operations of rungs that stop early, each at another time: seconds
 EXPLICIT = ("dopri5", "rk4")
 HANDICAP = {"rk4": 2}  # times the steps that a method of lower order is expected to take
 # operations of a step: evaluations, and times n, n^2, n^3 of n coordinates; counted on the hard suite, to a factor 1.6
@@ -314,9 +316,7 @@ class Ladder:
         last = rungs[-1]
         count = last.steps // self.unit
         if last.lost:
-            if len(rungs) > 1 and _same_end(rungs[-2].status, last.status, self.span):
-                return None
-            return ceil(AFTER_LOST * count)
+            return None if self.ends(rungs, order) else ceil(AFTER_LOST * count)
         if len(rungs) >= 3 and last.error <= self.tolerance:
             return None
         if _stagnant(rungs):
@@ -328,6 +328,29 @@ class Ladder:
         least = 2 ** (1 / order)
         factor = MOST if not np.isfinite(last.error) else (last.error / (SAFETY * self.tolerance)) ** (1 / order)
         return ceil(count * min(max(factor, least), MOST))
+
+    def ends(self, rungs: list[Rung], order: int) -> bool:
+        """Does the motion end where the last rung stops, or is it not worth while to find out?
+
+        It does where three rungs that resolve it stop for the same reason at times that converge as the method does, or
+        as near to each other as their steps tell. Coarse rungs may fail near each other by chance.
+        """
+        last = rungs[-3:]
+        spent = sum(one.run.step * one.run.segment.stepper.operations for one in rungs if one.lost)
+        if spent > MOST_ENDING:
+            return True
+        if len(last) < 3 or not all(one.lost and one.status.name == last[-1].status.name for one in last):
+            return False
+        steps, times = [one.steps for one in last], [one.status.time for one in last]
+        operations = last[-1].run.segment.stepper.operations
+        coarse = steps[-1] < self.resolving * self.unit and self.resolving * self.unit * operations <= MOST_RESOLVING
+        if coarse or (times[-1] - self.problem.t0) / self.span * steps[0] < BEFORE_END:
+            return False
+        apart = np.abs(np.diff(times))
+        if (apart <= END_KNOWN * self.span / np.array(steps[:-1])).all():
+            return True
+        shown = shown_order(apart[0], apart[1], steps[1] / steps[0], steps[2] / steps[1], order)
+        return shown >= SHOWN * order
 
     @cached_property
     def resolving(self) -> int:
@@ -420,10 +443,6 @@ def _doubted(answer: Rung, rungs: list[Rung]) -> MotionError:
     return MotionError(
         reliable_until=first.time, reason=f"with other steps the motion ends as {first.name} at t = {first.time:.4g} s"
     )
-
-
-def _same_end(one: Status, other: Status, span: float) -> bool:
-    return one.name == other.name and abs(one.time - other.time) <= AGREED * span
 
 
 # ---- which method ------------------------------------------------------------------------------------------------

@@ -33,12 +33,14 @@ CALL_SECONDS = 0.25  # a call lasts about this long
 OPERATIONS = 5_000_000  # of a first call
 LONGEST_CALL = 1 << 20
 FIRST_SAVED = 32  # of the first look: what goes wrong and heals within a stretch is not seen
+FINER = 8  # times shorter: a stretch that is made again where there is trouble between two saved states
 MOST_SAVED = 256  # states that are saved between two looks
 
 
 @dataclass
 class Pace:
-    """steps: most of a call; saves: the save at which it ends; slow_until: until then it ends at the next one.
+    """steps: most of a call; saves: the save at which it ends; slow_until: until then it ends at the next one; finer:
+    or after so many steps, if any.
 
     Looks cost as much as some hundred steps of a small mechanism, so there are few of them while all is well.
     """
@@ -46,6 +48,7 @@ class Pace:
     steps: int
     saves: int = FIRST_SAVED
     slow_until: int = 0
+    finer: int = 0
 
     @classmethod
     def of(cls, operations: int) -> Pace:
@@ -58,8 +61,9 @@ class Pace:
 
     def next_steps(self, step: int, seen_steps: int) -> int:
         """The length of the next call."""
-        saves = 1 if self.slow(step) else self.saves
-        return min(self.steps, saves * seen_steps - step % seen_steps)
+        slow = self.slow(step)
+        most = min(self.steps, (1 if slow else self.saves) * seen_steps - step % seen_steps)
+        return min(most, self.finer) if slow and self.finer else most
 
     def took(self, seconds: float) -> None:
         """Double or halve: the interpreted engine builds one Function per batch length, so there should be few."""
@@ -72,9 +76,9 @@ class Pace:
         """Nothing was found: look at twice as many saved states at once."""
         self.saves = min(2 * self.saves, MOST_SAVED)
 
-    def went_wrong(self, until: int) -> None:
-        """Steps until there are made again, one save at a time."""
-        self.saves, self.slow_until = 1, until
+    def went_wrong(self, until: int, finer: int = 0) -> None:
+        """Steps until there are made again, one save at a time, or so many steps."""
+        self.saves, self.slow_until, self.finer = 1, until, finer
 
 
 class Interrupts:
@@ -350,7 +354,8 @@ def integrate(run: Run) -> Status:
     """Step to the end of the plan, to trouble or to Ctrl-C; the record ends with the last good state.
 
     One native call makes a stretch of steps, whose states to be seen are rows. A stretch that ends in trouble is made
-    again, state by state, so that the trouble is found where it begins. Whatever happens is decided by states alone.
+    again, state by state and in the end step by step, so that the trouble is found where it begins. Whatever
+    happens is decided by states alone.
     """
     began, run.written = time.perf_counter(), time.monotonic()
     with run.interrupts:
@@ -369,6 +374,10 @@ def integrate(run: Run) -> Status:
                     run.keep(run.z[None])  # an event has happened: what it leads to is checked
                 elif len(rows) > 1 and (alarm or status is not None):
                     run.pace.went_wrong(until=int(before[1]) + n)
+                    run.segment.monitor.recall(known)
+                    run.z = before
+                elif status is not None and n > 1:  # where it begins does not depend on what is saved
+                    run.pace.went_wrong(until=int(before[1]) + n, finer=max(1, n // FINER))
                     run.segment.monitor.recall(known)
                     run.z = before
                 elif alarm:
