@@ -39,13 +39,13 @@ if TYPE_CHECKING:
     from runtime.operating.modes import mode_motion, modes
     from runtime.orbits.continuation import periodic_over
     from runtime.orbits.periodic import periodic
-    from runtime.results.solution import Solution
     from runtime.running.checkpoint import resume
     from runtime.running.driven import quasi_static_motion
     from runtime.running.inputs import Sampled
     from runtime.running.simulate import simulate
     from runtime.schemes.catalogue import SCHEMES
     from runtime.schemes.options import Options, SchemeError
+    from runtime.solutions.solution import Solution
     from runtime.studies.ensemble.ensemble import ensemble
     from runtime.views import animation, plots
 
@@ -112,7 +112,7 @@ _HOMES = {
     "unbalance_response": "operating.campbell",
     "periodic": "orbits.periodic",
     "periodic_over": "orbits.continuation",
-    "Solution": "results.solution",
+    "Solution": "solutions.solution",
     "quasi_static_motion": "running.driven",
     "Sampled": "running.inputs",
     "resume": "running.checkpoint",

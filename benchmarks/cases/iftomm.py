@@ -13,12 +13,12 @@ from benchmarks.harness.result import Line, Result
 from benchmarks.harness.timing import interleave
 from runtime.contract.status import Status
 from runtime.model import Model
-from runtime.results.observe import observe_samples
-from runtime.results.solution import Solution
 from runtime.running.ladder import Method
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import Stepper
+from runtime.solutions.observe import observe_samples
+from runtime.solutions.solution import Solution
 from runtime.start.start_state import start_state
 from symgen.scene import SceneRecord
 from symgen.scenes.linkages import n_four_bar

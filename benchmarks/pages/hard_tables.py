@@ -15,7 +15,7 @@ from benchmarks.scenes.hard_suite import HARD_SUITE, HardCase
 from runtime import load_model
 from runtime.baselines.scipy_methods import reference_solution
 from runtime.model import Model
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 from symgen.generate import generate
 from tests.support.modes import modes_at
 

@@ -13,7 +13,7 @@ TOPICS: dict[str, list[str]] = {
         "runtime.contract.model.Model",
         "runtime.running.simulate.simulate",
         "runtime.running.checkpoint.resume",
-        "runtime.results.solution.Solution",
+        "runtime.solutions.solution.Solution",
         "runtime.results.samples.Samples",
         "runtime.contract.status.Status",
         "runtime.schemes.stepper.Stepper",

@@ -20,10 +20,10 @@ from runtime.contract.model import EmittedModel, refuse_events
 from runtime.contract.status import Status
 from runtime.contract.tape import shared
 from runtime.engine.rows import evaluate
-from runtime.results.observe import assemble_solution
-from runtime.results.solution import Solution
 from runtime.schemes.charts import Charts
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
+from runtime.solutions.observe import assemble_solution
+from runtime.solutions.solution import Solution
 from runtime.start.start_state import start_state
 
 TO_ROUNDING = 3  # Newton steps of the closure from a guess that integration provides

@@ -15,9 +15,9 @@ from runtime.contract.errors import ArgumentError, NoResult
 from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.engine.rows import evaluator
-from runtime.results.solution import Solution
 from runtime.schemes.switching.impulse import impulse_at, moves_in_time
 from runtime.schemes.switching.times import switching_times
+from runtime.solutions.solution import Solution
 
 # ---- Adaptive integrators go from jump to jump: none of their steps searches for what is known; impulses are
 # given.

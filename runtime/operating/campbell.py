@@ -17,7 +17,7 @@ from runtime.contract.model import EmittedModel
 from runtime.operating.equilibrium import Equilibrium, equilibrium, turning_name
 from runtime.operating.linearisation import Linearisation
 from runtime.operating.linearise import linearise
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 
 # ---- Which mode is which after a parameter has changed: by the likeness of shapes, not by order.
 

@@ -34,8 +34,8 @@ from runtime.operating.functions import (
 from runtime.operating.given_state import given_state
 from runtime.operating.linearisation import Linearisation
 from runtime.operating.mode_solver import State, parameters_at, state_at
-from runtime.results.solution import Solution
 from runtime.schemes.stage_equations import StageEquations, along_rotations, turning
+from runtime.solutions.solution import Solution
 
 Place = Equilibrium | State | Mapping[str, float] | tuple[Solution, int] | None
 

@@ -15,8 +15,8 @@ from runtime.contract.consistent_state import dense_eigenvalues, one_thread
 from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import tilde
-from runtime.results.solution import Solution
 from runtime.schemes.stage_equations import StageEquations, is_long_tree, turning_and_rate
+from runtime.solutions.solution import Solution
 
 # ---- Small turns in axes that move with their bodies: d omega = dphi' + omega x dphi, so q_i' changes by W
 # dq_i.

@@ -15,8 +15,8 @@ from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.operating.linearisation import Linearisation
 from runtime.operating.linearise import AT, Place, linearise
-from runtime.results.observe import assemble_solution
-from runtime.results.solution import Solution
+from runtime.solutions.observe import assemble_solution
+from runtime.solutions.solution import Solution
 
 
 @dataclass(frozen=True, repr=False)

@@ -22,7 +22,7 @@ from runtime.orbits.shooting import Conditions, Shot
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from runtime.results.solution import Solution
+    from runtime.solutions.solution import Solution
 
 
 @dataclass(frozen=True)

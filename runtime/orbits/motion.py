@@ -31,10 +31,10 @@ from runtime.orbits.floquet import MEANINGS, Floquet
 from runtime.orbits.shooting import Closed, NoPeriodicMotion
 from runtime.orbits.states import States
 from runtime.results.motion_error import MotionError
-from runtime.results.observe import assemble_solution
-from runtime.results.solution import Solution
 from runtime.running.inputs import InputValue
 from runtime.running.simulate import simulate
+from runtime.solutions.observe import assemble_solution
+from runtime.solutions.solution import Solution
 
 if TYPE_CHECKING:
     from runtime.orbits.response import harmonic_response as _harmonic_response

@@ -21,11 +21,12 @@ from runtime.orbits.motion import PeriodicMotion
 from runtime.orbits.shooting import Closed, Conditions, NoPeriodicMotion, PeriodMap, Setting, closed, closed_beside
 from runtime.orbits.states import States
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 from runtime.running.comparison_times import common_steps, coprime
 from runtime.running.inputs import InputValue, bound
 from runtime.running.simulate import simulate
 from runtime.schemes.catalogue import scheme_kind
+from runtime.solutions.solution import Solution
 
 FREE = "free"
 SCHEME = "exponential_rk4"

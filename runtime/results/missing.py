@@ -15,7 +15,7 @@ from runtime.contract.records import BeamRecord
 from runtime.contract.status import Event
 from runtime.engine.rows import evaluate
 from runtime.results.section_forces import STRETCHING
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 
 LOOKS = 100  # samples at most
 WORTH_OF_SHAPES = 1e-3  # of a deflection

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from runtime.contract.status import Event
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 
 
 def undefined_measures(solution: Solution) -> list[Event]:

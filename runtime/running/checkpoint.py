@@ -24,7 +24,7 @@ from runtime.contract.files import OutputError, replacing, try_writing
 from runtime.contract.model import EmittedModel
 from runtime.contract.status import Event
 from runtime.results.motion_error import MotionError
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 from runtime.running.inputs import InputValue, bound
 from runtime.running.outcome import NOT_ASKED, finished, marks_of
 from runtime.running.problem import Plan, Problem
@@ -34,6 +34,7 @@ from runtime.running.singular.exchange import variant_of
 from runtime.running.singular.guard import Guard
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.switching.impulse import Impulse
+from runtime.solutions.solution import Solution
 
 BROKEN = (
     OSError,

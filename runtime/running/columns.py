@@ -15,11 +15,11 @@ from runtime.contract.errors import ModelError
 from runtime.contract.files import OutputError
 from runtime.contract.status import Status
 from runtime.results import export
-from runtime.results.observe import concatenated
-from runtime.results.solution import Solution
 from runtime.results.stream import StreamFile, Table, split
 from runtime.running.record import Record, by_segment
 from runtime.running.stepped_model import SteppedModel
+from runtime.solutions.observe import concatenated
+from runtime.solutions.solution import Solution
 
 BLOCK = 256  # samples that wait to be written
 SERIES = tuple(key for key in export.ARRAYS if key not in ("parameters", "t"))

@@ -23,8 +23,9 @@ from runtime.operating.balance import Clamped
 from runtime.operating.equilibrium import NoEquilibrium
 from runtime.operating.functions import PointFunctions
 from runtime.operating.given_state import given_position, given_state
-from runtime.results.observe import assemble_solution
-from runtime.results.solution import Solution
+from runtime.solutions.observe import assemble_solution
+from runtime.solutions.solution import Solution
+from runtime.operating.given_state import given_position
 from runtime.running.inputs import Schedule
 from runtime.running.outcome import with_limits
 from runtime.running.problem import seen_every_of, steps_until
@@ -32,6 +33,8 @@ from runtime.running.time_functions import refuse_position_jumps
 from runtime.schemes.options import SchemeError
 from runtime.schemes.switching.impulse import impulse_at, impulse_text
 from runtime.schemes.switching.times import switching_times
+from runtime.solutions.observe import assemble_solution
+from runtime.solutions.solution import Solution
 
 SCHEME = "driven"
 CLOSED = 1e-14  # rad or m, times the largest coordinate: correction after which the loops count as closed

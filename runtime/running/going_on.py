@@ -16,7 +16,7 @@ from runtime.contract.coordinates import Initial
 from runtime.contract.errors import ModelError
 from runtime.contract.model import EmittedModel
 from runtime.contract.signals import SINCE, SUFFIXES
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 from runtime.running.inputs import InputValue, Sampled, Schedule
 
 SAME_TIME = 1e-9  # of the end of the run before: a start that far from it is there

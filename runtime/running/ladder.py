@@ -21,7 +21,7 @@ from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 from runtime.running.comparison_times import comparison_steps, refined, shared
 from runtime.running.monitor import known_slopes
 from runtime.running.outcome import FINER, LARGEST, compared, early_steps, finished, loads_missed, marks_of, passed_by
@@ -44,6 +44,7 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import LARGE_SYSTEM, SchemeError
 from runtime.schemes.scheme import Scheme, evaluation_operations
 from runtime.schemes.switching.times import switching_times
+from runtime.solutions.solution import Solution
 
 FIRST = 20  # steps of a first rung, at least
 SEES_SHORT = 8  # steps in the time in which a load acts

@@ -18,7 +18,7 @@ import numpy as np
 from runtime.contract.coordinates import euler_angles, followed
 from runtime.contract.status import Event, Status
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 from runtime.results.undefined import undefined_measures
 from runtime.running.comparison_times import common_steps, comparison_steps, coprime
 from runtime.running.going_on import driven_inputs
@@ -28,6 +28,7 @@ from runtime.running.run import Run, begun, integrate
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import INSIDE, check_time_functions
 from runtime.schemes.options import LARGEST_TOLERANCE
+from runtime.solutions.solution import Solution
 
 LARGEST = 0.1  # of an amplitude: the error from which a run is not accurate
 LARGEST_OF_RATES = 0.5  # the same of rates: vibrations that hardly move anything have a part in them

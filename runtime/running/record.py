@@ -14,9 +14,9 @@ import numpy as np
 from runtime.contract.coordinates import followed, whole
 from runtime.contract.model import EmittedModel
 from runtime.engine.rows import evaluate
-from runtime.results.observe import concatenated
-from runtime.results.solution import Solution
 from runtime.running.stepped_model import SteppedModel
+from runtime.solutions.observe import concatenated
+from runtime.solutions.solution import Solution
 
 
 class Record:

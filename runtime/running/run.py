@@ -16,8 +16,10 @@ import numpy as np
 from runtime.contract.consistent_state import start_events
 from runtime.contract.files import OutputError
 from runtime.contract.status import Event, Status
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 from runtime.running.events import EventActions, ImpulseNotes, rest_until
+from runtime.running.events import EventActions, ImpulseNotes
+from runtime.running.events import EventActions, note_impulses
 from runtime.running.inputs import EndlessInput, Schedule
 from runtime.running.monitor import Failure
 from runtime.running.problem import Plan, Problem, whole_number
@@ -26,6 +28,7 @@ from runtime.running.singular.guard import Guard
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import check_time_functions
 from runtime.schemes.options import SchemeError
+from runtime.solutions.solution import Solution
 
 # ---- How long a native call lasts, so that progress and Ctrl-C stay responsive, and who hears Ctrl-C ------------
 

@@ -14,7 +14,6 @@ from runtime.contract.coordinates import Initial
 from runtime.contract.model import EmittedModel, refuse_events
 from runtime.operating.given_state import given_state
 from runtime.results.motion_error import MotionError
-from runtime.results.solution import Solution
 from runtime.running.inputs import InputValue, bound, scheduled, started
 from runtime.running.outcome import NOT_ASKED, finished, marks_of
 from runtime.running.problem import (
@@ -31,6 +30,7 @@ from runtime.running.problem import (
 from runtime.running.run import Further, Progress, begun
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
+from runtime.solutions.solution import Solution
 
 MEASURED, OFF = "measured", "off"  # what `error` may be
 SEEN = 1000  # samples of steps that follow their own error, where nothing is said

@@ -16,8 +16,6 @@ import numpy as np
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
-from runtime.results.observe import observe_samples
-from runtime.results.solution import Solution
 from runtime.running.monitor import Monitor
 from runtime.running.problem import Plan
 from runtime.running.time_functions import all_stops
@@ -25,6 +23,8 @@ from runtime.schemes.stepper import Stepper, kept_stepper
 from runtime.schemes.switching.impulse import Impulse
 from runtime.schemes.switching.times import SwitchTime, switches_by_inputs, switching_times
 from runtime.schemes.switching.watched import NEVER, begin_events, watches
+from runtime.solutions.observe import observe_samples
+from runtime.solutions.solution import Solution
 
 LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
 

@@ -18,7 +18,6 @@ from runtime.contract.model import EmittedModel
 from runtime.contract.signals import SINCE
 from runtime.contract.status import Event, Status
 from runtime.operating.equilibrium import Equilibrium
-from runtime.results.solution import Solution
 from runtime.running.events import EventActions
 from runtime.running.inputs import reading
 from runtime.running.monitor import Monitor
@@ -30,6 +29,7 @@ from runtime.schemes.switching.impulse import moves_in_time
 from runtime.schemes.switching.steps_with_stops import StepsWithStops
 from runtime.schemes.switching.times import has_switching_times, switches_by_inputs, switching_times
 from runtime.schemes.switching.watched import watched_events
+from runtime.solutions.solution import Solution
 from runtime.start.start_state import start_state
 
 KNOWN = (float, int, np.number)  # kinds of numbers that need no closer look

@@ -21,7 +21,7 @@ from runtime.views.mechanism import Scenery, scenery
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from runtime.results.solution import Solution
+    from runtime.solutions.solution import Solution
 
 
 STYLES: dict[str, dict[str, Any]] = {

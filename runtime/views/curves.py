@@ -12,7 +12,7 @@ from runtime.results.friction import friction_columns, friction_units, rubbing, 
 from runtime.views.mechanism import scenery
 
 if TYPE_CHECKING:
-    from runtime.results.solution import Solution
+    from runtime.solutions.solution import Solution
 
 STILL = 1e-12  # m or rad: what moves less than this against its own size has nothing to show
 FAR = 20.0  # times as far as another moves a curve that gets an axis of its own

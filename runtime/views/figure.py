@@ -18,7 +18,7 @@ from runtime.views.curves import COLOURS, Curves
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from runtime.results.solution import Solution
+    from runtime.solutions.solution import Solution
 
 
 PREFIXED = {"m": "m", "N": "N", "N m": "N m", "Pa": "Pa", "J": "J", "W": "W"}

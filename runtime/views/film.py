@@ -14,7 +14,7 @@ from runtime.views.curves import COLOURS
 from runtime.views.mechanism import GROUND, Body, Scenery, scenery, sharp_edges, still
 
 if TYPE_CHECKING:
-    from runtime.results.solution import Solution
+    from runtime.solutions.solution import Solution
 
 
 # ---- From which side a spatial mechanism is looked at: the direction against gravity is up, seen a little from

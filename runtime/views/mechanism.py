@@ -15,7 +15,7 @@ from runtime.contract.records import ShapeRecord
 from runtime.results.body_motion import poses_of
 
 if TYPE_CHECKING:
-    from runtime.results.solution import Solution
+    from runtime.solutions.solution import Solution
 
 AROUND = 48  # sides of a cylinder, and of a ball
 RINGS = 12

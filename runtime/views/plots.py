@@ -35,7 +35,7 @@ from runtime.views.method_styles import method_styles
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from runtime.results.solution import Solution
+    from runtime.solutions.solution import Solution
 
 
 MAX_PANELS = 12

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
-    from runtime.results.solution import Solution
+    from runtime.solutions.solution import Solution
 
 
 def run_report(solution: Solution) -> dict[str, Any]:

@@ -12,7 +12,7 @@ from symgen.cli.sources import find_source
 from symgen.cli.words import MOTION, settings
 
 if TYPE_CHECKING:
-    from runtime.results.solution import Solution
+    from runtime.solutions.solution import Solution
 
 DEMOS = {"slider-crank": "flexible_slider_crank"}  # what a demo's name means; any other word is the scene itself
 SAMPLES = 500  # about so many are kept of the main run

@@ -12,7 +12,7 @@ from symgen.cli.words import RUN, UsageError, settings
 
 if TYPE_CHECKING:
     from runtime.model import Model
-    from runtime.results.solution import Solution
+    from runtime.solutions.solution import Solution
 
 BALANCE_REMARK = 0.01
 MODEL_FOLDER, SOLUTION_FILE = "model", "solution.npz"
@@ -135,7 +135,7 @@ def run_model(model: Model, arguments: argparse.Namespace, **kept: Any) -> Solut
 def results_of(folder: str | Path) -> Solution:
     """What `simulate --out` left in a folder. Raises UsageError."""
     from runtime.model import load_model
-    from runtime.results.solution import Solution
+    from runtime.solutions.solution import Solution
 
     path = Path(folder)
     if not (path / SOLUTION_FILE).is_file():

@@ -9,7 +9,7 @@ import pytest
 
 from runtime import simulate
 from runtime.model import Model
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 from symgen.scene import SceneRecord
 from symgen.scenes.spatial import heavy_top, tumbling_body
 

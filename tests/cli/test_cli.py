@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 from symgen.cli import main
 from symgen.cli.outcome import Progress
 

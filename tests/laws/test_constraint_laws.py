@@ -10,9 +10,9 @@ import pytest
 
 from runtime import simulate
 from runtime.model import Model
-from runtime.results import observe
-from runtime.results.observe import assemble_solution
 from runtime.schemes.catalogue import SCHEMES
+from runtime.solutions import observe
+from runtime.solutions.observe import assemble_solution
 
 Load = Callable[[str], Model]
 STEPS = {"four_bar": 5e-3, "slider_crank": 2e-4, "flexible_slider_crank": 4e-5, "near_singular_slider_crank": 1e-4}

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from runtime import simulate
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 from runtime.views.film import film
 from runtime.views.viewer.record import view_record
 from symgen.generate import model_of

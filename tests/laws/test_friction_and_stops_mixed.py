@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from runtime import Model, simulate
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 from symgen.scene import Scene, SceneRecord
 from tests.support.time_stepping import Law, Links, Mechanism, Rails, Stop, moreau
 

@@ -20,8 +20,8 @@ from runtime.contract.tape import as_function
 from runtime.gradients.differentiable_run import DifferentiableRun
 from runtime.model import Model
 from runtime.operating.mode_solver import state_at
-from runtime.results.solution import Solution
 from runtime.schemes.catalogue import scheme_kind
+from runtime.solutions.solution import Solution
 from runtime.studies.stability.spectra import StepSpectrum
 from symgen.pipeline import derive
 from symgen.scene import Scene, SceneError, SceneRecord

@@ -12,8 +12,8 @@ import scipy.linalg
 from runtime import simulate
 from runtime.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
-from runtime.results.solution import Solution
 from runtime.schemes.catalogue import scheme_kind
+from runtime.solutions.solution import Solution
 from runtime.studies.stability import chart as limits
 from runtime.studies.stability.chart import StabilityStudy, states_along
 from runtime.studies.stability.spectra import ExactMotion, StepSpectrum

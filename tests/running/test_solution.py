@@ -29,7 +29,7 @@ from runtime.contract.status import Status
 from runtime.model import Model
 from runtime.operating.linearise import linearise
 from runtime.results.export import as_json
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 from runtime.views.report import run_report
 from symgen.scenes import generated_folder
 

@@ -14,7 +14,7 @@ import pytest
 import runtime
 from runtime.contract.lazy_method import LazyMethod
 from runtime.model import Model
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 from symgen import Scene, SceneError, load_model
 from symgen.generate import generate
 

@@ -11,7 +11,7 @@ import pytest
 
 from runtime import load_model, simulate
 from runtime.model import Model
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 from symgen.generate import generate
 from symgen.joints import JOINTS
 from symgen.pipeline import derive

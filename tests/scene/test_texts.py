@@ -26,7 +26,7 @@ from runtime.contract.model import EmittedModel
 from runtime.engine.c_source import find_compiler
 from runtime.export.c_bundle import Exported, exported, write_c
 from runtime.export.fmu import fmu_texts
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 from symgen.generate import generate, model_of
 from symgen.scene import SceneError, SceneRecord
 from symgen.schema.fields import StrictModel

@@ -12,7 +12,7 @@ from benchmarks.scenes.hard_suite import HARD_SUITE, HardCase
 from runtime import simulate
 from runtime.contract.coordinates import followed
 from runtime.model import Model
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 from symgen.generate import model_of as on_demand
 from symgen.scene import SceneRecord
 from tests.support.modes import Modes, modes_at

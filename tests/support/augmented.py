@@ -15,8 +15,8 @@ import numpy as np
 
 from runtime.contract.status import Status
 from runtime.model import Model
-from runtime.results.observe import assemble_solution
-from runtime.results.solution import Solution
+from runtime.solutions.observe import assemble_solution
+from runtime.solutions.solution import Solution
 from runtime.start.start_state import start_state
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from runtime.contract.coordinates import dependent_part, independent_part, whole
 from runtime.model import Model
-from runtime.results.observe import joint_reactions
+from runtime.solutions.observe import joint_reactions
 
 Array = NDArray[Any]
 

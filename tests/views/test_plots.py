@@ -15,8 +15,8 @@ from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.files import OutputError
 from runtime.contract.records import Coordinate
 from runtime.contract.status import Status
-from runtime.results.solution import Solution
 from runtime.running.simulate import simulate
+from runtime.solutions.solution import Solution
 from runtime.views import plots
 from runtime.views.animation import animate
 from runtime.views.curves import Curves

@@ -19,9 +19,9 @@ from runtime.contract.coordinates import whole
 from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.engine.rows import evaluate
-from runtime.results.observe import assemble_solution
-from runtime.results.solution import Solution
 from runtime.running.singular.guard import LoopDeterminants
+from runtime.solutions.observe import assemble_solution
+from runtime.solutions.solution import Solution
 
 IN_THE_GAP = 7 / 15  # of the step, in the middle of the gap
 # determinants, of the largest, from which the step over the position is tried; rounding of q_ddot goes as det^-3

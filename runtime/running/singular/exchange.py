@@ -30,8 +30,8 @@ from runtime.contract.errors import ModelError, SymgenError
 from runtime.contract.kept_models import KeptModels, generated_aside
 from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import parameter_rates, product, rotation_vector
-from runtime.results.solution import Solution
 from runtime.running.stepped_model import SteppedModel
+from runtime.solutions.solution import Solution
 
 M = TypeVar("M", bound=EmittedModel)
 CLEARLY = 3.0  # times larger determinant that is worth an exchange

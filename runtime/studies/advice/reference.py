@@ -18,11 +18,12 @@ from runtime.contract.errors import NoResult
 from runtime.contract.model import EmittedModel, refuse_events
 from runtime.engine.rows import evaluator
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 from runtime.running.comparison_times import comparison_steps
 from runtime.running.ladder import Rung
 from runtime.running.outcome import statistics
 from runtime.running.problem import Problem
+from runtime.solutions.solution import Solution
 from runtime.studies.advice.methods import checked_grades
 
 RTOL, ATOL = 1e-11, 1e-13

@@ -21,7 +21,7 @@ import numpy as np
 
 from runtime.contract.coordinates import independent, loop_part
 from runtime.operating.mode_solver import ModeSolver, State
-from runtime.results.solution import Solution
+from runtime.solutions.solution import Solution
 from runtime.running.monitor import known_slopes
 from runtime.running.problem import Problem
 

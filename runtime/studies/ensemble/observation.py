@@ -1,4 +1,4 @@
-"""Outputs of a run in lanes, as stages behind the step: the values of runtime/results/observe.py, bit for bit.
+"""Outputs of a run in lanes, as stages behind the step: the values of runtime/solutions/observe.py, bit for bit.
 
 Each function of the model is called on entries of z, never on expressions of another one, since what CasADi simplifies
 across them would round differently.
@@ -15,8 +15,8 @@ from runtime.contract.model import EmittedModel
 from runtime.engine.program import Call, Fields, Layout, Program, Until, make_stage
 from runtime.engine.program import Sequence as InSequence
 from runtime.results.named_outputs import ORDERS, Column, column
-from runtime.results.observe import CLOSED, MOST_CLOSURES
 from runtime.schemes.scheme import LARGEST, Scheme
+from runtime.solutions.observe import CLOSED, MOST_CLOSURES
 
 KERNELS = ("energy", "measures", "reactions")
 

@@ -11,8 +11,8 @@ import numpy as np
 
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.errors import ModelError
-from runtime.results.solution import Solution
 from runtime.running.simulate import simulate
+from runtime.solutions.solution import Solution
 from runtime.studies.ensemble.lane_runs import LaneResults, LaneRuns, finished
 from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.starts import CaseStarts

@@ -14,7 +14,7 @@ from runtime.views.film import is_spatial
 from runtime.views.mechanism import Scenery
 
 if TYPE_CHECKING:
-    from runtime.results.solution import Solution
+    from runtime.solutions.solution import Solution
 
 WHEELS = 0.8  # of the distance between wheels that turn alike: both radii together
 

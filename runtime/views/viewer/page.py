@@ -19,7 +19,7 @@ from runtime.contract.files import OutputError, write_text
 from runtime.views.viewer.record import view_record
 
 if TYPE_CHECKING:
-    from runtime.results.solution import Solution
+    from runtime.solutions.solution import Solution
 
 SCRIPTS = ("numbers", "data", "motion", "stage", "bodies", "symbols", "curves", "controls")
 HEIGHT = 560  # pixels of the frame in a notebook

@@ -18,7 +18,7 @@ from runtime.views.mechanism import GROUND, Body, Points, Scenery, Solid, scener
 from runtime.views.viewer.marks import ends_of, held, wheels, with_wheels
 
 if TYPE_CHECKING:
-    from runtime.results.solution import Solution
+    from runtime.solutions.solution import Solution
 
 
 # ---- Von Mises stress at the rim of a beam's section, which is drawn as the rectangle of its area and second

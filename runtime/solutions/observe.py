@@ -14,8 +14,8 @@ from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.engine.rows import evaluate
 from runtime.results.samples import Later
-from runtime.results.solution import Solution
 from runtime.schemes.scheme import Scheme
+from runtime.solutions.solution import Solution
 
 # ---- Multipliers and joint forces of saved states; with redundant constraints those of least norm.
 #
