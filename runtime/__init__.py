@@ -7,6 +7,8 @@ The rooms, from what everything stands on to what stands on everything:
     schemes     time stepping schemes as such programs, baselines included
     results     what is kept of a run and computed from it
     operating   equilibria, steady motion, and the linear systems about them
+    views       what people look at
+    solutions   the result of a run as users have it
     start       where a motion starts
     baselines   established integrators on the same equations
     running     a run: its loop, its checks, singular positions, checkpoints
@@ -14,7 +16,7 @@ The rooms, from what everything stands on to what stands on everything:
     gradients   derivatives of a run, and fits by them
     orbits      motions that repeat: shooting, Floquet, branches, sensitivity
     studies     many runs: ensembles, stability, work-precision, advice
-    views       what people look at
+    model       the model as users have it
 
 The names below are public; each is imported when it is first asked for.
 """
@@ -36,15 +38,16 @@ if TYPE_CHECKING:
     from runtime.operating.equilibrium import Equilibrium, NoEquilibrium, equilibrium
     from runtime.operating.linearisation import Linearisation
     from runtime.operating.linearise import linearise
-    from runtime.operating.modes import mode_motion, modes
+    from runtime.operating.modes import modes
     from runtime.orbits.continuation import periodic_over
     from runtime.orbits.periodic import periodic
-    from runtime.running.checkpoint import resume
     from runtime.running.driven import quasi_static_motion
     from runtime.running.inputs import Sampled
+    from runtime.running.resume import resume
     from runtime.running.simulate import simulate
     from runtime.schemes.catalogue import SCHEMES
     from runtime.schemes.options import Options, SchemeError
+    from runtime.solutions.mode_motion import mode_motion
     from runtime.solutions.solution import Solution
     from runtime.studies.ensemble.ensemble import ensemble
     from runtime.views import animation, plots
@@ -108,14 +111,14 @@ _HOMES = {
     "linearise": "operating.linearise",
     "modes": "operating.modes",
     "campbell": "operating.campbell",
-    "mode_motion": "operating.modes",
+    "mode_motion": "solutions.mode_motion",
     "unbalance_response": "operating.campbell",
     "periodic": "orbits.periodic",
     "periodic_over": "orbits.continuation",
     "Solution": "solutions.solution",
     "quasi_static_motion": "running.driven",
     "Sampled": "running.inputs",
-    "resume": "running.checkpoint",
+    "resume": "running.resume",
     "SCHEMES": "schemes.catalogue",
     "Options": "schemes.options",
     "SchemeError": "schemes.options",

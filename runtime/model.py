@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from runtime.operating.modes import modes as _modes
     from runtime.orbits.continuation import periodic_over as _periodic_over
     from runtime.orbits.periodic import periodic as _periodic
-    from runtime.running.checkpoint import resume as _resume
     from runtime.running.driven import quasi_static_motion as _quasi_static_motion
+    from runtime.running.resume import resume as _resume
     from runtime.running.simulate import simulate as _simulate
     from runtime.running.stepping import stepper as _stepper
     from runtime.studies.advice.advise import advise as _advise
@@ -82,7 +82,7 @@ class Model(EmittedModel):
 
         @LazyMethod
         def resume():
-            from runtime.running.checkpoint import resume
+            from runtime.running.resume import resume
 
             return resume
 

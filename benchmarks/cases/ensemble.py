@@ -16,7 +16,7 @@ from runtime.engine.interpreted import InterpretedProgram, program_function
 from runtime.engine.llvm_code import host
 from runtime.engine.prepare import prepare
 from runtime.model import Model, load_model
-from runtime.running.problem import make_plan
+from runtime.running.planning import make_plan
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import start_vector
 from runtime.studies.ensemble.question import Question

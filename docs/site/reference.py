@@ -12,7 +12,7 @@ TOPICS: dict[str, list[str]] = {
         "runtime.contract.loading.load_model",
         "runtime.contract.model.Model",
         "runtime.running.simulate.simulate",
-        "runtime.running.checkpoint.resume",
+        "runtime.running.resume.resume",
         "runtime.solutions.solution.Solution",
         "runtime.results.samples.Samples",
         "runtime.contract.status.Status",

@@ -29,7 +29,8 @@ from runtime.engine.prepare import Prepared
 from runtime.export.c_mathematics import own_c
 from runtime.export.c_stops import ENDS, kept, refuse_stops, stop_functions, stop_text
 from runtime.running.inputs import reading
-from runtime.running.problem import make_plan, steps_asked, steps_until
+from runtime.running.planning import make_plan, steps_asked
+from runtime.running.problem import steps_until
 from runtime.running.stepping import ModelStepper
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import prepared_step, start_there

@@ -24,7 +24,8 @@ from runtime.gradients.start_of_run import Beginning, Begun, StartOfRun
 from runtime.gradients.switches import Switches
 from runtime.gradients.turns import TurnProgram
 from runtime.gradients.variables import Inputs, driven_by, held_samples, holds_of, variables_of
-from runtime.running.problem import make_plan, seen_every_of, span_of
+from runtime.running.planning import make_plan
+from runtime.running.problem import seen_every_of, span_of
 from runtime.schemes.switching.times import switches_by_inputs
 
 Values = Sequence[float] | np.ndarray | Mapping[str, float]

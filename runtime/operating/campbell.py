@@ -17,7 +17,7 @@ from runtime.contract.model import EmittedModel
 from runtime.operating.equilibrium import Equilibrium, equilibrium, turning_name
 from runtime.operating.linearisation import Linearisation
 from runtime.operating.linearise import linearise
-from runtime.solutions.solution import Solution
+from runtime.results.samples import Samples
 
 # ---- Which mode is which after a parameter has changed: by the likeness of shapes, not by order.
 
@@ -325,7 +325,7 @@ class FrequenciesAlong(Followed):
     t: np.ndarray
 
 
-def frequencies_along(solution: Solution, samples: int = 60) -> FrequenciesAlong:
+def frequencies_along(solution: Samples, samples: int = 60) -> FrequenciesAlong:
     """Eigenvalues of M x'' + D x' + K x = 0 about at most `samples` saved states of a run, equally spaced.
 
     The states are no equilibria: K holds what the accelerations there add, d(M_hat a - Q_hat)/dq at fixed a.

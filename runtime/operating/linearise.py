@@ -34,15 +34,15 @@ from runtime.operating.functions import (
 from runtime.operating.given_state import given_state
 from runtime.operating.linearisation import Linearisation
 from runtime.operating.mode_solver import State, parameters_at, state_at
+from runtime.results.samples import Samples
 from runtime.schemes.stage_equations import StageEquations, along_rotations, turning
-from runtime.solutions.solution import Solution
 
-Place = Equilibrium | State | Mapping[str, float] | tuple[Solution, int] | None
+Place = Equilibrium | State | Mapping[str, float] | tuple[Samples, int] | None
 
 
 def _is_place(value: Any) -> bool:
     if isinstance(value, tuple):
-        count = len(value[0].t) if len(value) == 2 and isinstance(value[0], Solution) else 0
+        count = len(value[0].t) if len(value) == 2 and isinstance(value[0], Samples) else 0
         return count > 0 and value[1] in range(-count, count)
     return isinstance(value, State | Mapping) or hasattr(value, "initial_values")
 

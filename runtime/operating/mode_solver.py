@@ -15,8 +15,8 @@ from runtime.contract.consistent_state import dense_eigenvalues, one_thread
 from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import tilde
+from runtime.results.samples import Samples
 from runtime.schemes.stage_equations import StageEquations, is_long_tree, turning_and_rate
-from runtime.solutions.solution import Solution
 
 # ---- Small turns in axes that move with their bodies: d omega = dphi' + omega x dphi, so q_i' changes by W
 # dq_i.
@@ -139,14 +139,14 @@ class ModeSolver:
         return ca.Function("slopes", [t, q, v, loop, constants, along], slopes)
 
 
-def state_at(solution: Solution, k: int) -> State:
+def state_at(solution: Samples, k: int) -> State:
     """Sample k of a solution."""
     model = solution.model
     q, q_dot = solution.q[k], solution.q_dot[k]
     return State(float(solution.t[k]), *independent(model, q, q_dot), loop_part(model, q))
 
 
-def parameters_at(solution: Solution, k: int) -> np.ndarray:
+def parameters_at(solution: Samples, k: int) -> np.ndarray:
     """p (n_p,) at sample k: what the inputs were then is in it."""
     model, p = solution.model, np.array(solution.parameters)
     if model.signals.size:

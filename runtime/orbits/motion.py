@@ -25,7 +25,6 @@ from runtime.contract.status import Status
 from runtime.gradients.differentiable_run import DifferentiableRun, Gradient
 from runtime.gradients.objectives import Objective, Weighed
 from runtime.gradients.variables import parameters_at
-from runtime.operating.modes import visible
 from runtime.orbits.controllers import remembering, states_of
 from runtime.orbits.floquet import MEANINGS, Floquet
 from runtime.orbits.shooting import Closed, NoPeriodicMotion
@@ -33,6 +32,7 @@ from runtime.orbits.states import States
 from runtime.results.motion_error import MotionError
 from runtime.running.inputs import InputValue
 from runtime.running.simulate import simulate
+from runtime.solutions.mode_motion import visible
 from runtime.solutions.observe import assemble_solution
 from runtime.solutions.solution import Solution
 

@@ -16,6 +16,7 @@ from runtime.contract.status import Event
 from runtime.engine.rows import evaluate
 from runtime.results.section_forces import STRETCHING
 from runtime.solutions.solution import Solution
+from runtime.results.samples import Samples
 
 LOOKS = 100  # samples at most
 WORTH_OF_SHAPES = 1e-3  # of a deflection
@@ -23,7 +24,7 @@ WORTH_A_WORD = 0.05  # of a stress or a force
 WORTH_A_WORD_OF_NORMAL = 0.01  # of a stress, where no shape knows the normal force
 
 
-def looked_at(solution: Solution) -> Solution:
+def looked_at(solution: Samples) -> Samples:
     """Samples that are looked at, evenly spread, the first and the last among them."""
     rows = sorted({int(row) for row in np.linspace(0, len(solution.t) - 1, LOOKS)})
     return solution.but(
@@ -31,7 +32,7 @@ def looked_at(solution: Solution) -> Solution:
     )
 
 
-def missing_shapes(solution: Solution) -> tuple[dict[str, float], list[Event]]:
+def missing_shapes(solution: Samples) -> tuple[dict[str, float], list[Event]]:
     """Share of the largest deflection that the shapes of a beam leave out, by `missing_shapes.body`; and in words."""
     shares, events = {}, []
     for record in solution.model.description.beams:
@@ -51,7 +52,7 @@ def missing_shapes(solution: Solution) -> tuple[dict[str, float], list[Event]]:
     return shares, events
 
 
-def missing_deflection(solution: Solution, body: str) -> tuple[float, float]:
+def missing_deflection(solution: Samples, body: str) -> tuple[float, float]:
     """(largest deflection from the chord that the shapes lack over the largest one, its time [s])."""
     some = looked_at(solution)
     whole, shapes = (some.deflections(body, way=way) for way in ("equilibrium", "modes"))
@@ -80,7 +81,7 @@ WORDS = {
 PARTS = {"N": ("normal", "shear", "shear_z"), "N m": ("moment", "moment_y", "torsion")}
 
 
-def missing_sections(solution: Solution) -> tuple[dict[str, float], list[Event]]:
+def missing_sections(solution: Samples) -> tuple[dict[str, float], list[Event]]:
     """`missing_force.measure`: the largest difference to equilibrium over the largest value there; and in words."""
     described = solution.model.description
     others = {one.name for one in described.inputs} | {one.owner for one in described.coordinates}  # states, too
@@ -115,14 +116,14 @@ def missing_sections(solution: Solution) -> tuple[dict[str, float], list[Event]]
     return shares, events
 
 
-def _markers(solution: Solution, body: str) -> list[float]:
+def _markers(solution: Samples, body: str) -> list[float]:
     """Fractions of the length at which the beam has markers."""
     own = [one for one in solution.model.drawn_points(solution.parameters) if one.body == body]
     length = max(float(one.place[0]) for one in own)
     return sorted({float(one.place[0]) / length for one in own if one.name})
 
 
-def missing_stresses(solution: Solution) -> tuple[dict[str, float], list[Event]]:
+def missing_stresses(solution: Samples) -> tuple[dict[str, float], list[Event]]:
     """`missing_stress.body`: largest von Mises stress of what the modes leave out over the largest one.
 
     `mesh_error.body` [Pa]: what the mesh leaves unknown of the largest stress.
@@ -165,7 +166,7 @@ def missing_stresses(solution: Solution) -> tuple[dict[str, float], list[Event]]
     return shares, events
 
 
-def _missing_of_beam(solution: Solution, record: BeamRecord, shares: dict[str, float], events: list[Event]) -> None:
+def _missing_of_beam(solution: Samples, record: BeamRecord, shares: dict[str, float], events: list[Event]) -> None:
     """Adds the share of the measures of a beam's stress, and the event."""
     some = looked_at(solution)
     try:
@@ -194,7 +195,7 @@ def _stretches(record: BeamRecord) -> bool:
 # ---- Events of Euler angles that are read off near their singular orientation; the motion knows nothing of it.
 
 
-def singular_angles(solution: Solution) -> list[Event]:
+def singular_angles(solution: Samples) -> list[Event]:
     """An event for each body that came so near in a saved sample, at the nearest one."""
     events, columns = [], parameter_columns(solution.model)
     for body, kind in euler_angles(solution.model).items():
@@ -214,7 +215,7 @@ def singular_angles(solution: Solution) -> list[Event]:
 # ---- Kinks of loads that a run has crossed: where the motion came to a condition of theirs and no step ended.
 
 
-def crossed_kinks(solution: Solution) -> list[Event]:
+def crossed_kinks(solution: Samples) -> list[Event]:
     """The first one of each load between two samples, for the inputs at the end."""
     model = solution.model
     owners = model.description.kinks

@@ -239,23 +239,23 @@ class Samples(WithLater):
         )
 
     def __getitem__(self, name: str) -> np.ndarray:
-        """Column (N,) by name: a coordinate, its rate or acceleration (`_dot`, `_ddot`), a measure, or one of the CSV.
+        """Column (N,) by name: a coordinate, its rate or acceleration (`_dot`, `_ddot`), or a measure.
 
-        Columns of the CSV: `t`, `J1.force_x`, `load.motor.moment`, `lam.J1.x`, `energy.kinetic`, `measure.tip`, with
-        their unit in brackets or without. Raises ModelError for an unknown name.
+        Raises ModelError for an unknown name.
         """
-        name = name.partition(" [")[0]
-        for suffix, values in (("", self.q), ("_dot", self.q_dot), ("_ddot", self.q_ddot)):
+        for suffix, values in self._motion():
             names = [f"{coordinate}{suffix}" for coordinate in self.model.coordinates]
             if name in names:
                 return values[:, names.index(name)]
-        if name not in self.model.measures:
-            from runtime.results.export import columns
-
-            table: dict[str, np.ndarray] = columns(self)
-            if name in table:
-                return table[name]
         return self.measures[:, self.column_of(name, self.model.measures, "coordinate or measure")]
+
+    def _motion(self) -> tuple[tuple[str, np.ndarray], ...]:
+        return ("", self.q), ("_dot", self.q_dot), ("_ddot", self.q_ddot)
+
+    def is_sampled(self, name: str) -> bool:
+        """Is it a coordinate, a rate, an acceleration or a measure?"""
+        moving = (f"{coordinate}{suffix}" for suffix, _ in self._motion() for coordinate in self.model.coordinates)
+        return name in self.model.measures or name in moving
 
     def rate(self, name: str) -> np.ndarray:
         """Velocity (N,) of a coordinate [m/s, rad/s]. Raises ModelError for an unknown name."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from runtime.contract.status import Event
-from runtime.solutions.solution import Solution
+from runtime.results.samples import Samples
 
 
-def undefined_measures(solution: Solution) -> list[Event]:
+def undefined_measures(solution: Samples) -> list[Event]:
     """An event for the measures and rates that have no finite value at a sample of a motion that has, at the first."""
     if not solution.model.measures:
         return []

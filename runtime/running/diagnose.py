@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from runtime.contract.status import Event, Status, StatusName
-from runtime.solutions.solution import Solution
-from runtime.running.monitor import Failure, Monitor, positive_definite
+from runtime.running.mass_matrix import positive_definite
 from runtime.running.turns import MOST_TURN, frequency_at_states
-from runtime.running.monitor import Failure, Monitor
 from runtime.schemes.step_limit import eigenvalues
-from runtime.solutions.solution import Solution
+
+if TYPE_CHECKING:
+    from runtime.running.monitor import Failure, Monitor
+    from runtime.solutions.solution import Solution
 
 NEARLY_LOST = 0.1  # of M_hat without deflections: below this a breakdown of the numbers is laid to it
 NEARLY_TOO_FAR = 0.5  # of what a step may turn a loop

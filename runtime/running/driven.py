@@ -23,9 +23,6 @@ from runtime.operating.balance import Clamped
 from runtime.operating.equilibrium import NoEquilibrium
 from runtime.operating.functions import PointFunctions
 from runtime.operating.given_state import given_position, given_state
-from runtime.solutions.observe import assemble_solution
-from runtime.solutions.solution import Solution
-from runtime.operating.given_state import given_position
 from runtime.running.inputs import Schedule
 from runtime.running.outcome import with_limits
 from runtime.running.problem import seen_every_of, steps_until

@@ -32,8 +32,8 @@ from runtime.running.problem import (
     ROUNDING,
     Plan,
     Problem,
+    checked_plan,
     common_time,
-    make_plan,
     refuse_alike,
 )
 from runtime.running.record import Marks, among
@@ -202,7 +202,7 @@ class Ladder:
             return replace(finer, seen_steps=every).until(self.problem.t_end)
         m = None if method.m is None else list(method.m)
         model, t0 = self.problem.model, self.problem.t0
-        plan = make_plan(
+        plan = checked_plan(
             model, t0 + self.span, self.span / steps, m, method.scheme, 0.0, method.options, t0, bounded=True
         )
         plan = replace(plan, seen_steps=every, force=True, refined=True, outputs=tuple(self.further.outputs or ()))

@@ -15,11 +15,11 @@ from typing import Any, NamedTuple
 import casadi as ca
 import numpy as np
 
-from runtime.contract.consistent_state import one_thread
 from runtime.contract.coordinates import independent_part, joined, length_rows, loop_part, mechanism_length, whole
 from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.operating.mode_solver import ModeSolver, State
+from runtime.running.mass_matrix import positive_definite
 from runtime.schemes.scheme import Scheme, direct, verdict
 from runtime.schemes.stage_equations import StageEquations, is_long_tree
 from runtime.schemes.switching.watched import watched_events
@@ -49,6 +49,8 @@ class Monitor:
     good: the last z that passed a close look, latest: a cheap one; length [m]: size of the mechanism, from the lever
     arms in C_q at the start, 1 without constraints.
     """
+
+    scheme: Scheme
 
     def __init__(
         self,
@@ -115,8 +117,7 @@ class Monitor:
         with np.errstate(all="ignore"):
             from runtime.running.diagnose import diagnose
 
-            status: Status = diagnose(failure, time, self)
-        return status
+            return diagnose(failure, time, self)
 
     def memory(self) -> dict[str, list[float]]:
         """What later looks compare with."""
@@ -234,12 +235,6 @@ def known_slopes(model: EmittedModel, c: np.ndarray, state: State) -> tuple[np.n
 
     numbers = (c.tobytes(), state.t, state.q_i.tobytes(), state.q_i_dot.tobytes(), state.loop.tobytes())
     return model.of_numbers("slopes", numbers, found)
-
-
-def positive_definite(M_hat: np.ndarray) -> bool:
-    """Is M_hat (n_i x n_i) finite, and are its eigenvalues positive?"""
-    with one_thread(len(M_hat)):
-        return bool(np.isfinite(M_hat).all() and np.linalg.eigvalsh(M_hat)[0] > 0)
 
 
 class Looked(NamedTuple):

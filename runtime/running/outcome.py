@@ -18,7 +18,6 @@ import numpy as np
 from runtime.contract.coordinates import euler_angles, followed
 from runtime.contract.status import Event, Status
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
-from runtime.solutions.solution import Solution
 from runtime.results.undefined import undefined_measures
 from runtime.running.comparison_times import common_steps, comparison_steps, coprime
 from runtime.running.going_on import driven_inputs

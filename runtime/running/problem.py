@@ -251,24 +251,23 @@ class Plan:
         return replace(self, scheme=built, force=True)
 
 
-def make_plan(
+def checked_plan(
     model: EmittedModel,
     t_end: float | None,
-    dt: float | None,
+    dt: float,
     m: list[int] | None,
-    scheme: str | None,
+    scheme: str,
     seen_every: float | None,
     options: Mapping[str, Any] | None,
     t0: float,
     bounded: bool = False,
 ) -> Plan:
-    """Resolve defaults and check every number of a run. seen_every [s]: time from sample to sample, 0: every step.
+    """Check every number of a run. seen_every [s]: time from sample to sample, 0: every step.
 
     bounded: samples do not stay in memory. Raises SchemeError.
     """
-    name, dt = steps_asked(model, scheme, dt, m, options, t0, t_end)
     ratios = None if m is None else _whole_numbers(m)
-    built = scheme_kind(name).build(name, model, dt, ratios, options or {})
+    built = scheme_kind(scheme).build(scheme, model, dt, ratios, options or {})
     grid = built.grid
     t0, end = span_of(model, t0, t_end)
     seen = own_spacing(model, t0, end) if seen_every is None else seen_every
@@ -278,7 +277,7 @@ def make_plan(
     if (end - t0) / grid.dt_L > MAX_STEPS:
         raise SchemeError(f"dt = {grid.dt_L:g} s needs more than {MAX_STEPS:.0e} steps; raise dt or lower t_end")
     refuse_alike(t0, end, grid.dt_L)
-    found = Plan(name, built, dict(options or {}), 1, every, float(t0)).until(end)
+    found = Plan(scheme, built, dict(options or {}), 1, every, float(t0)).until(end)
     if found.steps / every > MAX_SAMPLES and not bounded:
         raise SchemeError(
             f"{found.steps // every:.3g} saved states are too many; raise seen_every or dt, or stream them"
@@ -299,29 +298,6 @@ def refuse_alike(t0: float, end: float, dt: float) -> None:
     if dt < TOLD_APART * latest:
         near = f"times near {latest:g} s that are {dt:g} s apart"
         raise SchemeError(f"{near} cannot be told from each other; begin at t0 = 0")
-
-
-def steps_asked(
-    model: EmittedModel,
-    scheme: str | None,
-    dt: float | None,
-    m: list[int] | None,
-    options: Mapping[str, Any] | None,
-    t0: float = 0.0,
-    t_end: float | None = None,
-) -> tuple[str, float]:
-    """(scheme, dt [s]) of steps of one length: what was given, else the scene's own; where neither names a scheme, what
-    `auto` finds for the motion up to t_end as the scene has it. Raises SchemeError.
-    """
-    name = scheme or str(model.simulation["scheme"])
-    if name != AUTO:
-        return name, float(model.simulation["dt"]) if dt is None else dt
-    if m is not None or options:
-        raise SchemeError("auto chooses m and options itself; leave them out, or name a scheme")
-    from runtime.running.ladder import usual_steps
-
-    found, step = usual_steps(model, t0, t_end)
-    return found, step if dt is None else dt
 
 
 def tolerance_of(

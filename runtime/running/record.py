@@ -114,18 +114,6 @@ def by_segment(samples: Sequence[tuple[int, np.ndarray]]) -> list[tuple[int, np.
     return [(segment, np.concatenate([rows for _, rows in part])) for segment, part in parts]
 
 
-def record_of(
-    segment: SteppedModel, z: np.ndarray, stream: str | Path | None, keep_rows: bool, resumed: str = ""
-) -> Record:
-    """Of a run from z (flat) on: whole states in memory, or rows of columns. Raises OutputError or ModelError."""
-    if not keep_rows:
-        return Record([segment], segment.plan.seen_steps, segment.plan.steps)
-    from runtime.running.columns import ColumnRecord
-
-    found: Record = ColumnRecord(segment, z, stream, resumed)
-    return found
-
-
 def among(values: np.ndarray, known: np.ndarray) -> np.ndarray:
     """(N,) which of the values (N,) are among the known ones, which rise; np.isin takes ten times as long for few."""
     if not len(known):

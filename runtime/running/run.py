@@ -19,11 +19,11 @@ from runtime.contract.status import Event, Status
 from runtime.solutions.solution import Solution
 from runtime.running.events import EventActions, ImpulseNotes, rest_until
 from runtime.running.events import EventActions, ImpulseNotes
-from runtime.running.events import EventActions, note_impulses
 from runtime.running.inputs import EndlessInput, Schedule
 from runtime.running.monitor import Failure
 from runtime.running.problem import Plan, Problem, whole_number
-from runtime.running.record import Marks, Record, record_of
+from runtime.running.record import Marks, Record
+from runtime.running.recording import record_of
 from runtime.running.singular.guard import Guard
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import check_time_functions

@@ -16,11 +16,12 @@ from runtime.operating.given_state import given_state
 from runtime.results.motion_error import MotionError
 from runtime.running.inputs import InputValue, bound, scheduled, started
 from runtime.running.outcome import NOT_ASKED, finished, marks_of
+from runtime.running.outcome import finished, marks_of
+from runtime.running.planning import make_plan
 from runtime.running.problem import (
     AUTO,
     Problem,
     common_time,
-    make_plan,
     own_spacing,
     seen_every_of,
     spacing_of,
@@ -97,8 +98,12 @@ def simulate(
         from runtime.results.meter import Meter
 
         with Meter(model.name) as meter:
-            given = {name: value for name, value in locals().items() if name not in ("model", "meter", "progress")}
-            return simulate(model, progress=meter, **given)
+            return simulate(
+                model, scheme=scheme, tolerance=tolerance, t_end=t_end, dt=dt, m=m, options=options,
+                parameters=parameters, initial=initial, start=start, t0=t0, inputs=inputs, error=error,
+                seen_every=seen_every, samples=samples, engine=engine, progress=meter, force=force, outputs=outputs,
+                stream=stream, checkpoint=checkpoint, checkpoint_every=checkpoint_every,
+            )  # fmt: skip
     if error not in (MEASURED, OFF):
         raise SchemeError(f"error must be {MEASURED} or {OFF}, not {error!r}")
     further = Further(progress, force, outputs, stream, checkpoint, checkpoint_every)

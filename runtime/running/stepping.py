@@ -21,7 +21,7 @@ from runtime.operating.equilibrium import Equilibrium
 from runtime.running.events import EventActions
 from runtime.running.inputs import reading
 from runtime.running.monitor import Monitor
-from runtime.running.problem import make_plan, steps_asked
+from runtime.running.planning import make_plan, steps_asked
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import refuse_position_jumps
 from runtime.schemes.scheme import Scheme

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from runtime.contract.cards import badge, card, line, sparkline, table
 from runtime.contract.coordinates import followed
 from runtime.contract.lazy_method import LazyMethod
@@ -172,6 +174,21 @@ class Solution(Samples):
             from runtime.results.export import columns
 
             return columns
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        """Column (N,) by name: a coordinate, its rate or acceleration (`_dot`, `_ddot`), a measure, or one of the CSV.
+
+        Columns of the CSV: `t`, `J1.force_x`, `load.motor.moment`, `lam.J1.x`, `energy.kinetic`, `measure.tip`, with
+        their unit in brackets or without. Raises ModelError for an unknown name.
+        """
+        name = name.partition(" [")[0]
+        if not self.is_sampled(name):
+            from runtime.results.export import columns
+
+            table = columns(self)
+            if name in table:
+                return table[name]
+        return super().__getitem__(name)
 
     def _repr_html_(self) -> str:
         return solution_card(self)

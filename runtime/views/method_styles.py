@@ -8,9 +8,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import prod
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from runtime.running.ladder import Method
+if TYPE_CHECKING:
+    from runtime.running.ladder import Method
 
 
 @dataclass(frozen=True)

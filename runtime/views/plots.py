@@ -24,7 +24,6 @@ from runtime.results.samples import Samples
 from runtime.results.section_forces import Which
 from runtime.results.section_forces import section_forces as forces_along
 from runtime.results.stresses import stresses as stresses_at
-from runtime.running.ladder import Method
 from runtime.schemes.catalogue import SCHEMES
 from runtime.views import curves
 from runtime.views.animation import snapshots as snapshots
@@ -35,6 +34,7 @@ from runtime.views.method_styles import method_styles
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from runtime.running.ladder import Method
     from runtime.solutions.solution import Solution
 
 

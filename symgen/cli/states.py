@@ -67,7 +67,8 @@ def modes(arguments: argparse.Namespace) -> Outcome:
     Damping, gyroscopic and geometric terms included; rigid-body modes are named. With --out each mode leaves a
     period of its motion as a solution, mode1.npz and so on.
     """
-    from runtime.operating.modes import mode_motion, modes
+    from runtime.operating.modes import modes
+    from runtime.solutions.mode_motion import mode_motion
 
     model = opened_model(arguments.scene, arguments.made_with)
     point = found_equilibrium(model, arguments)

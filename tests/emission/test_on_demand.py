@@ -11,7 +11,7 @@ from runtime import load_model, simulate
 from runtime.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.running.monitor import CloseLook
-from runtime.running.problem import make_plan
+from runtime.running.planning import make_plan
 from runtime.schemes.stage_equations import LONG_TREE
 from symgen.choice.assembly import ConstraintNumbers
 from symgen.generate import generate, model_of

@@ -13,7 +13,7 @@ from runtime.engine.c_source import find_compiler
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.program import Layout, Program, Sequence, make_stage
 from runtime.model import Model
-from runtime.running.simulate import make_plan
+from runtime.running.planning import make_plan
 from runtime.schemes.stepper import start_vector
 from symgen.scenes import SCENES
 

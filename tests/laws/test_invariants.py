@@ -14,7 +14,7 @@ from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.prepare import hoist_invariants, prepare, widened
 from runtime.engine.program import Program, Repeat, Sequence
 from runtime.model import Model
-from runtime.running.simulate import make_plan
+from runtime.running.planning import make_plan
 from runtime.schemes.stepper import start_vector
 
 Load = Callable[[str], Model]

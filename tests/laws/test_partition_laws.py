@@ -15,7 +15,7 @@ import pytest
 
 from runtime import simulate
 from runtime.model import Model
-from runtime.running.problem import make_plan
+from runtime.running.planning import make_plan
 from runtime.running.singular import exchange
 from runtime.running.singular.exchange import carried, variant_of
 from runtime.running.stepped_model import SteppedModel

@@ -9,7 +9,7 @@ import pytest
 
 from runtime import reference_solution, simulate
 from runtime.model import Model
-from runtime.running.simulate import make_plan
+from runtime.running.planning import make_plan
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import Stepper
 from symgen.scene import SceneRecord

@@ -13,7 +13,7 @@ from runtime import simulate
 from runtime.contract.coordinates import independent
 from runtime.engine.interpreted import program_function
 from runtime.model import Model
-from runtime.running.simulate import make_plan
+from runtime.running.planning import make_plan
 from runtime.schemes.stepper import Stepper
 from symgen.scene import Scene, SceneRecord
 from symgen.scenes import SCENES

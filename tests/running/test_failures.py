@@ -20,7 +20,7 @@ from runtime.engine.llvm_code import NoLlvm
 from runtime.engine.prepare import prepare
 from runtime.model import Model
 from runtime.running.monitor import Monitor
-from runtime.running.simulate import make_plan
+from runtime.running.planning import make_plan
 from runtime.schemes.stepper import start_vector
 from symgen.generate import generate
 from symgen.scene import Scene, SceneRecord

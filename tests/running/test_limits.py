@@ -16,7 +16,7 @@ from runtime import Model, ModelError, simulate
 from runtime.results.motion_error import MotionError
 from runtime.running.monitor import Monitor
 from runtime.running.outcome import with_error
-from runtime.running.problem import make_plan
+from runtime.running.planning import make_plan
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import start_vector
 from symgen.scene import Scene, SceneRecord

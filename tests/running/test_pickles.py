@@ -78,3 +78,13 @@ def test_a_pickle_brings_the_files_of_its_folder(tmp_path: Path, monkeypatch: py
     (tmp_path / "here").rename(tmp_path / "there")
     monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path / "cache"))
     assert pickle.loads(text).digest == load_model(tmp_path / "there").digest == model.digest
+
+
+@pytest.mark.parametrize(
+    "text",
+    [b"cruntime.results.solution\nSolution\n.", b"cruntime.contract.loading\n_reloaded\n(Vfolder\nVdigest\ntR."],
+    ids=["solution", "model"],
+)
+def test_pickles_of_an_older_version_are_refused(text: bytes) -> None:
+    with pytest.raises(ModelError, match="was written by an older version"):
+        pickle.loads(text)

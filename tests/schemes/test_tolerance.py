@@ -11,7 +11,7 @@ import pytest
 
 from runtime import SchemeError, ensemble, load_model, output_jacobian, reference_solution, resume, simulate
 from runtime.model import Model
-from runtime.running.simulate import make_plan
+from runtime.running.planning import make_plan
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.adaptive_steps import AdaptiveSteps
 from runtime.schemes.scheme import LARGEST

@@ -13,7 +13,7 @@ from runtime import ensemble, load_model, simulate
 from runtime.contract.errors import ArgumentError
 from runtime.engine.llvm_code import host
 from runtime.model import Model
-from runtime.running.problem import make_plan
+from runtime.running.planning import make_plan
 from runtime.schemes.catalogue import SCHEMES
 from runtime.studies.ensemble import rows
 from runtime.studies.ensemble.lane_programs import LanePrograms, programs_of

@@ -7,14 +7,12 @@ All of it depends on states only, never on how many steps a native call made, so
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from runtime.contract.coordinates import mechanism_length
 from runtime.contract.status import Event, Status, StatusName
-from runtime.solutions.solution import Solution
-from runtime.running.events import note_impulses
-from runtime.running.run import Run
 from runtime.running.singular.crossing import BranchLost, TightIntegrator, approach, cross
 from runtime.running.singular.exchange import CLEARLY, Exchange, NoVariant, best_exchange, carried, variant_of
 from runtime.running.singular.guard import FLOOR, LAST, Guard, LoopDeterminants
@@ -22,6 +20,9 @@ from runtime.running.singular.over import Over, Way
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.options import SchemeError
 from runtime.solutions.solution import Solution
+
+if TYPE_CHECKING:
+    from runtime.running.run import Run
 
 FOLLOWED = 0.02  # of the largest determinant: how far a motion is followed to see where it leads
 

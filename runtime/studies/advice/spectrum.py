@@ -21,9 +21,9 @@ import numpy as np
 
 from runtime.contract.coordinates import independent, loop_part
 from runtime.operating.mode_solver import ModeSolver, State
-from runtime.solutions.solution import Solution
 from runtime.running.monitor import known_slopes
 from runtime.running.problem import Problem
+from runtime.solutions.solution import Solution
 
 STATES = 5  # of the motion at which the equations are linearised
 MOST = 20  # of a ratio of groups: longer steps of the slow ones lose what couples them

@@ -12,7 +12,8 @@ from runtime.contract.arguments import BY_NAME, CALLED, NAMES, arguments
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import EmittedModel
 from runtime.results.meter import Meter
-from runtime.running.problem import make_plan, seen_every_of, span_of, whole_number
+from runtime.running.planning import make_plan
+from runtime.running.problem import seen_every_of, span_of, whole_number
 from runtime.running.run import Interrupts, Progress
 from runtime.running.time_functions import check_time_functions
 from runtime.schemes.switching.times import switching_times

@@ -1,0 +1,113 @@
+"""Go on with a run from its checkpoint."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+
+from runtime.contract.arguments import BY_NAME, CALLED, PLACE, arguments
+from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.errors import ModelError
+from runtime.contract.model import EmittedModel
+from runtime.contract.status import Event
+from runtime.running.checkpoint import Checkpoint, read_checkpoint
+from runtime.running.inputs import InputValue, bound
+from runtime.running.outcome import NOT_ASKED, finished, marks_of
+from runtime.results.motion_error import MotionError
+from runtime.running.problem import Plan, Problem
+from runtime.running.recording import record_of
+from runtime.running.run import Further, Pace, Progress, Run, with_reads
+from runtime.running.singular.exchange import variant_of
+from runtime.running.singular.guard import Guard
+from runtime.running.stepped_model import SteppedModel
+from runtime.schemes.switching.impulse import Impulse
+from runtime.solutions.solution import Solution
+
+
+@arguments(inputs=BY_NAME, progress=CALLED, stream=PLACE, checkpoint=PLACE, path=PLACE)
+def resume(
+    model: EmittedModel,
+    path: str | Path,
+    *,
+    stream: str | Path | None = None,
+    engine: str = "auto",
+    progress: Progress | None = None,
+    checkpoint: str | Path | None = None,
+    checkpoint_every: int | None = None,
+    inputs: Mapping[str, InputValue] | None = None,
+) -> Solution:
+    """Continue a run from its checkpoint to its end; the Solution is that of an uninterrupted run, bit for bit.
+
+    stream: the run's folder, if it was moved; a folder that does not hold the stream of this run is refused, whether it
+    is named here or in the checkpoint. checkpoint: where further ones go (the same file by default). inputs: those of
+    the run, where they are functions of time, samples or controllers. Raises ModelError for a checkpoint of
+    another model or a damaged file, and what `simulate` raises.
+    """
+    kept, model = read_checkpoint(path), bound(model, inputs)
+    header = kept.header
+    kept.check_model(model, path)
+    further = Further(progress=progress, checkpoint=checkpoint or path, checkpoint_every=checkpoint_every).checked()
+    started = time.perf_counter()
+    segments = _segments(model, kept, engine, path)
+    segment, z = segments[header["segment"]], kept.z.copy()
+    segment.monitor.resume(segment.state(z), header["monitor"])
+    segment.impulses.update({at: Impulse(energy, np.array(jumps)) for at, energy, *jumps in header["impulses"]})
+    keep_rows = bool(header["plan"]["outputs"]) or header["stream"] is not None
+    folder, of_run = stream or header["stream"], str(header["stream_run"])
+    if folder is not None and not of_run:
+        raise ModelError(f"stream {folder}", "the run of the checkpoint was not streamed", "leave stream out")
+    record = record_of(segment, z, folder, keep_rows, of_run)
+    record.segments[:] = segments
+    with record.closed_on_error():
+        record.restore(kept.arrays, header["rows"], header["last_step"])
+    plan = segments[0].plan
+    begin = ConsistentState(kept.arrays["start_q"], kept.arrays["start_q_dot"], {})
+    problem = Problem(model, kept.arrays["start_p"], begin, plan.t0, plan.t_end, dict(inputs or {}), engine)
+    run = Run(
+        problem,
+        segment,
+        z,
+        record,
+        further,
+        header["initial_changes"],
+        Pace.of(segment.stepper.operations),
+        [Event(**event) for event in header["events"]],
+        guard=Guard.remembered(header["guard"]),
+        earlier=kept.arrays.get("earlier"),
+        marks=marks_of(problem, plan) if "mark_samples" in kept.arrays else None,
+    )
+    if run.marks is not None:
+        marks = {name: kept.arrays[f"mark_{name}"] for name in ("sample_segments", "samples")}
+        run.marks.segments = record.segments
+        run.marks.restore(marks, 0, -1)
+        run.marks.last_step = max(run.marks.steps(), default=-1)
+    run.happenings.resume(header["happened"])
+    schedule = problem.schedule(plan.grid.dt_L)
+    schedule.resume(header["schedule"])
+    run.schedule = with_reads(schedule, run)
+    run.set_up = time.perf_counter() - started
+    return finished(run, MotionError(reason=NOT_ASKED) if run.marks is None else None)
+
+
+def _segments(model: EmittedModel, kept: Checkpoint, engine: str, path: str | Path) -> list[SteppedModel]:
+    """Those that the run has had, built again. Raises ModelError if z does not fit the one under way."""
+    header = kept.header
+    plan = Plan.of_numbers(model, header["plan"])
+    begin = ConsistentState(kept.arrays["start_q"], kept.arrays["start_q_dot"], {})
+    segments = [SteppedModel.of_run(model, plan, kept.p, engine, begin)]
+    for q_i in header["segments"][1:]:
+        variant = model if q_i == model.q_i else variant_of(model, q_i, np.array(header["position"]))
+        segments.append(SteppedModel.of_run(variant, plan.on(variant), kept.p, engine, begin))
+    current = segments[header["segment"]]
+    fitting = current.stepper.start(0.0, model.initial_q, model.initial_q_dot, current.c, plan.grid.dt_L)
+    if len(fitting) != len(kept.z):
+        raise ModelError(
+            f"checkpoint {path}",
+            f"it holds a state of {len(kept.z)} numbers, where the steps of its scheme {plan.name} prepared here have "
+            f"{len(fitting)}: they were prepared otherwise when it was written, as another version does",
+            "go on with the version that wrote it, or start again",
+        )
+    return segments
