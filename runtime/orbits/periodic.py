@@ -21,7 +21,6 @@ from runtime.orbits.motion import PeriodicMotion
 from runtime.orbits.shooting import Closed, Conditions, NoPeriodicMotion, PeriodMap, Setting, closed, closed_beside
 from runtime.orbits.states import States
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
-from runtime.solutions.solution import Solution
 from runtime.running.comparison_times import common_steps, coprime
 from runtime.running.inputs import InputValue, bound
 from runtime.running.simulate import simulate

@@ -14,9 +14,8 @@ from runtime.contract.orientations import NEAR_SINGULAR, angles, regularity
 from runtime.contract.records import BeamRecord
 from runtime.contract.status import Event
 from runtime.engine.rows import evaluate
-from runtime.results.section_forces import STRETCHING
-from runtime.solutions.solution import Solution
 from runtime.results.samples import Samples
+from runtime.results.section_forces import STRETCHING
 
 LOOKS = 100  # samples at most
 WORTH_OF_SHAPES = 1e-3  # of a deflection

@@ -21,7 +21,6 @@ from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
-from runtime.solutions.solution import Solution
 from runtime.running.comparison_times import comparison_steps, refined, shared
 from runtime.running.monitor import known_slopes
 from runtime.running.outcome import FINER, LARGEST, compared, early_steps, finished, loads_missed, marks_of, passed_by

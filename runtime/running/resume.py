@@ -13,10 +13,10 @@ from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.errors import ModelError
 from runtime.contract.model import EmittedModel
 from runtime.contract.status import Event
+from runtime.results.motion_error import MotionError
 from runtime.running.checkpoint import Checkpoint, read_checkpoint
 from runtime.running.inputs import InputValue, bound
 from runtime.running.outcome import NOT_ASKED, finished, marks_of
-from runtime.results.motion_error import MotionError
 from runtime.running.problem import Plan, Problem
 from runtime.running.recording import record_of
 from runtime.running.run import Further, Pace, Progress, Run, with_reads

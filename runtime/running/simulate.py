@@ -16,7 +16,6 @@ from runtime.operating.given_state import given_state
 from runtime.results.motion_error import MotionError
 from runtime.running.inputs import InputValue, bound, scheduled, started
 from runtime.running.outcome import NOT_ASKED, finished, marks_of
-from runtime.running.outcome import finished, marks_of
 from runtime.running.planning import make_plan
 from runtime.running.problem import (
     AUTO,

@@ -18,7 +18,6 @@ from runtime.contract.errors import NoResult
 from runtime.contract.model import EmittedModel, refuse_events
 from runtime.engine.rows import evaluator
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
-from runtime.solutions.solution import Solution
 from runtime.running.comparison_times import comparison_steps
 from runtime.running.ladder import Rung
 from runtime.running.outcome import statistics
