@@ -16,8 +16,8 @@ from runtime.contract.coordinates import Initial
 from runtime.contract.errors import ModelError
 from runtime.contract.model import EmittedModel
 from runtime.contract.signals import SINCE, SUFFIXES
-from runtime.solutions.solution import Solution
 from runtime.running.inputs import InputValue, Sampled, Schedule
+from runtime.solutions.solution import Solution
 
 SAME_TIME = 1e-9  # of the end of the run before: a start that far from it is there
 ON_ITS_GRID = 1e-6  # of the period of a controller

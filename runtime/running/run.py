@@ -16,9 +16,7 @@ import numpy as np
 from runtime.contract.consistent_state import start_events
 from runtime.contract.files import OutputError
 from runtime.contract.status import Event, Status
-from runtime.solutions.solution import Solution
 from runtime.running.events import EventActions, ImpulseNotes, rest_until
-from runtime.running.events import EventActions, ImpulseNotes
 from runtime.running.inputs import EndlessInput, Schedule
 from runtime.running.monitor import Failure
 from runtime.running.problem import Plan, Problem, whole_number
