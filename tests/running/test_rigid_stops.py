@@ -130,6 +130,27 @@ def test_a_stop_tells_of_its_own_joint_only(model_of: Build) -> None:
     assert run.stop("block_rail").at_rest == 0 and run.stop("weight_rail").at_rest == pytest.approx(1.0)
 
 
+@pytest.mark.parametrize("falls", [0.0, 0.1, 0.17, 0.23, 0.3])
+def test_a_ball_that_rests_is_held_when_it_is_struck(model_of: Build, falls: float) -> None:
+    """The lower ball lies on the ground, or has come to rest there to rounding; the upper one falls on it by 1 m and
+    leaves with e v: the ground holds.
+    """
+    scene = Scene("two").gravity(0.0, -9.81).ground(markers={"up": {"position": (0.0, 0.0), "angle": pi / 2}})
+    scene.rigid("lower", mass=3.0, inertia=0.1).rigid("upper", mass=1.0, inertia=0.1)
+    scene.prismatic("ground_rail", "ground.up", "lower.origin", limits={"lower": 0.0, "restitution": 0.0})
+    scene.prismatic("between", "lower.origin", "upper.origin", limits={"lower": 0.0, "restitution": 0.6})
+    scene.initial({"lower.y": falls, "upper.y": 1.0}).simulation(t_end=0.95, dt=0.01, scheme="rk4")
+    run = simulate(model_of(scene.build()), seen_every=0.0)
+    hit, v = sqrt(2 / 9.81), sqrt(2 * 9.81)
+    rests, after = run.t > sqrt(2 * falls / 9.81) + 1e-9, run.t > hit
+    assert run["lower.y"][rests] == pytest.approx(0.0, abs=1e-10) and not run["lower.y_dot"][rests].any()
+    flying = 0.6 * v * (run.t[after] - hit) - 9.81 * (run.t[after] - hit) ** 2 / 2
+    assert run["upper.y"][after] == pytest.approx(flying, abs=1e-9)
+    assert run.stop("between").impulses == pytest.approx(np.array([[hit, 1.6 * v]]), abs=1e-9)
+    assert run.stop("ground_rail").force[-1] == pytest.approx(3.0 * 9.81, rel=1e-12)
+    assert run.balance.largest < 1e-9
+
+
 def test_an_upper_stop_pushes_back(model_of: Build) -> None:
     """Its force and impulse are negative along the coordinate: a block that is pressed on by 10 N."""
     scene = Scene("press").rigid("m", mass=2.0, inertia=0.1).rates({"m.x": 1.0}).force("press", "m.origin", 10.0, 0.0)
