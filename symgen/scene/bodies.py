@@ -237,7 +237,8 @@ class BeamBody(StrictModel):
     torsion_constant [m^4], without warping. Measures of stress need section_modulus [m^3] (I over the distance of the
     outermost fibre), section_modulus_z, torsion_modulus [m^3] (torque over the largest shear stress) and shear_factor,
     the largest shear stress of a shear force over its mean: 1.5 of rectangles, 4/3 of circles.
-    ``stiffening`` keeps the foreshortening (geometric stiffening) terms.
+    ``stiffening`` keeps the foreshortening (geometric stiffening) terms. mesh: "exact" shapes in closed form, or in a
+    plane "lumped", the paper's mesh of so many `elements` with masses at its nodes (Eqs. 15-20), a modal body then.
     """
 
     type: Literal["beam"] = "beam"
@@ -269,6 +270,8 @@ class BeamBody(StrictModel):
     damping_frequency: Annotated[
         Quantity | None, Meaning("frequency at which the damping ratio holds", "rad/s", Bound.POSITIVE)
     ] = None
+    mesh: Literal["exact", "lumped"] = "exact"
+    elements: Annotated[int, Strict(), Field(ge=1, le=1000)] | None = None
     orientation: Orientation = "euler_parameters"
     free: Flag = False
     markers: dict[Name, BeamMarker] = Field(default_factory=dict)
@@ -276,6 +279,8 @@ class BeamBody(StrictModel):
     def faults(self, scene: Any) -> Iterator[Fault]:
         """Modes that are none or too many, and shapes of the other space."""
         spatial = scene.space == "spatial"
+        if self.elements is not None and self.mesh == "exact":
+            yield Fault("elements", "belongs to a mesh", 'give mesh = "lumped", or leave it out')
         if self.nf == 0:
             yield Fault("", "the beam has no modes", "give lateral or axial modes, or describe it as a rigid body")
         if self.stiffening and self.lateral is None and self.lateral_z is None:

@@ -350,11 +350,9 @@ class SpatialModalBody(StrictModel):
 
     def faults(self, scene: Any) -> Iterator[Fault]:
         """Sizes that do not fit its modes, and struts between markers that it does not have."""
-        if scene.space == "planar":
-            yield Fault("type", "a flexible body needs three dimensions", 'use type = "modal" or "beam"')
         if self.nf == 0:
             yield NO_MODES
-        yield from size_faults(self, self.nf)
+        yield from self.size_faults()
         yield from orientation_fault(self.orientation, scene)
         if self.surface is not None and (fault := self.surface.fault(self.nf)):
             yield Fault("surface", fault, "take what FlexibleBody.surface gives for these modes")
@@ -381,6 +379,10 @@ class SpatialModalBody(StrictModel):
         matrix[3:, :3], matrix[6:, 3:6] = matrix[:3, 3:].T, matrix[3:6, 6:].T
         matrix[6:, 6:] = number(self.M_ff)
         return matrix
+
+    def size_faults(self) -> Iterator[Fault]:
+        """Matrices whose sizes do not fit its modes."""
+        yield from size_faults(self, self.nf)
 
     @property
     def nf(self) -> int:

@@ -13,6 +13,7 @@ from pydantic import ValidationError
 from runtime.contract.cards import card, fold, table
 from symgen.scene import toml_io
 from symgen.scene.checks import check_scene
+from symgen.scene.in_plane import planar_bodies
 from symgen.scene.parts import SceneParts
 from symgen.scene.tables import with_tables
 from symgen.scene.toml_io import with_files
@@ -64,6 +65,7 @@ class SceneRecord(SceneParts):
             super().__init__(**data)
         except ValidationError as error:
             raise_all(scene_errors(error, data))
+        object.__setattr__(self, "bodies", planar_bodies(self.bodies, self.space, self))
         check_scene(self)
 
     @classmethod
