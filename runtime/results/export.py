@@ -114,6 +114,7 @@ def run_header(solution: Samples) -> dict[str, Any]:
         "status": asdict(solution.status),
         "events": [asdict(event) for event in solution.events],
         "stops": solution.stops.tolist(),
+        "powers": [[None if np.isnan(one) else float(one) for one in row] for row in solution.powers],
     }
 
 
@@ -128,6 +129,7 @@ def read_run_header(header: dict[str, Any], path: str | Path, model: EmittedMode
         "status": Status(**header["status"]),
         "events": [Event(**event) for event in header["events"]],
         "stops": np.array(header["stops"], dtype=float).reshape(-1, 2),
+        "powers": np.array(header.get("powers", []), dtype=float).reshape(-1, 4),
         "model": model or recorded,
     }
 

@@ -79,6 +79,7 @@ class WithLater:
 # It is of order 4 where power is smooth. By how much it may be wrong is told by the work over every other sample.
 
 STORED = ("kinetic", "elastic", "potential")
+ALIKE = 1e-12  # of a motion: times that are one
 WINDOW = 4  # samples that a polynomial passes through
 GAUSS = (1 - 3**-0.5) / 2, (1 + 3**-0.5) / 2  # of an interval: two points take cubics exactly
 
@@ -108,54 +109,104 @@ class EnergyBalance:
         return f"{known}, not resolved by the samples (their work is known to {self.uncertainty[-1]:.2g} J)"
 
 
-def energy_balance(t: np.ndarray, energy: Mapping[str, np.ndarray], stops: np.ndarray) -> EnergyBalance:
+def energy_balance(
+    t: np.ndarray, energy: Mapping[str, np.ndarray], stops: np.ndarray, powers: np.ndarray | None = None
+) -> EnergyBalance:
     """Of samples at t (N,) [s]; stops (S, 2): times [s], and the energy that an impulse put in there [J].
 
-    A sample at the very time of a stop shows what is before it.
+    powers (S, 4): power [W] and its rate [W/s] before each stop and behind it, NaN where they are not known. A sample
+    at the very time of a stop shows what is before it.
     """
     total = np.sum([energy[name] for name in STORED], axis=0)
     P = energy["power_applied"] + energy["power_driven"] - energy["power_dissipated"]
-    inside = stops[(stops[:, 0] >= t[0]) & (stops[:, 0] < t[-1])]
-    times, put_in = inside[np.argsort(inside[:, 0], kind="stable")].T
+    within = (stops[:, 0] >= t[0]) & (stops[:, 0] < t[-1])
+    order = np.flatnonzero(within)[np.argsort(stops[within, 0], kind="stable")]
+    times, put_in = stops[order].T
+    sides = None if powers is None or len(powers) != len(stops) else powers[order]
     with np.errstate(all="ignore"):  # of samples that are not finite
-        work = integrals(t, P, times)
-        off = _difference_to_half(t, P, times, work)
+        work, open_ = _integrals(t, P, times, sides)
+        off = _difference_to_half(t, P, times, work, sides) + open_
         work = work + np.append(0.0, np.cumsum(put_in))[np.searchsorted(times, t, side="left")]
         return EnergyBalance(work, total - total[0] - work, off)
 
 
-def _difference_to_half(t: np.ndarray, P: np.ndarray, stops: np.ndarray, work: np.ndarray) -> np.ndarray:
+def _difference_to_half(
+    t: np.ndarray, P: np.ndarray, stops: np.ndarray, work: np.ndarray, sides: np.ndarray | None
+) -> np.ndarray:
     """(N,) largest difference until each sample to the integral over every other one."""
     n = len(t)
     if n < 3:
         return np.append(0.0, np.abs(np.diff(t) * np.diff(P) / 2))
     half = np.array([*range(0, n - 1, 2), n - 1])
-    off = np.maximum.accumulate(np.abs(integrals(t[half], P[half], stops) - work[half]))
+    off = np.maximum.accumulate(np.abs(_integrals(t[half], P[half], stops, sides)[0] - work[half]))
     return np.asarray(off[np.searchsorted(half, np.arange(n))])
 
 
 def integrals(t: np.ndarray, P: np.ndarray, stops: np.ndarray) -> np.ndarray:
     """(N,) integrals of P (N,) from the first sample on; stops (S,), rising, lie among the samples."""
+    return _integrals(t, P, stops, None)[0]
+
+
+def _integrals(
+    t: np.ndarray, P: np.ndarray, stops: np.ndarray, sides: np.ndarray | None
+) -> tuple[np.ndarray, np.ndarray]:
+    """(integrals (N,), what is open (N,)) of P (N,); sides (S, 4): see `energy_balance`.
+
+    Between two stops without a sample inside, of which power and rate are known, it is the cubic of these. Where few
+    samples lie between them, what either rate adds to a trapezoid is open, as no others tell.
+    """
     if len(t) < 2:
-        return np.zeros(len(t))
+        return np.zeros(len(t)), np.zeros(len(t))
     piece = np.searchsorted(stops, t, side="left")  # of each sample: how many stops are before it
+    at, values, own_piece = (t, P, piece) if sides is None else _with_sides(t, P, piece, stops, sides)
     ends = np.sort(np.concatenate([t, stops]))
     start, length = ends[:-1], np.diff(ends)
     own = np.searchsorted(stops, start, side="right")  # piece of each interval
     own = np.where(length > 0, own, piece[-1])
     sample = np.clip(np.searchsorted(t, start, side="right") - 1, 0, len(t) - 2)
-    first, last = np.searchsorted(piece, own, side="left"), np.searchsorted(piece, own, side="right")
+    point = np.clip(np.searchsorted(at, start, side="right") - 1, 0, len(at) - 2)
+    first, last = np.searchsorted(own_piece, own, side="left"), np.searchsorted(own_piece, own, side="right")
     alone = first == last  # no sample between two stops: a line through those beside them
-    first, last = np.where(alone, sample, first), np.where(alone, sample + 2, last)
+    first, last = np.where(alone, point, first), np.where(alone, point + 2, last)
     count = np.minimum(last - first, WINDOW)
-    begin = np.clip(sample - 1, first, last - count)
-    done = np.zeros(len(start))
+    begin = np.clip(point - 1, first, last - count)
+    done, open_ = np.zeros(len(start)), np.zeros(len(start))
     for n in range(1, WINDOW + 1):
         of = np.flatnonzero(count == n)
         window = begin[of, None] + np.arange(n)
         for share in GAUSS:
-            done[of] += length[of] / 2 * _interpolated(t[window], P[window], start[of] + share * length[of])
-    return np.append(0.0, np.cumsum(np.bincount(sample, done, minlength=len(t) - 1)))
+            done[of] += length[of] / 2 * _interpolated(at[window], values[window], start[of] + share * length[of])
+    if sides is not None and len(stops):
+        before, behind = sides[np.clip(own, 0, len(stops) - 1), :2], sides[np.clip(own - 1, 0, len(stops) - 1), 2:]
+        known = (own > 0) & (own < len(stops)) & np.isfinite(before).all(axis=1) & np.isfinite(behind).all(axis=1)
+        few, width = known & (length > 0) & (last - first <= WINDOW), _widths(stops, own)
+        cubic = length / 2 * (behind[:, 0] + before[:, 0]) + length**2 / 12 * (behind[:, 1] - before[:, 1])
+        done = np.where(few & (last - first == 2), cubic, done)
+        open_ = np.where(few, length * width / 12 * (np.abs(behind[:, 1]) + np.abs(before[:, 1])), 0.0)
+    found = (np.append(0.0, np.cumsum(np.bincount(sample, one, minlength=len(t) - 1))) for one in (done, open_))
+    return next(found), next(found)
+
+
+def _widths(stops: np.ndarray, piece: np.ndarray) -> np.ndarray:
+    """(K,) lengths of pieces between two stops [s]; infinite at the ends."""
+    wide = np.concatenate([[np.inf], np.diff(stops), [np.inf]])
+    return np.asarray(wide[piece])
+
+
+def _with_sides(
+    t: np.ndarray, P: np.ndarray, piece: np.ndarray, stops: np.ndarray, sides: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Times, powers and pieces of samples and of what is known beside stops, in order; no time twice in a piece."""
+    k = np.arange(len(stops))
+    at, values = np.concatenate([t, stops, stops]), np.concatenate([P, sides[:, 0], sides[:, 2]])
+    pieces, rank = np.concatenate([piece, k, k + 1]), np.repeat([0, 1, 1], [len(t), len(k), len(k)])
+    known = np.isfinite(values) | (rank == 0)
+    order = np.lexsort((rank[known], at[known], pieces[known]))
+    at, values, pieces, rank = (one[known][order] for one in (at, values, pieces, rank))
+    close = np.append(False, (np.diff(at) <= ALIKE * (at[-1] - at[0])) & (np.diff(pieces) == 0))
+    before = np.append(close[1:], False) & (rank == 1)  # a sample that follows at once is kept in its place
+    keep = ~(close & (rank == 1)) & ~(before & np.append(rank[1:] == 0, False))
+    return at[keep], values[keep], pieces[keep]
 
 
 def _interpolated(t: np.ndarray, P: np.ndarray, at: np.ndarray) -> np.ndarray:
@@ -196,7 +247,8 @@ class Samples(WithLater):
     lam (N, n_constraints), the multipliers of Eq. (37); energy: kinetic, elastic, potential (N,) [J] and
     power_dissipated (>= 0), power_applied, power_driven (N,) [W]; constraint_error (N,) = max |C| and
     constraint_rate_error (N,) = max |C_q q_dot + C_t|; stops (S, 2): times at which power may jump [s], and the energy
-    that the impulse of a prescribed motion put in there [J];
+    that the impulse of a prescribed motion put in there [J]; powers (S, 4): power [W] and its rate before and behind
+    each of them, NaN where they are not known;
     measures (N, len(model.measures)); joint_forces (N, joints, 3), in space (N, joints, 6): world force [N] and moment
     [N m] of each joint on its body b, at marker b; load_forces (N, loads, 3 or 6): those of each load on its marker or
     its marker b; frictions (N, joints with friction or rigid stops, 2): force along the joint's coordinate on body b
@@ -228,6 +280,7 @@ class Samples(WithLater):
     events: list[Event] = field(default_factory=list)
     outputs: dict[str, np.ndarray] = field(default_factory=dict)
     stops: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))
+    powers: np.ndarray = field(default_factory=lambda: np.zeros((0, 4)))
     frictions: np.ndarray = field(default_factory=lambda: np.zeros((0, 0, 2)))
     error: MotionError = field(default_factory=lambda: MotionError(reason="it was not asked for"))
     driven: Mapping[str, list[float] | None] = field(default_factory=dict)
@@ -330,7 +383,7 @@ class Samples(WithLater):
     @property
     def balance(self) -> EnergyBalance:
         """Of energy and work, with the uncertainty that the samples leave; split at `stops`."""
-        return energy_balance(self.t, self.energy, self.stops)
+        return energy_balance(self.t, self.energy, self.stops, self.powers)
 
     def work(self) -> np.ndarray:
         """Work (N,) [J] done since the first sample by loads, drives and dampers, summed over the samples."""

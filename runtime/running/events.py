@@ -172,7 +172,7 @@ class EventActions:
         seen: before they do anything.
         """
         values, values_now = action_values(self._scheme, seen.z, seen.c), seen.values
-        kept = None if self._passages is None else seen._replace(z=seen.z.copy())
+        kept, before = None if self._passages is None else seen._replace(z=seen.z.copy()), seen.z.copy()
         rates = event_slopes(self._scheme, seen.z, seen.c) if (values_now == 0).any() else values_now
         first = np.cumsum([0, *(len(event.sets) for event in self._events)])  # kinks set nothing
         changes: dict[str, float] = {}
@@ -201,7 +201,9 @@ class EventActions:
             settled = self._settle(z, t, happened, seen)
         if self._passages is not None and kept is not None:
             self._passages.append(Passage(t, happened, kept, z[self._inputs].copy(), settled))
-        return self._push(settled)
+        push = self._push(settled)
+        self.own.note_change(t, before, seen.c, z[self._inputs], push)
+        return push
 
     def _push(self, settled: Any) -> np.ndarray:
         """(n_i,) what is added to the rates."""

@@ -21,6 +21,7 @@ from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.results.undefined import undefined_measures
 from runtime.running.comparison_times import common_steps, comparison_steps, coprime
 from runtime.running.going_on import driven_inputs
+from runtime.running.powers import powers_at
 from runtime.running.problem import Plan, Problem
 from runtime.running.record import Marks, among
 from runtime.running.run import Run, begun, integrate
@@ -75,6 +76,7 @@ def _ended(run: Run, error: MotionError | None) -> Solution:
     elif len(events) < len(run.events):
         stats["kinks"] = len(run.events) - len(events)
     solution = solution.but(status=status, stats=stats, events=events, parameters=run.segment.p, stops=_stops(run))
+    solution = solution.but(powers=powers_at(solution.stops[:, 0], run.record.segments))
     solution = solution.but(driven=driven_inputs(run.problem.model, run.schedule, run.problem.inputs))
     began = time.perf_counter()
     if not status.ok:
@@ -98,7 +100,7 @@ def _stops(run: Run) -> np.ndarray:
     plan, segments = run.segment.plan, run.record.segments
     impulses = {at: one.energy for segment in segments for at, one in segment.impulses.items()}
     found = {float(one.before): 0.0 for one in run.segment.switches if one.time not in impulses}
-    found |= {event.time: 0.0 for event in run.events if event.kind in ("event", "mode", "rest")}
+    found |= {event.time: 0.0 for event in run.events if event.kind in ("event", "mode", "rest", "kink")}
     if run.schedule is not None:
         found |= {plan.time(step): 0.0 for step in run.schedule.changes(run.step)}
     found |= impulses

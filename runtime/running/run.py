@@ -225,6 +225,8 @@ class Run:
         own = self.plan.scheme.layout.slice("inputs")
         w = self.schedule.apply(self.step, self.plan.time(self.step), self.segment.state(self.z), self.z[own].copy())
         if w is not None:
+            seen, c = self.segment.state(self.z).copy(), self.plan.scheme.constants(self.segment.c).copy()
+            self.segment.note_change(self.plan.time(self.step), seen, c, w, np.zeros(len(self.segment.model.q_i)))
             self.segment.hold(self.z, w)
             self._hold(w)
             self.segment.look_anew(self.z)

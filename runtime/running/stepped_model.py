@@ -17,6 +17,7 @@ from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.running.monitor import Monitor
+from runtime.running.powers import MAX_CHANGES, Change, tell_powers
 from runtime.running.problem import Plan
 from runtime.running.time_functions import all_stops
 from runtime.schemes.stepper import Stepper, kept_stepper
@@ -36,7 +37,7 @@ class SteppedModel:
     The arrays stay where they are and change in place: compiled code that was bound to them sees it. States z (flat)
     belong to whoever steps. begun: where a run starts; None: as the model does. switches: times at which loads or
     motions jump or kink, where they were looked for; broken: who steps across them. given: impulses of steps of a
-    tolerance so far, by time.
+    tolerance so far, by time. changes: of inputs and rates so far, see powers.py.
     """
 
     model: EmittedModel
@@ -49,6 +50,7 @@ class SteppedModel:
     given: dict[float, Impulse] = field(default_factory=dict)
     switches: list[SwitchTime] = field(default_factory=list, init=False)
     broken: Any = field(default=None, init=False)
+    changes: list[Change] = field(default_factory=list, init=False)
 
     @classmethod
     def prepared(cls, model: EmittedModel, plan: Plan, p: np.ndarray, engine: str, wait: bool = False) -> Self:
@@ -206,6 +208,11 @@ class SteppedModel:
         self.forget_determinants(z)
         self.begin_events(z)
         return z
+
+    def note_change(self, t: float, z: np.ndarray, c: np.ndarray, w: np.ndarray, push: np.ndarray) -> None:
+        """Keep what `powers` tells of a change at t [s], see there."""
+        if len(self.changes) < MAX_CHANGES and tell_powers(self.plan.scheme):
+            self.changes.append(Change(t, z[: self.plan.scheme.layout.size].copy(), c.copy(), w.copy(), push.copy()))
 
     def take_inputs(self, w: np.ndarray) -> None:
         """From now on p and c have these numbers (n_w,) of the inputs; z has its own."""

@@ -161,3 +161,49 @@ def test_the_balance_tells_spurious_energy(model_of: Build) -> None:
     builder.groups(L=["x"], S=["y"]).initial({"x": 1.0, "y": 0.1})
     run = simulate(model_of(builder.simulation(t_end=30.0, dt=0.1, m=[8], scheme="coupled").build()))
     assert run.balance.resolved and run.balance.largest > 1.0
+
+
+@pytest.mark.parametrize("samples", [50, 500])
+def test_a_sampled_controller_is_not_condemned(model_of: Build, samples: int) -> None:
+    """A pendulum under a torque that is held for 20 ms: what that does is its sum of torque and turn, to 1e-9 J."""
+    scene = Scene("held").gravity(0, -9.81).input("u", 0.0)
+    scene.rigid("p", mass=1.0, inertia=0.02, center_of_mass=(0.5, 0)).revolute("h", "ground.origin", "p.origin")
+    scene.torque("tq", "p.origin", "u").initial({"p.theta": -1.5})
+    model = model_of(scene.simulation(t_end=1.0, dt=1e-3, scheme="dopri5").build())
+
+    def law(t: float, seen: np.ndarray) -> float:
+        return float(np.clip(20 * (0.5 - seen[0]) - seen[1], -9, 9))
+
+    reads = ["p.theta", "p.theta_dot"]
+    inputs = {"u": Sampled(law, every=0.02, reads=reads, memory=())}
+    run = simulate(model, inputs=inputs, tolerance=1e-4, samples=samples)
+    theta, rate = run["p.theta"], run["p.theta_dot"]
+    asked = [int(np.abs(run.t - k * 0.02).argmin()) for k in range(51)]
+    torques = [law(0.0, np.array([theta[k], rate[k]])) for k in asked[:-1]]
+    work = sum(u * (theta[b] - theta[a]) for u, a, b in zip(torques, asked, asked[1:], strict=False))
+    energy = 0.27 / 2 * rate[-1] ** 2 + 9.81 * 0.5 * (np.sin(theta[-1]) - np.sin(theta[0]))
+    assert energy == pytest.approx(work, abs=1e-9)  # the run is right, so its balance has to be
+    assert run.work()[-1] == pytest.approx(work, abs=2e-5) and run.balance.largest < 2e-5
+    assert run.balance.largest < run.balance.uncertainty[-1]
+
+
+@pytest.mark.parametrize(
+    "ends",
+    [
+        {"friction": {"coulomb": 5.0, "breakaway": 15.0, "stribeck_velocity": 0.5, "viscous": 1.0}},
+        {"limits": {"upper": 0.4, "restitution": 0.5}},
+        {"limits": {"upper": 0.4, "stiffness": 1e4, "damping": 0.3}},
+    ],
+    ids=["friction", "stop", "elastic"],
+)
+def test_modes_and_kinks_split_the_work(model_of: Build, ends: dict[str, dict[str, float]]) -> None:
+    """A block, coarsely seen: its balance is left open by the samples, not condemned, and fine ones show it."""
+    scene = Scene("block").rigid("block", mass=1.0, inertia=0.1)
+    scene.prismatic("rail", "ground.origin", "block.origin", **{"limits": {"upper": 0.4, "restitution": 0.5}} | ends)
+    scene.force("pull", "block.origin", "25 * sin(pi * t / 2)", 0.0)
+    model = model_of(scene.simulation(t_end=3.0, dt=0.01, scheme="rk4").build())
+    run, fine = simulate(model, tolerance=1e-4, samples=60), simulate(model, dt=1e-3)
+    assert run.status.name == fine.status.name == "completed"
+    for one in (run, fine):
+        assert one.balance.largest < one.balance.uncertainty[-1] or one.balance.largest < 1e-6
+    assert fine.balance.largest < 5e-4 and fine.balance.uncertainty[-1] < 5e-3
