@@ -23,14 +23,23 @@ def cache_folder() -> Path:
     chosen = os.environ.get("SYMGEN_CACHE")
     if chosen:
         return Path(chosen)
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "symgen"
+    try:
+        return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "symgen"
+    except RuntimeError:  # a user without a home, as in some containers: a place that is refused
+        return Path(os.devnull) / "symgen"
 
 
 def refused_folder(folder: Path) -> str:
-    """Why a folder of the cache is not used, "" if it is: it must be the user's own; makes it where it is missing."""
+    """Why a folder of the cache is not used, "" if it is: it must be the user's own; makes it where it is missing.
+
+    One that others could read only, as older versions made some, is closed: what is in it is the user's.
+    """
     try:
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         found = os.lstat(folder)
+        if _is_own_folder(found) and found.st_mode & 0o077 and not found.st_mode & 0o022:
+            os.chmod(folder, 0o700)
+            found = os.lstat(folder)
     except OSError as error:
         return f"{folder} cannot be used: {error}"
     if not stat.S_ISDIR(found.st_mode):
@@ -40,6 +49,10 @@ def refused_folder(folder: Path) -> str:
     if os.name != "nt" and found.st_mode & 0o077:
         return f"{folder} is open to other users (chmod 700 closes it)"
     return ""
+
+
+def _is_own_folder(found: os.stat_result) -> bool:
+    return os.name != "nt" and stat.S_ISDIR(found.st_mode) and found.st_uid == os.getuid()
 
 
 def read_own(path: Path) -> bytes:

@@ -73,11 +73,13 @@ def cache(arguments: argparse.Namespace) -> Outcome:
 
     Nothing is lost by removing it: what is needed is compiled and generated again.
     """
+    from runtime.contract.cache import refused_folder
     from runtime.contract.kept_models import KeptModels
     from runtime.engine.object_cache import MOST_BYTES, ObjectCache
 
     cache, models, variants, sent = ObjectCache(), *map(KeptModels, ("models", "variants", "sent"))
-    refused = cache.refused()
+    rooms = [(one, refused_folder(one.folder)) for one in (cache, models, variants, sent)]
+    refused = "; ".join(why for _, why in rooms if why)
     entries = cache.entries()
     size = sum(size for _, size, _ in entries)
     facts: dict[str, Any] = {"folder": str(cache.folder), "programs": len(entries), "bytes": size, "most": MOST_BYTES}
@@ -90,8 +92,8 @@ def cache(arguments: argparse.Namespace) -> Outcome:
     if refused:
         facts["refused"] = refused
         lines.append(f"not used: {refused}")
-    elif arguments.clear:
-        facts["removed"] = sum(room.clear() for room in (cache, models, variants, sent))
+    if arguments.clear:
+        facts["removed"] = sum(room.clear() for room, why in rooms if not why)
         lines.append(f"{facts['removed']} removed")
     return Outcome(facts, lines)
 

@@ -55,7 +55,7 @@ def content_of(path: str | Path, item: str, kind: str) -> bytes:
         with open(path, "rb") as file:
             content = file.read(MAX_BYTES + 1)
     except FileNotFoundError:
-        beside = [one.name for one in Path(path).parent.glob(f"*{Path(path).suffix}")]
+        beside = _names_beside(Path(path))
         near = get_close_matches(Path(path).name[:80], beside, 1)
         raise SceneError(item, "does not exist", f"did you mean '{near[0]}'?" if near else "check the path") from None
     except (OSError, ValueError, TypeError) as error:
@@ -64,6 +64,14 @@ def content_of(path: str | Path, item: str, kind: str) -> bytes:
     if len(content) > MAX_BYTES:
         raise SceneError(item, "is larger than 50 MB", f"give the path of {kind}")
     return content
+
+
+def _names_beside(path: Path) -> list[str]:
+    """Names of the files beside a path with its ending."""
+    try:
+        return [one.name for one in path.parent.iterdir() if one.suffix == path.suffix]
+    except OSError:
+        return []
 
 
 def within(path: Path, *folders: Path) -> Path | None:

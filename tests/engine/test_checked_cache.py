@@ -126,6 +126,27 @@ def test_planted_code_is_not_run(
     assert make() == name and not mark.exists()
 
 
+def test_a_folder_that_others_could_only_read_is_closed(root: Path, tmp_path: Path) -> None:
+    """As older versions made that of variants: what is in it is the user's, so it is used on."""
+    make, name = KINDS["variants"]
+    make()
+    plant(root / "variants", tmp_path / "ran")
+    (root / "variants").chmod(0o755)
+    assert make() == name and (tmp_path / "ran").exists()
+    assert (root / "variants").stat().st_mode & 0o777 == 0o700
+
+
+def test_a_user_without_a_home_has_no_cache(monkeypatch: pytest.MonkeyPatch) -> None:
+    def home() -> Path:
+        raise RuntimeError("Could not determine home directory.")
+
+    for name in ("SYMGEN_CACHE", "XDG_CACHE_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr(Path, "home", home)
+    assert ObjectCache().refused()
+    assert scene_model() == "kept_arm"
+
+
 def test_an_object_that_others_can_write_is_not_loaded(root: Path) -> None:
     cache = ObjectCache()
     cache.write("key", b"machine code", 1)
@@ -208,6 +229,16 @@ def test_clear_sees_all_of_it(root: Path, capsys: pytest.CaptureFixture[str]) ->
     shown = json.loads(capsys.readouterr().out)
     assert (shown["programs"], shown["models"], shown["variants"], shown["removed"]) == (1, 1, 1, 9)
     assert not [path for room in ("objects", "models", "variants") for path in (root / room).iterdir()]
+
+
+def test_the_command_says_which_folder_is_refused_and_clears_the_others(root: Path, capsys: Any) -> None:
+    ObjectCache().write("key", b"code", 0)
+    model_variant()
+    (root / "variants").chmod(0o777)
+    assert main(["cache", "--clear", "--json"]) == 0
+    shown = json.loads(capsys.readouterr().out)
+    assert "variants is open to other users" in shown["refused"] and shown["removed"] == 1
+    assert list((root / "variants").iterdir())
 
 
 @pytest.mark.parametrize("mode", [0o700, 0o777])

@@ -189,6 +189,9 @@ def test_a_scene_file_reads_nothing_outside_its_folder(tmp_path: Path) -> None:
     (tmp_path / "curve.csv").write_text("0,0\n1,1\n")
     (inner / "link.csv").symlink_to(tmp_path / "curve.csv")
     (inner / "circle.csv").symlink_to(inner / "circle.csv")
+    (inner / "scene.toml").write_text('name = "s"\n[tables]\ncurve = { file = "x.**" }\n')
+    with pytest.raises(SceneError, match="does not exist"):
+        SceneRecord.from_toml(inner / "scene.toml")
     for name in ("link.csv", "circle.csv", str(tmp_path / "curve.csv")):
         (inner / "scene.toml").write_text(f'name = "s"\n[tables]\ncurve = {{ file = "{name}" }}\n')
         with pytest.raises(SceneError, match="below the scene's folder"):
