@@ -63,8 +63,11 @@ def _ended(run: Run, error: MotionError | None) -> Solution:
     solution = run.seen()
     if not status.ok:
         from runtime.running.diagnose import laid_to_loads
+        from runtime.running.domains import outside_its_domain
 
-        status = laid_to_loads(status, solution, run.events, 2 * run.plan.grid.dt_L)
+        found = outside_its_domain(status, solution, run.segment.with_inputs(run.z), run.plan.scheme.next_step(run.z))
+        near = 2 * run.plan.grid.dt_L
+        status = found if found is not status else laid_to_loads(status, solution, run.events, near)
     stats = {**statistics(run.segment, run.z, run.set_up, run.seconds), **solution.stats, **_circumstances(run)}
     if run.plan.end is not None and not run.plan.scheme.adaptive:
         stats["last_step"] = run.plan.last_step

@@ -304,6 +304,10 @@ class AdaptiveSteps(Scheme):
         """From z (flat) on, end a step at every state that is seen."""
         z[self.layout.slice("lands")] = 1.0
 
+    def next_step(self, z: np.ndarray) -> float:
+        """The one to be tried, or from one state that is seen to the next [s]."""
+        return max(float(z[self.layout.slice("h_try")][0]), super().next_step(z))
+
     def at_end(self, z: np.ndarray) -> np.ndarray:
         """A copy of z (n_z,) that is seen at the end of its last step."""
         found = z.copy()

@@ -162,6 +162,10 @@ class Scheme(ABC):
         """Let z (whole, flat) be seen at the end of its last step, as it always is of steps of a given length."""
         return None
 
+    def next_step(self, z: np.ndarray) -> float:
+        """How far a step from z (at least the scheme's part, flat) goes at most [s]."""
+        return float(self.grid.dt_L)
+
     def at_end(self, z: np.ndarray) -> np.ndarray:
         """A copy of z (n_z,) that is seen at the end of its last step."""
         return z.copy()
