@@ -244,8 +244,23 @@ copyreg.pickle(Model, reduced)
 def load_model(folder: str | Path, digest: str | None = None) -> Model:
     """Load a folder written by `symgen generate`, after comparing its files with the manifest's hashes.
 
-    Loading runs the folder's model.py: load only what you or somebody you trust generated. digest: the model.digest
-    that is meant; a folder that holds another model is refused before any of its code runs. Raises ModelError if files
-    are missing, were edited since generation, or belong to another format.
+    Loading runs the folder's model.py: load only what you or somebody you trust generated.
+
+    Parameters
+    ----------
+    folder : path
+        The folder.
+    digest : str, optional
+        The `model.digest` that is meant; a folder that holds another model is refused before any of its code runs.
+
+    Returns
+    -------
+    Model
+        The mechanism, ready to run.
+
+    Raises
+    ------
+    ModelError
+        If files are missing, were edited since generation, or belong to another format.
     """
     return load_folder(folder, Model, digest)

@@ -41,12 +41,33 @@ def generate(
     complete: bool = False,
     largest: int = LARGEST_COMPLETE,
 ) -> Path:
-    """Derive, condense and emit `scene` into `folder`; returns the folder.
+    """Derive, condense and emit a scene into a folder.
 
-    functions: names of the functions to emit. By default all, but for a tree of more than `largest` coordinates
-    those that grow with its length, not with the square of it; the folder says which these are, and the others are
-    derived when a model loaded from it is asked for them. complete: all whatever the length. Raises SceneError for bad
-    scenes and for a folder that cannot be written.
+    Parameters
+    ----------
+    scene : SceneRecord
+        The mechanism.
+    folder : path
+        Where the code goes.
+    functions : frozenset of str, optional
+        Names of the functions to emit. By default all, but for a tree of more than `largest` coordinates those that
+        grow
+        with its length, not with the square of it; the folder says which these are, and the others are derived when a
+        model loaded from it is asked for them.
+    complete : bool, optional
+        All functions, whatever the length.
+    largest : int, optional
+        Coordinates up to which all functions are emitted.
+
+    Returns
+    -------
+    Path
+        The folder.
+
+    Raises
+    ------
+    SceneError
+        For bad scenes, and for a folder that cannot be written.
     """
     target = Path(folder)
     write_model(emit(_derived(scene, functions, complete, largest)), target)

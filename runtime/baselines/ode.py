@@ -62,10 +62,26 @@ def ode(
     initial: Mapping[str, float] | None = None,
     start: str | None = None,
 ) -> Ode:
-    """Give x' = f(x, u, p, t) as CasADi functions; parameters, initial, start: as of `simulate`, for p0, u0, x0, z0.
+    """Give x' = f(x, u, p, t) as CasADi functions, for other integrators and for optimal control.
 
-    loops: loop unknowns as states, each evaluation closing the loops by a Newton step from them, or as algebraic
-    unknowns. Raises ModelError for models with events, and for turns in loops that are to be algebraic.
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    loops : {"states", "algebraic"}, optional
+        Loop unknowns as states, each evaluation closing the loops by a Newton step from them; or as algebraic unknowns.
+    parameters, initial, start : optional
+        As of `simulate`, for p0, u0, x0, z0.
+
+    Returns
+    -------
+    Ode
+        The functions, names and units of their arguments, and consistent starting values.
+
+    Raises
+    ------
+    ModelError
+        For models with events, and for turns in loops that are to be algebraic.
     """
     if loops not in ("states", "algebraic"):
         raise ModelError(f'loops is {loops!r}; give "states" or "algebraic"')

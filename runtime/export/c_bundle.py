@@ -134,9 +134,28 @@ def write_c(one: Exported, folder: str | Path) -> list[Path]:
 
 @arguments(folder=PLACE)
 def export_c(model: EmittedModel, folder: str | Path, **steps: Any) -> list[Path]:
-    """Write the model with a scheme as plain C into a folder. steps: scheme, dt [s], m, options, parameters, name.
+    """Write the model with a scheme as plain C into a folder.
 
-    Returns the files. Raises ModelError or SchemeError for what cannot leave, OutputError.
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    folder : path
+        Where the files go.
+    **steps
+        scheme, dt [s], m, options, parameters, name: the step that is written.
+
+    Returns
+    -------
+    list of Path
+        The files.
+
+    Raises
+    ------
+    ModelError, SchemeError
+        For what cannot leave.
+    OutputError
+        For a folder that takes nothing.
     """
     return write_c(exported(model, **steps), folder)
 

@@ -99,7 +99,35 @@ def write_fmu(one: Exported, path: str | Path, fmi: int = 2, platforms: Sequence
 def export_fmu(
     model: EmittedModel, path: str | Path, fmi: int = 2, platforms: Sequence[str] | None = None, **steps: Any
 ) -> Written:
-    """Write the model with a scheme as an FMU. steps: scheme, dt [s], m, options, parameters, name; see `write_fmu`."""
+    """Write the model with a scheme as an FMU.
+
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    path : path
+        The file, .fmu.
+    fmi : {2, 3}, optional
+        Version of the standard.
+    platforms : sequence of str, optional
+        Platforms that binaries are made for, where a compiler is there; this one by default.
+    **steps
+        scheme, dt [s], m, options, parameters, name: the step of co-simulation.
+
+    Returns
+    -------
+    Written
+        The file, and what its binaries are for; see `write_fmu`.
+
+    Raises
+    ------
+    ModelError, SchemeError, CompilerError, OutputError
+        For what cannot leave, unknown versions and platforms, a compiler that fails, a place that takes nothing.
+
+    References
+    ----------
+    Modelica Association, Functional Mock-up Interface Specification, versions 2.0 and 3.0.
+    """
     return write_fmu(exported(model, **steps), path, fmi, platforms)
 
 

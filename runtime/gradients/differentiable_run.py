@@ -391,11 +391,41 @@ class Gradient:
 
 
 def gradient(model: EmittedModel, of: Objective, by: Sequence[str], *, mode: str = "auto", **run: Any) -> Gradient:
-    """Differentiate an objective `of` a run by parameters, initial values and inputs, named in `by`.
+    """Differentiate an objective of a run by parameters, initial values and inputs.
 
-    mode: `forward` (one direction a lane), `reverse` (one way back for all), or by what costs less. run: the arguments
-    of DifferentiableRun, those of `simulate`. For repeated gradients keep a DifferentiableRun. Raises ModelError,
-    SchemeError, InitialStateError, ArgumentError for what cannot be used, NoResult for a run without a derivative.
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    of : Objective
+        A number that follows from outputs of the run, see `runtime.gradients.objectives`.
+    by : sequence of str (n,)
+        Parameters, coordinates and rates (`_dot`) at the start, inputs.
+    mode : {"auto", "forward", "reverse"}, optional
+        "forward": one direction a lane; "reverse": one way back for all; "auto": what costs less.
+    **run
+        Arguments of `DifferentiableRun`, those of `simulate`.
+
+    Returns
+    -------
+    Gradient
+        The value and its derivatives (n,).
+
+    Raises
+    ------
+    ModelError, SchemeError, InitialStateError, ArgumentError
+        For what cannot be used.
+    NoResult
+        For a run without a derivative.
+
+    Notes
+    -----
+    Derivatives of the discrete steps, not of the differential equation: exact to rounding for the run that is made,
+    across events by the jump of the sensitivities (saltation). For repeated gradients keep a `DifferentiableRun`.
+
+    References
+    ----------
+    A. Griewank and A. Walther, Evaluating Derivatives, 2nd ed., SIAM, 2008.
     """
     if not hasattr(of, "outputs"):
         raise ArgumentError("of", f"is {of!r}", 'give an objective, such as End("tip_y")')
@@ -404,6 +434,28 @@ def gradient(model: EmittedModel, of: Objective, by: Sequence[str], *, mode: str
 
 
 def output_jacobian(model: EmittedModel, outputs: Sequence[str], by: Sequence[str], **run: Any) -> OutputJacobian:
-    """Differentiate outputs (k,) at stored times by `by` (n,): (times, k, n); arguments as of `gradient`."""
+    """Differentiate outputs at stored times by parameters, initial values and inputs.
+
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    outputs : sequence of str (k,)
+        Coordinates, rates, measures, energies, forces by name.
+    by : sequence of str (n,)
+        As of `gradient`.
+    **run
+        Arguments of `DifferentiableRun`, those of `simulate`.
+
+    Returns
+    -------
+    OutputJacobian
+        Times (N,) [s], outputs (N, k) and derivatives (N, k, n), in SI units.
+
+    Raises
+    ------
+    ModelError, SchemeError, InitialStateError, ArgumentError, NoResult
+        As of `gradient`.
+    """
     prepared = DifferentiableRun(model, outputs, by, **run)
     return prepared.jacobian(prepared.x0)

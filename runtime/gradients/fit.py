@@ -36,16 +36,49 @@ def fit(
     deviation: float | Mapping[str, Any] | None = None,
     **run: Any,
 ) -> Fit:
-    """Fit `parameters` (parameters, coordinates and rates at the start, by name) to measured outputs.
+    """Fit parameters, and coordinates and rates at the start, to measured outputs.
 
-        minimise sum over outputs and saved times of ((output - data) / deviation)^2
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    data : mapping of str to array_like (N,)
+        Values of outputs at the saved times, in SI units; with "t" (N,) [s] if it is to be compared.
+    parameters : sequence of str
+        What is fitted: parameters, coordinates, rates (`_dot`).
+    bounds : mapping of str to (float, float), optional
+        Lowest and highest values; without them only the signs that the model asks for.
+    guess : mapping of str to float, optional
+        Where the search begins; else the model's values.
+    fixed : mapping of str to float, optional
+        Values of other parameters.
+    deviation : float or mapping, optional
+        Standard deviation of the data: one number, or by output a number or (N,), infinite where there is none. Without
+        it that of the one output is estimated from what is left over.
+    **run
+        Further arguments of `DifferentiableRun`, those of `simulate`.
 
-    data: {output: (N,) values at the saved times}, with "t" (N,) [s] if it is to be compared. deviation: the standard
-    deviation of the data, one number or {output: number or (N,)}, infinite where there is none; without it that of the
-    one output is estimated from what is left over. guess: where the search begins (else the model's values). bounds:
-    {name: (lowest, highest)}; without them only the signs that the model asks for. fixed: values of other parameters.
-    run: the further arguments of DifferentiableRun. Raises what that raises, ArgumentError for data or bounds that
-    cannot be used, NoResult where the data do not tell the parameters.
+    Returns
+    -------
+    Fit
+        Values, standard errors, correlation, and the fitted outputs.
+
+    Raises
+    ------
+    ArgumentError
+        For data or bounds that cannot be used.
+    NoResult
+        Where the data do not tell the parameters.
+    ModelError, SchemeError, InitialStateError
+        As of `DifferentiableRun`.
+
+    Notes
+    -----
+    minimise sum over outputs and saved times of ((output - data) / deviation)^2, with exact derivatives of the run.
+
+    References
+    ----------
+    G. A. F. Seber and C. J. Wild, Nonlinear Regression, Wiley, 1989.
     """
     outputs = [name for name in data if name != "t"]
     prepared = DifferentiableRun(model, outputs, parameters, parameters=fixed, **run)

@@ -198,11 +198,41 @@ def campbell(
     locked: Sequence[str] | None = None,
     t: float = 0.0,
 ) -> Campbell:
-    """Follow the modes over a speed or parameter: `over` is a parameter, a rate (`hub.theta_dot`), or `hub.omega`.
+    """Follow the modes over a speed or a parameter.
 
-    Each equilibrium starts from the one before. held, rates, parameters: see `equilibrium`;
-    t: its `at_time` [s], so that prescribed motions move; locked: see `linearise`.
-    Raises ModelError, NoEquilibrium and ArgumentError (no values).
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    over : str
+        A parameter, a rate (`hub.theta_dot` [rad/s]), or `hub.omega` of a body that turns in space [rad/s].
+    values : array_like (k,)
+        Its values, in its SI unit.
+    held, rates, parameters : mapping of str to float, optional
+        As of `equilibrium`.
+    locked : sequence of str, optional
+        As of `linearise`.
+    t : float, optional
+        `at_time` of `equilibrium` [s], so that prescribed motions move.
+
+    Returns
+    -------
+    Campbell
+        Frequencies (k, n) [rad/s], damping ratios (k, n) and names (n,) of the followed modes.
+
+    Raises
+    ------
+    ModelError, NoEquilibrium, ArgumentError
+        For what cannot be used (no values, for instance), and where no equilibrium is reached.
+
+    Notes
+    -----
+    Each equilibrium starts from the one before; modes are followed by their shapes, with values put in between where
+    they turn too far.
+
+    References
+    ----------
+    G. Genta, Dynamics of Rotating Systems, Springer, 2005.
     """
     wanted = np.asarray(values, dtype=float)
     if wanted.ndim != 1 or not len(wanted) or not np.isfinite(wanted).all():
@@ -293,12 +323,43 @@ def unbalance_response(
     parameters: Mapping[str, float] | None = None,
     locked: Sequence[str] | None = None,
 ) -> UnbalanceResponse:
-    """Find the steady whirl of a rotor with an unbalance [kg m] at each of `speeds` (k,) [rad/s], to first order.
+    """Find the steady whirl of a rotor with an unbalance at each speed, to first order.
 
-    over: the rate that is the speed, such as `disk.omega`; at: the two coordinates [m] across the axle at which the
-    force U speed^2 (cos, sin)(speed t) acts, for a rotor that turns from the first to the second; outputs: these two by
-    default. The linear system is that of each speed, gyroscopic terms included. Raises ModelError, NoEquilibrium, and
-    NoResult at a speed where the whirl grows without bound.
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    over : str
+        The rate that is the speed, such as `disk.omega`.
+    speeds : array_like (k,)
+        Speeds [rad/s].
+    at : (str, str)
+        The two coordinates [m] across the axle at which the force acts, for a rotor that turns from the first to the
+        second.
+    unbalance : float
+        Mass times eccentricity U [kg m].
+    outputs : sequence of str, optional
+        What is told; these two coordinates by default.
+    held, parameters : mapping of str to float, optional
+        As of `equilibrium`.
+    locked : sequence of str, optional
+        As of `linearise`.
+
+    Returns
+    -------
+    UnbalanceResponse
+        Complex amplitudes of the outputs at each speed.
+
+    Raises
+    ------
+    ModelError, NoEquilibrium
+        For what cannot be used, and where no equilibrium is reached.
+    NoResult
+        At a speed where the whirl grows without bound.
+
+    Notes
+    -----
+    The force is U speed^2 (cos, sin)(speed t) on the linear system of each speed, gyroscopic terms included.
     """
     names = list(outputs if outputs is not None else at)
     for name in at:

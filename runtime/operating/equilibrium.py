@@ -118,14 +118,39 @@ def equilibrium(
 ) -> Equilibrium:
     """Find the equilibrium, Q_hat = 0 at constant rates, that is reached from the model's initial state.
 
-    held: coordinates clamped at a value [m, rad]. rates: coordinates that go on at a constant rate [m/s, rad/s].
-    inputs: inputs or parameters, set to a value, or None: solved for, as many as are held or turning, so that these
-    need no force. parameters, initial: changes by name. t [s]: time of loads and prescribed motions, which stand still
-    there; at_time [s], in its place: prescribed motions have their rates and accelerations (also where `inputs` or
-    `parameters` name a rate of an input). Joints with friction hold where they start, and slide where they turn.
-    What leans on a rigid stop rests on it. Newton's method with exact derivatives, led away from unstable equilibria
-    unless it starts in one.
-    Raises NoEquilibrium, InitialStateError and ModelError.
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    held : mapping of str to float, optional
+        Coordinates that are clamped at a value [m, rad].
+    rates : mapping of str to float, optional
+        Coordinates that go on at a constant rate [m/s, rad/s].
+    inputs : mapping of str to float or None, optional
+        Inputs or parameters set to a value; None: solved for, as many as are held or turning, so that these need no
+        force.
+    parameters, initial : mapping of str to float, optional
+        Changes by name, as of `simulate`.
+    t : float, optional
+        Time of loads and prescribed motions, which stand still there [s].
+    at_time : float, optional
+        Time [s] in place of t, at which prescribed motions have their rates and accelerations (also where `inputs` or
+        `parameters` name a rate of an input).
+
+    Returns
+    -------
+    Equilibrium
+        Coordinates, forces that hold it, its stability.
+
+    Raises
+    ------
+    NoEquilibrium, InitialStateError, ModelError
+        Where none is reached, and for what cannot be used.
+
+    Notes
+    -----
+    Newton's method on Q_hat of Eq. (38) with exact derivatives, led away from unstable equilibria unless it starts in
+    one. Joints with friction hold where they start, and slide where they turn. What leans on a rigid stop rests on it.
     """
     inputs, initial = inputs or {}, _places(model, initial)
     held = {named(model, name): float(value) for name, value in (held or {}).items()}

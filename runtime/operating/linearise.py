@@ -61,15 +61,42 @@ def linearise(
     locked: Sequence[str] | None = None,
     t: float = 0.0,
 ) -> Linearisation:
-    """Linearise about a state: M x'' + D x' + K x = B u, y = C (x, x') + D u, by exact derivatives of Eq. (38).
+    """Linearise about a state: M x'' + D x' + K x = B u, y = C (x, x') + D_state u.
 
-    at: an `equilibrium(...)`; coordinates and rates by name (`_dot`); (solution, sample); or None: the equilibrium
-    reached from the initial state at the rigid rates that it has, prescribed motions moving. inputs:
-    coordinates (a generalised force [N, N m]), inputs or parameters of the scene; all independent coordinates by
-    default. outputs: measures, coordinates, or rates (`_dot`); the scene's measures by default, else the independent
-    coordinates. parameters: changes by name, not with an equilibrium or a solution, which have their own. locked:
-    coordinates that stay as they are; those that the equilibrium holds by default, and in any case what friction or a
-    stop holds there; t [s]: the time, if `at` does not say it. Raises ModelError, InitialStateError and NoEquilibrium.
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    at : Equilibrium, mapping of str to float or (Solution, int), optional
+        An equilibrium; coordinates and rates (`_dot`) by name [m, rad, m/s, rad/s]; a sample of a solution; or None:
+        the equilibrium reached from the initial state at the rigid rates that it has, prescribed motions moving.
+    inputs : sequence of str, optional
+        u (n_u,): coordinates (a generalised force [N, N m]), inputs or parameters of the scene; all independent
+        coordinates by default.
+    outputs : sequence of str, optional
+        y (n_y,): measures, coordinates or rates (`_dot`); the scene's measures by default, else the independent
+        coordinates.
+    parameters : mapping of str to float, optional
+        Changes by name; not with an equilibrium or a solution, which have their own.
+    locked : sequence of str, optional
+        Coordinates that stay as they are; by default those that the equilibrium holds, and in any case what friction or
+        a stop holds there.
+    t : float, optional
+        The time, if `at` does not say it [s].
+
+    Returns
+    -------
+    Linearisation
+        M, D, K (n, n), B (n, n_u), C (n_y, 2 n), eigenvalues and shapes.
+
+    Raises
+    ------
+    ModelError, InitialStateError, NoEquilibrium
+        For what cannot be used, and where no equilibrium is reached.
+
+    Notes
+    -----
+    Exact derivatives of M_hat q_i'' = Q_hat (Eq. 38), gyroscopic and geometric terms included.
     """
     point = _point(model, at, parameters, t)
     locked = tuple(turning_name(model, name) for name in (point.held if locked is None else locked))

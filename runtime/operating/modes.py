@@ -102,8 +102,27 @@ def modes(
     locked: Sequence[str] | None = None,
     t: float = 0.0,
 ) -> ModeTable:
-    """Find the modes about a state, sorted by frequency [rad/s]; the arguments are those of `linearise`.
+    """Find the modes about a state, sorted by frequency.
 
-    Damping, gyroscopic and geometric terms are included. Raises ModelError, InitialStateError and NoEquilibrium.
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    at, parameters, locked, t : optional
+        As of `linearise`.
+
+    Returns
+    -------
+    ModeTable
+        n modes: eigenvalues (n,) [1/s], frequencies (n,) [rad/s], damping ratios (n,), shapes (n, n).
+
+    Raises
+    ------
+    ModelError, InitialStateError, NoEquilibrium
+        As of `linearise`.
+
+    Notes
+    -----
+    Eigenvalues of lambda^2 M + lambda D + K of `linearise`: damping, gyroscopic and geometric terms are included.
     """
     return ModeTable(linearise(model, at, inputs=(), outputs=(), parameters=parameters, locked=locked, t=t))

@@ -57,13 +57,45 @@ def periodic_over(
     resume: str | Path | None = None,
     **how: Any,
 ) -> PeriodicBranch:
-    """Follow a motion that repeats over a parameter, from the first value of `span` to the second, through folds.
+    """Follow a motion that repeats over a parameter, through folds.
 
-    points: at most so many; step: longest, in parts of the span (0.08); flips: so many doublings of the period are
-    followed, too, each a branch in `branches`; progress(value reached, last value). start: as of `periodic`, a motion
-    with its parameters, or a branch, which is gone on with. resume: a folder that keeps the points; the same question
-    goes on there after the last of them. how: further arguments of `periodic`. Ctrl-C keeps what is there. Raises what
-    `periodic` does for the first motion; later trouble ends the branch, told by `stopped`.
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    over : str
+        The parameter.
+    span : (float, float)
+        Its first and last value, in its SI unit.
+    points : int, optional
+        Points of the branch, at most.
+    step : float, optional
+        Longest step, in parts of the span; 0.08 by default.
+    flips : int, optional
+        Doublings of the period that are followed, too, each a branch in `branches`.
+    progress : callable, optional
+        Called with (value reached, last value).
+    start : PeriodicMotion, PeriodicBranch or mapping of str to float, optional
+        As of `periodic`; a motion with its parameters, or a branch, which is gone on with.
+    resume : path, optional
+        A folder that keeps the points; the same question goes on there after the last of them.
+    **how
+        Further arguments of `periodic`.
+
+    Returns
+    -------
+    PeriodicBranch
+        Motions with their multipliers over the parameter; folds, flips and other specials. Ctrl-C keeps what is there.
+
+    Raises
+    ------
+    NoPeriodicMotion, ArgumentError, ModelError, SchemeError, NoResult
+        As `periodic` does for the first motion; later trouble ends the branch, told by `stopped`.
+
+    References
+    ----------
+    H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, in: P. H. Rabinowitz (ed.),
+    Applications of Bifurcation Theory, Academic Press, 1977, 359-384.
     """
     if len(span) != 2:
         raise ArgumentError("span", f"is {span!r}", "give two different numbers, the first and the last value")

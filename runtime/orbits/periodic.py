@@ -62,13 +62,52 @@ def periodic(
 ) -> PeriodicMotion:
     """Find a motion that repeats after a period, its stability and its error, by shooting.
 
-    period [s], or "free" where nothing depends on time; or speed: the parameter that is the speed [rad/s], with the
-    period of so many `turns`. parameters, inputs: as of `simulate`. start: where the search begins: another periodic
-    motion, a run (its end), or initial values by name. settle: periods that are simulated first (None: 20, only if the
-    search fails, and for a free period). guess: of a free period [s]. scheme: steps of one length. tolerance: error
-    relative to amplitudes; steps: number in a period, instead. parts: the period is divided (multiple shooting), for
-    motions too unstable to last one.
-    Raises NoPeriodicMotion, ArgumentError, ModelError, SchemeError, NoResult.
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    period : float or "free", optional
+        The period [s]; "free" where nothing depends on time.
+    speed : str, optional
+        In place of `period`: the parameter that is the speed [rad/s]; the period is that of so many `turns`.
+    turns : float, optional
+        Turns of a period at `speed`.
+    parameters, inputs : mapping, optional
+        As of `simulate`.
+    start : PeriodicMotion, Solution or mapping of str to float, optional
+        Where the search begins: another periodic motion, a run (its end), or initial values by name.
+    settle : int, optional
+        Periods that are simulated first; None: 20, only if the search fails, and for a free period.
+    guess : float, optional
+        Of a free period [s].
+    scheme, options : optional
+        A scheme with steps of one length, and its options.
+    tolerance : float, optional
+        Error relative to amplitudes [1].
+    steps : int, optional
+        Steps in a period, in place of `tolerance`.
+    parts : int, optional
+        Parts that the period is divided into (multiple shooting), for motions too unstable to last one.
+    t0 : float, optional
+        Start of the period [s].
+
+    Returns
+    -------
+    PeriodicMotion
+        The state at t0, the period [s], Floquet multipliers, stability, error.
+
+    Raises
+    ------
+    NoPeriodicMotion, NoResult, ArgumentError, ModelError, SchemeError
+        Where none is found, and for what cannot be used.
+
+    Notes
+    -----
+    Newton's method on x(t0 + T) = x(t0), with the monodromy matrix by exact derivatives of the steps.
+
+    References
+    ----------
+    R. Seydel, Practical Bifurcation and Stability Analysis, 3rd ed., Springer, 2010.
     """
     asked = _Asked(model, period, speed, turns, dict(parameters or {}), dict(inputs or {}), scheme or SCHEME)
     refuse_events_that_end(model)

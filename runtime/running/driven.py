@@ -193,13 +193,36 @@ def quasi_static_motion(
     parameters: Mapping[str, float] | None = None,
     t0: float = 0.0,
 ) -> Solution:
-    """Follow a driven mechanism from t0 to t_end [s] with elastic bodies that deform without vibrating.
+    """Follow a driven mechanism with elastic bodies that deform without vibrating.
 
-    seen_every [s] or samples: the time between stored samples, or their number besides the first (200).
+    Parameters
+    ----------
+    model : Model
+        A mechanism whose rigid coordinates are all driven.
+    t_end : float, optional
+        End of the motion [s]; the scene's by default.
+    seen_every : float, optional
+        Time between stored samples [s].
+    samples : int, optional
+        Number of stored samples besides the first, in place of `seen_every`; 200 by default.
+    parameters : mapping of str to float, optional
+        Parameters that are not as the scene has them, in SI units.
+    t0 : float, optional
+        Start of the motion [s].
 
-    Every rigid coordinate must be driven; elastic accelerations are zero. Arguments left out are those of the scene.
-    Raises ModelError for free rigid coordinates and for drives that jump, SchemeError for times, NoEquilibrium with the
-    time where there is none.
+    Returns
+    -------
+    Solution
+        The motion, elastic accelerations being zero.
+
+    Raises
+    ------
+    ModelError
+        For free rigid coordinates, and for drives that jump.
+    SchemeError
+        For times that cannot be used.
+    NoEquilibrium
+        With the time at which there is none.
     """
     free = [name for name in model.q_i if name not in model.elastic]
     if free:

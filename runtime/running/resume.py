@@ -39,12 +39,37 @@ def resume(
     checkpoint_every: int | None = None,
     inputs: Mapping[str, InputValue] | None = None,
 ) -> Solution:
-    """Continue a run from its checkpoint to its end; the Solution is that of an uninterrupted run, bit for bit.
+    """Continue a run from its checkpoint to its end.
 
-    stream: the run's folder, if it was moved; a folder that does not hold the stream of this run is refused, whether it
-    is named here or in the checkpoint. checkpoint: where further ones go (the same file by default). inputs: those of
-    the run, where they are functions of time, samples or controllers. Raises ModelError for a checkpoint of
-    another model or a damaged file, and what `simulate` raises.
+    Parameters
+    ----------
+    model : Model
+        The model of the run.
+    path : path
+        The checkpoint.
+    stream : path, optional
+        The run's folder, if it was moved; a folder that does not hold the stream of this run is refused, whether it is
+        named here or in the checkpoint.
+    engine : {"auto", "compiled", "interpreted"}, optional
+        As of `simulate`.
+    progress : callable, optional
+        Called with (t, t_end) [s].
+    checkpoint : path, optional
+        Where further checkpoints go; the same file by default.
+    checkpoint_every : int, optional
+        Major steps between checkpoints.
+    inputs : mapping, optional
+        Those of the run, where they are functions of time, samples or controllers.
+
+    Returns
+    -------
+    Solution
+        That of an uninterrupted run, bit for bit.
+
+    Raises
+    ------
+    ModelError
+        For a checkpoint of another model, of another version, or a damaged file; and what `simulate` raises.
     """
     kept, model = read_checkpoint(path), bound(model, inputs)
     header = kept.header

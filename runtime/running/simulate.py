@@ -75,23 +75,74 @@ def simulate(
     checkpoint: str | Path | None = None,
     checkpoint_every: int | None = None,
 ) -> Solution:
-    """Compute the motion of a model from t0 to t_end [s]. Arguments left out are those of the scene.
+    """Compute the motion of a model from t0 to t_end. Arguments left out are those of the scene.
 
-    scheme: `auto` chooses a method and its steps; or a name of runtime.SCHEMES, with its step dt [s] and ratios m.
-    tolerance: RMS error of the motion over its amplitudes (1e-3 with `auto`); it takes the place of dt.
-    seen_every [s] or samples: time between stored samples (0: every step), or their number besides the first.
-    parameters, initial: changes by name, rates as `<coordinate>_dot`. initial may be an equilibrium, or a solution
-    from whose last sample the run goes on (`run.initial_values(at=0.3)`: from another).
-    start: `given`, `quasi_static` (elastic coordinates in equilibrium), `equilibrium` (all but those that turn).
-    inputs: by name a number, a function of time (called once with a symbol), (times, values), or a `Sampled`.
-    outputs: names of coordinates, rates, measures, energies; only these are kept, in Solution.outputs.
-    stream: a folder that takes the samples. checkpoint: a file for `resume`, written every `checkpoint_every` steps
-    (None: every minute) and on Ctrl-C. progress: True shows a line, or a function of (t, t_end).
-    error: `measured` computes the motion twice for Solution.error, `off` once. engine: `auto`, `compiled`,
-    `interpreted`. options: those of the scheme. force: run although the step is above the stability limit.
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    scheme : str, optional
+        A name of `runtime.SCHEMES`, with its step dt and ratios m; or "auto", which chooses a method and its steps.
+    tolerance : float, optional
+        RMS error of the motion over its amplitudes [1]; 1e-3 with "auto". It takes the place of dt.
+    t_end : float, optional
+        End of the motion [s].
+    dt : float, optional
+        Major step [s].
+    m : list of int, optional
+        Ratios of steps between groups of coordinates, or the number of sub-steps.
+    options : mapping, optional
+        Options of the scheme, by name.
+    parameters : mapping of str to float, optional
+        Parameters that are not as the scene has them, in SI units.
+    initial : mapping of str to float, Equilibrium or Solution, optional
+        Where the motion starts: coordinates [m, rad] and rates `<coordinate>_dot` [m/s, rad/s] by name, an equilibrium,
+        or a solution from whose last sample the run goes on (`run.initial_values(at=0.3)`: from another one).
+    start : {"given", "quasi_static", "equilibrium"}, optional
+        "quasi_static": elastic coordinates in equilibrium; "equilibrium": all but those that turn.
+    t0 : float, optional
+        Start of the motion [s].
+    inputs : mapping, optional
+        By name a number, a function of time (called once, with a symbol), (times (k,) [s], values (k,)) or a `Sampled`.
+    error : {"measured", "off"}, optional
+        "measured" computes the motion twice for `Solution.error`.
+    seen_every : float, optional
+        Time between stored samples [s]; 0: every step.
+    samples : int, optional
+        Number of stored samples besides the first, in place of `seen_every`.
+    engine : {"auto", "compiled", "interpreted"}, optional
+        How steps are run.
+    progress : bool or callable, optional
+        True shows a line; a function is called with (t, t_end).
+    force : bool, optional
+        Run although the step is above the stability limit.
+    outputs : sequence of str, optional
+        Coordinates, rates, measures and energies by name: only these are kept, in `Solution.outputs`.
+    stream : path, optional
+        A folder that takes the samples.
+    checkpoint : path, optional
+        A file for `resume`, written every `checkpoint_every` major steps (None: every minute) and on Ctrl-C.
+    checkpoint_every : int, optional
+        Major steps between checkpoints.
 
-    Numerical failure does not raise: see Solution.status. Raises ArgumentError, SchemeError, ModelError,
-    InitialStateError, OutputError or CompilerError for arguments that cannot be used.
+    Returns
+    -------
+    Solution
+        Samples of the motion, how it ended (`status`) and its error. A numerical failure does not raise.
+
+    Raises
+    ------
+    ArgumentError, SchemeError, ModelError, InitialStateError, OutputError, CompilerError
+        For arguments that cannot be used.
+
+    Notes
+    -----
+    The steps solve M_hat(q_i) q_i'' = Q_hat(q_i, q_i') (Eq. 38); dependent coordinates close the loops at every
+    evaluation.
+
+    References
+    ----------
+    Miao, Zhu, Shi and Chen (2008), part I; each scheme names its own, see `runtime.schemes`.
     """
     if progress is True:
         from runtime.results.meter import Meter

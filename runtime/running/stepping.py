@@ -311,9 +311,24 @@ def stepper(
     parameters: Mapping[str, float] | None = None,
     engine: str = "auto",
 ) -> ModelStepper:
-    """Step the model from outside; the arguments are those of `simulate`, and what comes back is a ModelStepper.
+    """Step the model from outside, for a controller or another program.
 
-    Raises SchemeError and ModelError for what cannot be used.
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    scheme, dt, m, options, parameters, engine : optional
+        As of `simulate`: a scheme with steps of one length dt [s].
+
+    Returns
+    -------
+    ModelStepper
+        A state that can be stepped, read, set, saved and restored.
+
+    Raises
+    ------
+    SchemeError, ModelError
+        For what cannot be used.
     """
     return ModelStepper(model, scheme=scheme, dt=dt, m=m, options=options, parameters=parameters, engine=engine)
 

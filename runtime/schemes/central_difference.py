@@ -279,7 +279,13 @@ def newton_step(M_hat: ca.SX, force: ca.SX, J: ca.SX, q_ddot: ca.SX, h: ca.SX) -
 
 
 class SingleRate(CentralDifference):
-    """One stage: (44)-(45) solved at once, then all coordinates move."""
+    """One stage: (44)-(45) solved at once, then all coordinates move.
+
+    References
+    ----------
+    N. M. Newmark, A method of computation for structural dynamics, Journal of the Engineering Mechanics Division (ASCE)
+    85 (3), 1959, 67-94: beta = 0, gamma = 1/2.
+    """
 
     def program(self) -> Program:
         """One step."""

@@ -34,7 +34,13 @@ from runtime.schemes.step_limit import StepLimit, central_difference_limit
 
 
 class Coupled(Scheme):
-    """Any number of nested groups: each is held over the sub-steps of the next faster one."""
+    """Any number of nested groups: each is held over the sub-steps of the next faster one.
+
+    References
+    ----------
+    Of this project, after the sub-cycling of T. Belytschko, H.-J. Yen and R. Mullen, Mixed methods for time
+    integration, Computer Methods in Applied Mechanics and Engineering 17-18, 1979, 259-275.
+    """
 
     options: ClosureOptions
 

@@ -68,6 +68,11 @@ class Exponential(Scheme):
 
     grid.h is (major step, sub-step). Fields: w = q_i - x and u = q_i_dot since the start of the major step, tau the
     time since then, G0, G1, ... the forces, and the linear system.
+
+    References
+    ----------
+    V. T. Luan and A. Ostermann, Exponential Rosenbrock methods of order five - construction, analysis and numerical
+    comparisons, Journal of Computational and Applied Mathematics 255, 2014, 417-431: exprb42, exprb53s3.
     """
 
     options: ExponentialOptions

@@ -60,6 +60,15 @@ class ExponentialAdams(Scheme):
     """Two evaluations a step in one stage. a_middle, a_before: accelerations seen in the middle and at the start of the
     last step, those of turns as second rates in the charts at its end; s_*, s_*_dot: the deflections there and their
     rates; loop_third: third rate of the loop unknowns.
+
+    References
+    ----------
+    W. B. Gragg and H. J. Stetter, Generalized multistep predictor-corrector methods, Journal of the ACM 11 (2), 1964,
+    188-209.
+    J. C. Butcher, A modified multistep method for the numerical integration of ordinary differential equations, Journal
+    of the ACM 12 (1), 1965, 124-135.
+    A. Ostermann, M. Thalhammer and W. M. Wright, A class of explicit exponential general linear methods, BIT Numerical
+    Mathematics 46 (2), 2006, 409-431.
     """
 
     options: ExponentialAdamsOptions

@@ -94,7 +94,13 @@ def motion_along_tree(
 
 
 class ExponentialRungeKutta(Method):
-    """One evaluation at the start of a step, three more to its end."""
+    """One evaluation at the start of a step, three more to its end.
+
+    References
+    ----------
+    S. Krogstad, Generalized integrating factor methods for stiff PDEs, Journal of Computational Physics 203 (1), 2005,
+    72-88.
+    """
 
     options: ExponentialRungeKuttaOptions
     order, error_order, counted_evaluations = 4, 4, (1, 3)

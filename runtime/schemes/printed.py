@@ -68,7 +68,14 @@ class PrintedOptions(CentralDifferenceOptions):
 
 
 class Printed(CentralDifference):
-    """Major steps of the paper's scheme on one model and grid."""
+    """Major steps of the paper's scheme on one model and grid.
+
+    References
+    ----------
+    J. C. Miao, P. Zhu, G. L. Shi and G. L. Chen, Study on sub-cycling algorithm for flexible multi-body system -
+    integral
+    theory and implementation flow chart, Computational Mechanics 41, 2008, 257-268, doi:10.1007/s00466-007-0183-9.
+    """
 
     options: PrintedOptions
 

@@ -87,7 +87,12 @@ class RadauOptions(SingleClosureOptions):
 
 
 class Radau(Scheme):
-    """Field K: the stage accelerations; loop_stages: the stages' loop unknowns; loop_last: those at the last start."""
+    """Field K: the stage accelerations; loop_stages: the stages' loop unknowns; loop_last: those at the last start.
+
+    References
+    ----------
+    E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, 2nd ed., Springer, 1996, IV.8.
+    """
 
     order = 5
     damps = True

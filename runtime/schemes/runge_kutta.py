@@ -79,7 +79,14 @@ class ExplicitRungeKutta(Method):
 
 
 class ClassicalRungeKutta(ExplicitRungeKutta):
-    """Order 4, four evaluations; an undamped mode is stable to h w = 2 sqrt(2), a decay to h d = 2.785."""
+    """Order 4, four evaluations; an undamped mode is stable to h w = 2 sqrt(2), a decay to h d = 2.785.
+
+    References
+    ----------
+    W. Kutta, Beitrag zur naeherungsweisen Integration totaler Differentialgleichungen, Zeitschrift fuer Mathematik und
+    Physik 46, 1901, 435-453.
+    E. Hairer, S. P. Norsett and G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., Springer, 1993, II.1.
+    """
 
     options: SingleClosureOptions
     reach, decay_reach, order = 2.8284, 2.7853, 4
@@ -92,7 +99,14 @@ class ClassicalRungeKutta(ExplicitRungeKutta):
 
 
 class DormandPrince8(ExplicitRungeKutta):
-    """Order 8, twelve evaluations; an undamped mode is stable to h w = 5.96, a decay to h d = 6.39."""
+    """Order 8, twelve evaluations; an undamped mode is stable to h w = 5.96, a decay to h d = 6.39.
+
+    References
+    ----------
+    P. J. Prince and J. R. Dormand, High order embedded Runge-Kutta formulae, Journal of Computational and Applied
+    Mathematics 7 (1), 1981, 67-75.
+    E. Hairer, S. P. Norsett and G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., Springer, 1993, II.5.
+    """
 
     options: SingleClosureOptions
     reach, decay_reach, order = 5.9604, 6.3936, 8
@@ -135,7 +149,13 @@ ERROR = np.array([71 / 57600, 0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 5
 
 
 class DormandPrince5(ExplicitRungeKutta):
-    """Order 5, six evaluations; an undamped mode is stable to h w = 0.997, a decay to h d = 3.306."""
+    """Order 5, six evaluations; an undamped mode is stable to h w = 0.997, a decay to h d = 3.306.
+
+    References
+    ----------
+    J. R. Dormand and P. J. Prince, A family of embedded Runge-Kutta formulae, Journal of Computational and Applied
+    Mathematics 6 (1), 1980, 19-26.
+    """
 
     options: AdaptiveOptions
     reach, decay_reach, order = 0.997, 3.306, 5

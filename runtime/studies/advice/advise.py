@@ -159,12 +159,39 @@ def advise(
     note: Note = lambda text: None,
     reference: Reference | None = None,
 ) -> Advice:
-    """Find the method and step that compute a motion of t_end [s] to a tolerance with the fewest operations.
+    """Find the method and step that compute a motion to a tolerance with the fewest operations.
 
-    tolerance: on the RMS error over the motion of every graded coordinate, relative to its amplitude. graded: names
-    in q_i (all by default); of the others the motion is accurate to a tenth of an amplitude. note is told what is being
-    done. reference: of a `report`.
-    Raises SchemeError, ModelError, InitialStateError or NoAdvice.
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    tolerance : float, optional
+        RMS error over the motion of every graded coordinate, relative to its amplitude [1].
+    graded : sequence of str, optional
+        Names in q_i, all by default; of the others the motion is accurate to a tenth of an amplitude.
+    t_end : float, optional
+        Length of the motion [s].
+    parameters, initial, start : optional
+        As of `simulate`.
+    note : callable, optional
+        Told what is being done.
+    reference : Reference, optional
+        Of a `report`.
+
+    Returns
+    -------
+    Advice
+        The method with its step, and what every other method needs.
+
+    Raises
+    ------
+    SchemeError, ModelError, InitialStateError, NoAdvice
+        For what cannot be used, and where no method meets the tolerance.
+
+    Notes
+    -----
+    Every method is refined until two levels agree (Richardson extrapolation of the error); operations are those of
+    M_hat q_i'' = Q_hat (Eq. 38) and of the method.
     """
     tolerance_of(model, AUTO, tolerance)
     names = checked_grades(model, graded)

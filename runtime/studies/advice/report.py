@@ -33,9 +33,30 @@ def report(
 ) -> Advice:
     """Make the motion by every method with ever more steps; tell the true error and the time of each.
 
-    The advice of `advise`, with `trials` of each method: every motion against SciPy's DOP853 at 1e-11, by the time of
-    its steps alone. folder: left there are methods.md, methods.csv and error_time.png. The other arguments are those of
-    `advise`. Raises what `advise` raises, NoReference, ModelError for models with events, or OutputError.
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    folder : path, optional
+        Left there are methods.md, methods.csv and error_time.png.
+    tolerance, graded, t_end, parameters, initial, start, note : optional
+        As of `advise`.
+
+    Returns
+    -------
+    Advice
+        That of `advise`, with `trials` of each method: every motion against the reference, by the time of its steps
+        alone.
+
+    Raises
+    ------
+    NoReference, ModelError, OutputError
+        Where no reference can be made, for models with events, for a folder that takes nothing; and what `advise`
+        raises.
+
+    Notes
+    -----
+    The reference is independent of the project's schemes: SciPy's DOP853 at 1e-11.
     """
     note("computing the reference")
     reference = independent_reference(

@@ -53,25 +53,55 @@ def ensemble(
 ) -> Any:
     """Run many cases of a model side by side; each is, bit for bit, the run that `simulate` makes.
 
-    parameters, initial: names (rates as `<coordinate>_dot`) to arrays (cases,) or to one number for all; a DataFrame.
-    inputs: by name numbers, arrays (cases,), or functions of time that all cases share (called once with a symbolic t).
-    scheme, dt [s], m, options, t0, t_end [s], start: as for `simulate`. outputs: names of coordinates, rates,
-    accelerations, measures, energies, `lam.row` or joint forces. reduce: output to one or several of max, min, peak
-    (largest magnitude), mean, rms, end, over all steps; an output without any is kept at its end. seen_every [s] or
-    samples: histories instead, by the time between samples or their number.
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    parameters, initial : mapping of str to array_like (cases,), or DataFrame, optional
+        Values by name, an array or one number for all cases, in SI units; rates at the start as `<coordinate>_dot`.
+    inputs : mapping, optional
+        By name numbers, arrays (cases,), or functions of time that all cases share (called once with a symbolic t).
+    scheme, dt, m, options, t_end, t0, start : optional
+        As of `simulate`, with steps of one length dt [s].
+    outputs : sequence of str, optional
+        Coordinates, rates, accelerations, measures, energies, `lam.row` or joint forces by name.
+    reduce : mapping of str to str or sequence of str, optional
+        By output one or several of max, min, peak (largest magnitude), mean, rms, end, over all steps; an output
+        without any is kept at its end.
+    seen_every : float, optional
+        Histories in place of `reduce`: time between stored samples [s].
+    samples : int, optional
+        Their number besides the first, in place of `seen_every`.
+    workers : int, optional
+        Threads; None: as many as processors, with an executor one a worker.
+    executor : Executor or callable, optional
+        Where parts of `chunk` cases are worked out: anything with `submit`, such as a ProcessPoolExecutor or
+        `Client.get_executor()` of dask; or a function that makes one, called again where workers have died.
+    folder : path, optional
+        Keeps parts that are done, so that the same call goes on where another was stopped.
+    chunk : int, optional
+        Cases of a part; 1,000 by default.
+    retries : int, optional
+        How often a part that fails is tried again.
+    progress : bool or callable, optional
+        True shows a line; a function is called with (cases done, cases).
 
-    workers: threads (None: as many as processors; with an executor one a worker). progress(cases done, cases), or True
-    for a line on the terminal.
+    Returns
+    -------
+    xarray.Dataset or dict of str to ndarray
+        Over `case` (and `time`): the outputs (values of whole runs as `<output>_<reduction>`), status and time_reached
+        [s]
+        of each case, and what was varied; a dictionary without xarray. A case that fails has its status and NaN. Ctrl-C
+        leaves the cases that were not done with status `interrupted`.
 
-    executor: where parts of `chunk` cases (1,000) are worked out: anything with `submit`, such as a
-    ProcessPoolExecutor or `Client.get_executor()` of dask; or a function that makes one, called again where workers
-    have died. folder: keeps parts that are done, so that the same call goes on where another was stopped. A part that
-    fails is tried again `retries` times. Order and bits are those of one process.
+    Raises
+    ------
+    ArgumentError, ModelError, SchemeError, CompilerError
+        For what cannot be used.
 
-    The result is an xarray Dataset over `case` (and `time`), without xarray a dictionary of arrays: the outputs (values
-    of whole runs as `<output>_<reduction>`), status and time_reached [s] of each case, and what was varied. A case that
-    fails has its status and NaN. Ctrl-C leaves the cases that were not done with status `interrupted`. Raises
-    ArgumentError, ModelError, SchemeError or CompilerError for what cannot be used.
+    Notes
+    -----
+    Cases are lanes of the same native steps. Order and bits are those of one process, whatever works them out.
     """
     if not model.q_i:
         raise ModelError(f"every coordinate of model {model.name} is driven: use simulate, there is nothing to step")

@@ -244,10 +244,45 @@ def stability_chart(
     start: str | None = None,
     progress: Progress | None = None,
 ) -> StabilityChart:
-    """Chart of a scheme (the scene's own by default) at `states` states of a motion of t_end [s].
+    """Chart the stability of a scheme at states of a motion.
 
-    m: lists of ratios (a usual set by default); dt_range: smallest and largest step of the fastest group [s].
-    Raises SchemeError, ModelError or InitialStateError for arguments that cannot be used.
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    scheme : str, optional
+        The scene's own by default.
+    m : list of list of int, optional
+        Ratios to chart; a usual set by default.
+    dt_range : (float, float), optional
+        Smallest and largest step of the fastest group [s].
+    points : int, optional
+        Steps in between.
+    states : int, optional
+        States of the motion that are looked at.
+    options : mapping, optional
+        Of the scheme.
+    t_end : float, optional
+        Length of the motion [s].
+    parameters, initial, start : optional
+        As of `simulate`.
+    progress : callable, optional
+        Called with (done, all).
+
+    Returns
+    -------
+    StabilityChart
+        Growth [1/s] over the step for each m, and the limit of each.
+
+    Raises
+    ------
+    SchemeError, ModelError, InitialStateError
+        For arguments that cannot be used.
+
+    Notes
+    -----
+    Eigenvalues of one major step of the linearised equations; growth is what the step adds to that of the motion
+    itself.
     """
     if not model.q_i:
         raise ModelError(
