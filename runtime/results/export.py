@@ -91,11 +91,17 @@ def read_stream(path: str | Path, model: EmittedModel | None) -> dict[str, Any]:
     if not blocks:
         raise ModelError(f"{path} holds no samples; simulate again")
     columns = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
-    fields: dict[str, Any] = {key: columns[key] for key in ARRAYS if key != "parameters"}
-    fields["energy"] = {
-        key.removeprefix("energy_"): values for key, values in columns.items() if key.startswith("energy_")
-    }
-    return {**fields, "parameters": np.array(header["parameters"], dtype=float), **read_run_header(header, path, model)}
+    try:
+        fields: dict[str, Any] = {key: columns[key] for key in ARRAYS if key != "parameters"}
+        fields["energy"] = {
+            key.removeprefix("energy_"): values for key, values in columns.items() if key.startswith("energy_")
+        }
+        fields["parameters"] = np.array(header["parameters"], dtype=float)
+        return {**fields, **read_run_header(header, path, model)}
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        if isinstance(error, ModelError):
+            raise
+        raise ModelError(f"{path} is a stream whose header is damaged ({error}); simulate again") from error
 
 
 def run_header(solution: Samples) -> dict[str, Any]:

@@ -26,6 +26,7 @@ from runtime.contract.files import WRITING, OutputError, write_text
 FORMAT = "symgen stream 1"
 HEADER, ROWS = "header.json", "samples.bin"
 ROWS_A_BLOCK = 4096
+LONGEST_ROW = 1_000_000  # numbers
 
 
 class Table:
@@ -162,7 +163,19 @@ def read_header(folder: str | Path) -> dict[str, Any]:
         raise ModelError(f"{folder} is not a stream of samples ({error})") from error
     if not isinstance(header, dict) or header.get("format") != FORMAT:
         raise ModelError(f"{folder} is a stream in another format; simulate again")
+    if not _are_columns(header.get("columns")):
+        raise ModelError(f"{folder} is a stream whose header is damaged; simulate again")
     return header
+
+
+def _are_columns(columns: Any) -> bool:
+    """[[name, [lengths]], ...] of a row that is not empty and not absurdly long."""
+    if not isinstance(columns, list) or not all(isinstance(one, list) and len(one) == 2 for one in columns):
+        return False
+    lengths = [length for _, shape in columns for length in (shape if isinstance(shape, list) else [-1])]
+    if not all(isinstance(one, int) and 0 <= one <= LONGEST_ROW for one in lengths):
+        return False
+    return 0 < Table(columns).width <= LONGEST_ROW
 
 
 def read_blocks(folder: str | Path, rows: int = ROWS_A_BLOCK) -> Iterator[dict[str, np.ndarray]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import tracemalloc
 from collections.abc import Callable
 from pathlib import Path
@@ -120,3 +121,27 @@ def test_memory_stays_bounded(built_in: Load, tmp_path: Path, kept: str) -> None
     few, many = peak(1200), peak(4800)
     row = 8 * 2 if kept == "outputs" else 0
     assert many - few < 3600 * row * 3 + 300_000
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        {"columns": None},
+        {"columns": [["t", [-1]]]},
+        {"columns": [["t", [10**12]], ["q", [10**12]]]},
+        {"columns": []},
+        {"columns": [["t"]]},
+        {"columns": [["t", []]]},
+        {"model": {}},
+        {"status": {"name": 1, "more": 2}},
+        {"parameters": "x"},
+    ],
+    ids=str,
+)
+def test_a_damaged_header_is_refused(built_in: Load, tmp_path: Path, damage: dict[str, object]) -> None:
+    """By name, and before memory is asked for that there is not."""
+    simulate(built_in("slider_crank"), **SETTINGS, stream=tmp_path / "run")  # type: ignore[arg-type]
+    file = tmp_path / "run" / "header.json"
+    file.write_text(json.dumps({**json.loads(file.read_text()), **damage}))
+    with pytest.raises(ModelError, match="header is damaged"):
+        Solution.load(tmp_path / "run")
