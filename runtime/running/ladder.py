@@ -339,6 +339,8 @@ class Ladder:
         spent = sum(one.run.step * one.run.segment.stepper.operations for one in rungs if one.lost)
         if spent > MOST_ENDING:
             return True
+        if last[-1].status.name == "iteration_failed":  # which no motion does, but its steps
+            return False
         if len(last) < 3 or not all(one.lost and one.status.name == last[-1].status.name for one in last):
             return False
         steps, times = [one.steps for one in last], [one.status.time for one in last]

@@ -10,7 +10,8 @@ import pytest
 from runtime import simulate
 from runtime.model import Model
 from runtime.schemes.radau import lagrange
-from symgen.scene import SceneRecord
+from symgen.scene import Scene, SceneRecord
+from tests.running.test_advice import ball_on_an_arm
 from tests.support.scenes import on_rail
 
 pytestmark = pytest.mark.long
@@ -55,3 +56,43 @@ def test_stages_are_continued_by_their_polynomial() -> None:
     """Four nodes take cubics over exactly, at nodes and beyond."""
     nodes, at = np.array([0.0, 0.2, 0.7, 1.0]), np.array([0.2, 1.3, 1.9])
     assert lagrange(nodes, at) @ (1 - nodes**2 + 2 * nodes**3) == pytest.approx(1 - at**2 + 2 * at**3)
+
+
+def test_rigid_bodies_are_not_bent(model_of: Build) -> None:
+    """A ball on an arm falls on a floor with friction: radau's iterations fail where that reverses, and M_hat, which
+    the pose of the arm brings to 0.04 of that at the start, has no part in it. Shorter steps find the motion of rk4.
+    """
+    model = model_of(ball_on_an_arm())
+    right = simulate(model, scheme="rk4", dt=5e-6, t_end=0.6, error="off", samples=1)
+    run = simulate(model, scheme="radau", dt=1e-3, t_end=0.6)
+    assert run.status.name == "iteration_failed" and "dt=0.0001" in run.status.advice
+    for call in ({"tolerance": 1e-4}, {"dt": 1e-5}):
+        run = simulate(model, scheme="radau", t_end=0.6, **call)
+        assert run.status.name == "completed", run.status
+        assert np.abs(run.q[-1] - right.q[-1]).max() < 1e-4
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_linear_beams_that_touch_a_floor(model_of: Build, seed: int) -> None:
+    """Beams whose M_hat is a Gram matrix, with friction at the floor: what fails is the iteration, if anything does."""
+    rng = np.random.default_rng(seed)
+    length, side = float(rng.uniform(0.4, 0.8)), float(rng.uniform(0.008, 0.02))
+    beam = {"density": 2700.0, "area": side**2, "second_moment": side**4 / 12, "youngs_modulus": 7e10}
+    modes = {"ends": "clamped-free", "modes": 1 + seed % 2}
+    scene = Scene(f"beam{seed}").gravity(0, -9.81).ground(markers={"floor": {"position": [0, -0.6 * length]}})
+    scene.beam("rod", length=length, lateral=modes, damping_ratio=0.02, **beam).rigid("ball", mass=0.3, inertia=1e-3)
+    scene.revolute("pin", "ground.origin", "rod.start").revolute("end", "rod.end", "ball.origin")
+    contact = {"plane": "ground.floor", "damping": 0.3, "exponent": 1.5, "friction": float(rng.uniform(0.1, 0.5))}
+    scene.contact("touch", "ball.origin", 0.03, 2e4, **contact).initial({"rod.theta": -0.1})
+    model = model_of(scene.build())
+    assert simulate(model, scheme="radau", dt=1e-3, t_end=0.5).status.name in (
+        "completed",
+        "inaccurate",
+        "iteration_failed",
+    )
+    run = simulate(model, scheme="radau", tolerance=1e-3, t_end=0.5)
+    assert run.status.name == "completed", run.status
+    right = simulate(model, scheme="rk4", dt=5e-6, t_end=0.5, error="off", seen_every=0.01)
+    sampled = simulate(model, scheme="radau", tolerance=1e-3, t_end=0.5, seen_every=0.01)
+    off = np.sqrt(np.mean((sampled.q_i - right.q_i) ** 2, axis=0)) / np.sqrt(np.mean(right.q_i**2, axis=0))
+    assert off[model.q_i.index("rod.theta")] < 3e-3
