@@ -47,6 +47,7 @@ EventKind = Literal[
     "beyond_buckling",
     "angles_singular",
     "kink_crossed",
+    "chattering",
     "kink",
     "event",
     "mode",

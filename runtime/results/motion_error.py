@@ -49,6 +49,7 @@ def _largest_of_kind(model: EmittedModel, values: np.ndarray) -> np.ndarray:
 TURN = np.pi / np.sqrt(3.0)  # rad: RMS about its mean of an angle that turns on and on, modulo a turn
 ROUND = 2 * np.pi  # rad: what has turned further turns on and on
 LOST = 0.03  # of an amplitude: the time at which a motion that is lost in the end can be relied on no more
+INTEGRAL = ".integral"  # the coordinate whose rate is a state
 DUST = 1e-10  # m or rad, or of a coordinate's size: an amplitude counts as that at least
 RESTS = 1e-6  # m/s or rad/s, or of a coordinate's size a second: a rate counts as that at least
 STATIONARY = 0.1  # of the largest amplitude of its kind and unit: what moves less is not judged by its own
@@ -60,7 +61,8 @@ class MotionError:
 
     over_motion, at_end: RMS over the motion and size at its end [m, rad or 1]; amplitude: RMS of the coordinate about
     its mean, of an angle that turns on and on that of one turn. relative: over_motion over amplitude, none of which
-    counts as less than a millionth of the largest of its kind. reliable_until [s]: where the error grows beyond an
+    counts as less than a millionth of the largest of its kind. Those of `<state>.integral` are those of the
+    state of a controller itself. reliable_until [s]: where the error grows beyond an
     amplitude, the time at which it passed 3 % of it, or where the motion breaks down with any other steps, the time of
     that. reason: why nothing was measured, "" where it was.
     """
@@ -84,12 +86,16 @@ class MotionError:
     @property
     def of(self) -> str:
         """The coordinate with the largest relative error."""
+        return self._worst.removesuffix(INTEGRAL)
+
+    @property
+    def _worst(self) -> str:
         return max(self.relative, key=lambda name: self.relative[name], default="")
 
     @property
     def largest(self) -> float:
         """The largest relative error; NaN where nothing was measured."""
-        return self.relative[self.of] if self.relative else np.nan
+        return self.relative[self._worst] if self.relative else np.nan
 
     def scaled(self, factor: float) -> MotionError:
         """With all errors multiplied."""
@@ -112,6 +118,12 @@ def amplitudes(model: EmittedModel, q: np.ndarray) -> np.ndarray:
     return np.asarray(np.where(_kinds(model)[1] & (np.ptp(q, axis=0) > ROUND), np.minimum(found, TURN), found))
 
 
+def _states(model: EmittedModel) -> np.ndarray:
+    """(N,) which of `followed` are integrals of states: the states are judged, for their integrals hide chatter."""
+    kinds = {entry.name: entry.kind for entry in model.description.coordinates}
+    return np.array([kinds[name] == "state" for name in followed(model)[0]], dtype=bool)
+
+
 def motion_error(
     model: EmittedModel,
     t: np.ndarray,
@@ -128,6 +140,10 @@ def motion_error(
     """
     names = followed(model)[0]
     off = np.abs(q - other)
+    if rates is not None:
+        off = np.where(_states(model), np.abs(rates[0] - rates[1]), off)
+        known = np.concatenate(rates if seen_rates is None else [*rates, seen_rates])
+        sizes = np.where(_states(model), np.std(known, axis=0), sizes)
     dust = DUST * np.maximum(1.0, np.abs(q).max(axis=0))  # what stays where it is has an amplitude of rounding
     rms, least = np.sqrt(np.mean(off**2, axis=0)), np.maximum(floored(model, sizes), dust)
     judged = rms / np.maximum(floored(model, sizes, STATIONARY), dust)

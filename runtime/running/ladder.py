@@ -23,7 +23,17 @@ from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.running.comparison_times import comparison_steps, refined, shared
 from runtime.running.monitor import known_slopes
-from runtime.running.outcome import FINER, LARGEST, compared, early_steps, finished, loads_missed, marks_of, passed_by
+from runtime.running.outcome import (
+    FINER,
+    LARGEST,
+    chattering_of,
+    compared,
+    early_steps,
+    finished,
+    loads_missed,
+    marks_of,
+    passed_by,
+)
 from runtime.running.problem import (
     AUTO,
     DEFAULT,
@@ -51,6 +61,7 @@ SAFETY = 0.9  # of a tolerance, and of a stability limit
 MOST = 2.5  # times the steps of the rung before
 AFTER_LOST = 3.0  # the same, where the motion was lost
 MOST_FINER = 10.0  # the same, where its steps turned a loop too far
+MOST_CHATTERING = 5000  # steps of a rung that crosses a kink at nearly every one
 SHOWN = 0.8  # of the order of a method: where three rungs show that much, the error is half of the difference
 BISECTIONS = 40  # of the order that is shown
 SEEN = 1000  # samples of a rung that is kept
@@ -319,6 +330,8 @@ class Ladder:
             return None if self.ends(rungs, order) else ceil(AFTER_LOST * count)
         if len(rungs) >= 3 and last.error <= self.tolerance:
             return None
+        if len(rungs) >= 3 and last.steps > MOST_CHATTERING and all(chattering_of(one.run) for one in rungs[-3:]):
+            return None  # its error falls in proportion to its steps at best, each of which is searched for its kink
         if _stagnant(rungs):
             dear = self.resolving * self.unit * last.run.segment.stepper.operations > MOST_RESOLVING
             if count < self.resolving and not dear:
@@ -395,10 +408,12 @@ class Ladder:
         if interrupted:
             status = replace(rungs[-1].status, time=found.status.time, cause="stopped by the user on a finer rung")
         elif status.name == "completed" and error.measured and not answer.error <= self.tolerance:
-            stats["remark"] = (
+            missed = (
                 f"the error is {answer.error:.2g} of an amplitude, where {self.tolerance:g} was asked: "
                 "more steps do not bring it down"
             )
+            chatter = [event.text for event in found.events if event.kind == "chattering"][:1]
+            stats["remark"] = "; ".join([missed, *chatter])
         return found.but(stats=stats, status=status)
 
 

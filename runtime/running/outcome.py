@@ -19,6 +19,7 @@ from runtime.contract.coordinates import euler_angles, followed
 from runtime.contract.status import Event, Status
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.results.undefined import undefined_measures
+from runtime.running.chattering import chattering
 from runtime.running.comparison_times import common_steps, comparison_steps, coprime
 from runtime.running.going_on import driven_inputs
 from runtime.running.powers import powers_at
@@ -78,6 +79,8 @@ def _ended(run: Run, error: MotionError | None) -> Solution:
         events += crossed_kinks(solution)
     elif len(events) < len(run.events):
         stats["kinks"] = len(run.events) - len(events)
+        slides = chattering_of(run)
+        events = sorted([*events, *slides], key=lambda event: event.time)
     solution = solution.but(status=status, stats=stats, events=events, parameters=run.segment.p, stops=_stops(run))
     solution = solution.but(powers=powers_at(solution.stops[:, 0], run.record.segments))
     solution = solution.but(driven=driven_inputs(run.problem.model, run.schedule, run.problem.inputs))
@@ -89,10 +92,19 @@ def _ended(run: Run, error: MotionError | None) -> Solution:
         measured(run, solution) if error is None else error,
         SMALLER_TOLERANCE if run.plan.refined or run.plan.scheme.adaptive else SMALLER_STEP,
     )
+    if slides := [event for event in events if event.kind == "chattering"]:
+        said = [solution.stats["remark"]] if "remark" in solution.stats else []
+        solution = solution.but(stats={**solution.stats, "remark": "; ".join(map(str, [*said, slides[0].text]))})
     told = time.perf_counter()
     solution = with_limits(solution)
     parts = {"error_seconds": told - began, "limits_seconds": time.perf_counter() - told}
     return run.record.finished(solution.but(stats={**solution.stats, **parts}))
+
+
+def chattering_of(run: Run) -> list[Event]:
+    """What chatters in a run that has come to its end."""
+    span = run.plan.time(run.step) - run.plan.t0
+    return chattering(run.events, span / max(1, int(statistics(run.segment, run.z, 0.0, 0.0)["steps"])))
 
 
 def _stops(run: Run) -> np.ndarray:
