@@ -1,6 +1,6 @@
 """Steps generated models through time. Knows nothing of SymPy or of how the equations were derived.
 
-The rooms, from what everything stands on to what stands on everything:
+The packages, from what everything stands on to what stands on everything:
 
     contract    what both halves share: an emitted model, its names, units and formats
     engine      straight-line programs, interpreted or compiled

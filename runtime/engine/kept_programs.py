@@ -24,14 +24,14 @@ from runtime.engine.prepare import Prepared
 from runtime.engine.program import Call, Program, Repeat, Sequence, Until
 
 LONGEST = 20_000  # operations of the stages: reading what is longer saves less, and takes room
-ROOMS = ("contract", "engine", "schemes", "running")  # whose code programs and looks follow from
+PACKAGES = ("contract", "engine", "schemes", "running")  # whose code programs and looks follow from
 
 
 @cache
 def _code() -> str:
     """What the code is that programs follow from."""
     folder = Path(__file__).resolve().parents[1]
-    return f"{stamp_of(*(folder / room for room in ROOMS))} {ca.CasadiMeta.version()}"
+    return f"{stamp_of(*(folder / name for name in PACKAGES))} {ca.CasadiMeta.version()}"
 
 
 def key_of(model: EmittedModel, *facts: str) -> str:

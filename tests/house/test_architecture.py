@@ -27,9 +27,9 @@ FORBIDDEN_CALLS = {"eval", "exec", "sympify", "compile", "__import__", "parse_ex
 FORBIDDEN_IMPORTS = {"pickle", "cloudpickle", "dill", "marshal", "shelve"}
 SUSPECT = re.compile("|".join([*FORBIDDEN_CALLS, *FORBIDDEN_IMPORTS, "shell"]))  # without these words a file is clean
 
-# The rooms of each package, from what everything stands on to what stands on everything, and what each may import.
-# A room is a folder or file directly under the package; "" is the package's own __init__.py.
-RUNTIME_ROOMS = {
+# The packages of each half, from what everything stands on to what stands on everything, and what each may import.
+# They are folders or files directly under the half; "" is the half's own __init__.py.
+RUNTIME_PACKAGES = {
     "contract": "",
     "engine": "contract",
     "schemes": "contract engine",
@@ -48,7 +48,7 @@ RUNTIME_ROOMS = {
     "model": "contract operating baselines running export gradients orbits studies views",
     "": "contract schemes results solutions operating baselines running gradients orbits studies views model",
 }
-SYMGEN_ROOMS = {
+SYMGEN_PACKAGES = {
     "notation": "",
     "modes": "",
     "fe": "modes",
@@ -73,7 +73,7 @@ SYMGEN_ROOMS = {
     "cli": "kernels emission generate pipeline scene scenes schema urdf",
     "": "cli scene schema",
 }
-ROOMS = {"runtime": RUNTIME_ROOMS, "symgen": SYMGEN_ROOMS}
+PACKAGES = {"runtime": RUNTIME_PACKAGES, "symgen": SYMGEN_PACKAGES}
 # Imports inside functions that point upwards, (module, what it imports): none is meant to stay.
 UPWARDS = {
     ("symgen.scene.kept", "symgen.generate"),
@@ -186,18 +186,18 @@ def test_derivation_takes_from_the_runtime_the_contract_only() -> None:
     assert not {name: taken for name, taken in found.items() if not within(name, "symgen.cli")}
 
 
-def room(module: str, package: str) -> str:
-    """The room of a module of the package: its first name below the package; __main__ is the package's own."""
-    first = module.partition(".")[2].partition(".")[0] if module != package else ""
+def package_of(module: str, half: str) -> str:
+    """The package of a module: its first name below the half; __main__ is the half's own."""
+    first = module.partition(".")[2].partition(".")[0] if module != half else ""
     return "" if first == "__main__" else first
 
 
-@pytest.mark.parametrize("package", ROOMS)
-def test_rooms_are_as_the_map_says(package: str) -> None:
-    """Every room is on the map, in an order in which nothing imports what stands later: so there are no circles."""
-    map_ = ROOMS[package]
+@pytest.mark.parametrize("package", PACKAGES)
+def test_packages_are_as_the_map_says(package: str) -> None:
+    """Every package is on the map, in an order in which nothing imports what stands later: so there are no circles."""
+    map_ = PACKAGES[package]
     modules = [module_name(path) for path in files(package)]
-    assert {room(module, package) for module in modules} == set(map_)
+    assert {package_of(module, package) for module in modules} == set(map_)
     order = list(map_)
     for name, uses in map_.items():
         assert all(order.index(used) < order.index(name) for used in uses.split()), f"{name} stands too low"
@@ -230,14 +230,14 @@ def lines_up(name: str) -> Iterator[str]:
 def against_the_map(path: Path) -> set[str]:
     module = module_name(path)
     package = module.partition(".")[0]
-    own = room(module, package)
-    known = ROOMS[package]
-    used = {room(name, package) for _, name in edges(path)} - {own, ""}
+    own = package_of(module, package)
+    known = PACKAGES[package]
+    used = {package_of(name, package) for _, name in edges(path)} - {own, ""}
     return used - set(known[own].split())
 
 
 def test_imports_follow_the_map() -> None:
-    """By file: rooms that its own room may not import."""
+    """By file: packages that its own may not import."""
     assert not offences(against_the_map, "runtime", "symgen")
 
 
@@ -259,7 +259,7 @@ def test_every_scheme_of_the_catalogue_can_be_imported() -> None:
     assert all(kind.make and kind.options for kind in SCHEMES.values())
 
 
-@pytest.mark.parametrize("package", ROOMS)
+@pytest.mark.parametrize("package", PACKAGES)
 def test_files_import_each_other_in_no_circle(package: str) -> None:
     """Imports inside functions are counted."""
     graph = {module_name(path): {name for _, name in edges(path)} for path in files(package)}

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.house.test_architecture import ROOMS
+from tests.house.test_architecture import PACKAGES
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
@@ -52,14 +52,14 @@ def test_every_page_is_found_from_the_readme() -> None:
     assert not set(DOCS.rglob("*.md")) - seen
 
 
-@pytest.mark.parametrize("package", ROOMS)
+@pytest.mark.parametrize("package", PACKAGES)
 def test_the_code_map_is_the_map(package: str) -> None:
-    """The rooms of the page are those of the architecture test, in its order; where to begin exists."""
+    """The packages of the page are those of the architecture test, in its order; where to begin exists."""
     section = ARCHITECTURE.split(f"### {package}\n")[1].split("\n#")[0]
     rows = re.findall(r"^\| `(\w+)` \| (.+) \| `([\w./]+)` \|$", section, re.MULTILINE)
-    assert [room for room, _, _ in rows] == [room for room in ROOMS[package] if room]
-    for room, _, first in rows:
-        assert first.startswith(f"{package}/{room}") and (ROOT / first).exists(), first
+    assert [name for name, _, _ in rows] == [name for name in PACKAGES[package] if name]
+    for name, _, first in rows:
+        assert first.startswith(f"{package}/{name}") and (ROOT / first).exists(), first
 
 
 def test_every_invariant_names_a_test_that_exists() -> None:
