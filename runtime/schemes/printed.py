@@ -16,9 +16,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import casadi as ca
 
+from runtime.contract.model import EmittedModel
 from runtime.engine.program import Fields, Program, Repeat, Sequence, Until
 from runtime.schemes.central_difference import (
     CentralDifference,
@@ -49,7 +51,9 @@ class PrintedOptions(CentralDifferenceOptions):
     common_update: `fixed_point` is the sweep (52)-(55) with the test (56)-(57); `direct` solves (39) at once, with
         Newton on dQ_hat/dq_i_dot where forces depend on velocity.
     guess: `taylor` (50)-(51) or `previous` (48)-(49).
-    slow_interpolation: how slow variables move during sub-steps, see INTERPOLATIONS.
+    slow_interpolation: how slow variables move during sub-steps, see INTERPOLATIONS; `auto` is `chord` where groups are
+        coupled by stiffness alone, as in a structure with lumped mass: the other three grow there without damping; else
+        `end_point_sum`, as printed.
     sub_step_velocity: `predictor` takes q_S_dot with the last acceleration (explicit, second order); `newton` solves
         (43) with the emitted Jacobian.
     eps: one tolerance per group, slow to fast (eps_L, eps_S); a single one serves all.
@@ -60,11 +64,24 @@ class PrintedOptions(CentralDifferenceOptions):
 
     common_update: str = one_of("fixed_point", "direct")
     guess: str = one_of("taylor", "previous")
-    slow_interpolation: str = one_of(*NAMES_OF_INTERPOLATIONS)
+    slow_interpolation: str = one_of("auto", *NAMES_OF_INTERPOLATIONS)
     sub_step_velocity: str = one_of("predictor", "newton")
     eps: tuple[float, ...] = tolerances(1e-13)
     stopping: str = one_of("relative", "absolute")
     max_iterations: int = whole_number(500, most=MOST_ITERATIONS)
+
+
+def coupled_by_stiffness(model: EmittedModel) -> bool:
+    """Is this a linear structure (3) whose M_hat is diagonal?"""
+    if any(coordinate.owner for coordinate in model.description.coordinates):
+        return False
+    kernel = model.kernel("condensed")
+    M_hat = kernel.call([ca.SX.sym(name, shape) for name, shape in _inputs(kernel)])[kernel.index_out("M_hat")]
+    return all(M_hat[i, j].is_zero() for i in range(M_hat.shape[0]) for j in range(M_hat.shape[1]) if i != j)
+
+
+def _inputs(kernel: ca.Function) -> list[tuple[str, ca.Sparsity]]:
+    return [(kernel.name_in(k), kernel.sparsity_in(k)) for k in range(kernel.n_in())]
 
 
 class Printed(CentralDifference):
@@ -90,6 +107,14 @@ class Printed(CentralDifference):
     def sweeps(self) -> bool:
         """Is the common update the printed sweep?"""
         return self.options.common_update == "fixed_point"
+
+    @cached_property
+    def interpolation(self) -> str:
+        """The reading of (13) and (63) that is taken: a name of INTERPOLATIONS."""
+        chosen = self.options.slow_interpolation
+        if chosen != "auto":
+            return chosen
+        return "chord" if coupled_by_stiffness(self.model) else "end_point_sum"
 
     @property
     def predicts_velocity(self) -> bool:
@@ -182,7 +207,7 @@ class Printed(CentralDifference):
 
     def _sub_stepped(self, z: Fields, equations: StageEquations, level: int) -> Mapping[str, ca.SX]:
         S, L, h = self.grid.from_level(level), self.grid.first_of(level), self.steps(equations)
-        interpolate = INTERPOLATIONS[self.options.slow_interpolation]
+        interpolate = INTERPOLATIONS[self.interpolation]
         known = at_sub_step(z, equations.h, Known(z["x"], z["d"] / h, z["a"]), self.grid, level, interpolate)
         t = z["t0"] + (z["n"] - 1) * equations.h[0] + z["s"]
         motion, a = self.motion(z, equations, known.q, t), known.q_ddot

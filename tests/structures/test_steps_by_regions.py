@@ -11,6 +11,7 @@ from runtime.structures import LinearStructure, StructureModel
 from runtime.structures.central_difference import CentralDifference
 from runtime.structures.regions import Group, Regions, choose_regions, coordinates_of, one_group
 from runtime.structures.structure import Load
+from symgen import Scene
 from tests.structures.bars import bar, matrices, two_regions
 
 
@@ -177,3 +178,25 @@ def test_undamped_motion_does_not_grow_in_1e5_steps() -> None:
         step.advance(1000 // regions.fastest[-1])
         sizes.append(np.abs(step.x).max())
     assert max(sizes[-20:]) < 1.3 * max(sizes[:20])
+
+
+@pytest.mark.long
+def test_a_small_structure_written_as_equations_does_not_grow_by_default() -> None:
+    """A bar of two regions at 0.7 of its limit, m = 4, two rings fast: the printed reading grows to 191, the chord
+    does not.
+    """
+    structure = two_regions(6, 10, 4)
+    K, M, _ = matrices(structure)
+    names = [f"x{k}" for k in range(16)]
+    h = 0.7 * 2 / np.sqrt(la.eigh(K, M, eigvals_only=True)[-1])
+    start = dict(zip(names, (0.01 * np.random.default_rng(0).standard_normal(16)).tolist(), strict=True))
+    scene = Scene("bar").structure(coordinates=names, mass=M.tolist(), stiffness=K.tolist())
+    model = scene.groups(L=names[:3], S=names[3:]).initial(start).model()
+    sizes = {}
+    for reading in ("auto", "end_point_sum"):
+        run = model.simulate(
+            scheme="printed", t_end=8000 * 4 * h, dt=4 * h, m=[4], samples=200, error="off",
+            options={"slow_interpolation": reading}
+        )  # fmt: skip
+        sizes[reading] = np.abs(run.q[-20:]).max()
+    assert sizes["auto"] < 0.05 < 0.2 < sizes["end_point_sum"]
