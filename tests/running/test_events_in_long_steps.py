@@ -9,6 +9,7 @@ import pytest
 from scipy.optimize import brentq
 
 from runtime import Model, simulate
+from runtime.schemes.switching.event_search import first_bracket
 from symgen.scene import Scene, SceneRecord
 
 Build = Callable[[SceneRecord], Model]
@@ -42,3 +43,33 @@ def test_an_event_that_is_over_before_a_load_kinks_in_the_same_step(model_of: Bu
     w = np.sqrt(10.0)
     assert run["b.x"][-1] == pytest.approx(0.25 + np.sin(w * 0.05) / w, abs=1e-6 if scheme != "dopri5" else 1e-4)
     assert run.stats["kinks"] == 1
+
+
+def test_a_step_that_tells_nothing_is_not_looked_at_for_ever() -> None:
+    """Noise is never foretold: fewer places than are allowed are looked at, and each pair of them but once."""
+    random, looks, pairs = np.random.default_rng(3), [0], [0]
+
+    def values(s: np.ndarray) -> np.ndarray:
+        looks[0] += len(s)
+        return 1 + random.uniform(0, 1, (len(s), 2))
+
+    def happens(old: np.ndarray, new: np.ndarray) -> bool:
+        pairs[0] += 1
+        return bool(((old < 0) & (new >= 0)).any())
+
+    assert first_bracket(happens, values, 0.0, 1.0, seen=1, most=500) is None
+    assert 400 < looks[0] < 500 and pairs[0] < 2 * looks[0]
+
+
+def test_a_far_too_long_first_level_does_not_hold_a_run_up(model_of: Build) -> None:
+    """A ball on a hinge that rubs, on an arm over a stiff floor: the first level of the default call diverges."""
+    scene = Scene("arm").gravity(0, -9.81).ground(markers={"floor": {"position": (0, -0.3)}})
+    scene.rigid("arm", mass=1.5, inertia=0.05, center_of_mass=(0.3, 0), markers={"tip": {"position": (0.6, 0)}})
+    scene.revolute("h", "ground.origin", "arm.origin").rigid("ball", mass=0.2, inertia=0.001)
+    scene.revolute("h2", "arm.tip", "ball.origin", friction={"coulomb": 0.01})
+    scene.load("contact", "c", marker="ball.origin", radius=0.05, plane="ground.floor", stiffness=1e5, damping=0.2,
+               exponent=1.5, friction=0.3, slip_speed=1e-3)  # fmt: skip
+    run = simulate(model_of(scene.simulation(t_end=1.0).build()))
+    assert run.status.name == "completed" and 0 < len(run.events) < 60
+    fine = simulate(run.model, scheme="dopri5", dt=1e-4, error="off")
+    assert run["arm.theta"][-1] == pytest.approx(fine["arm.theta"][-1], abs=2e-3)

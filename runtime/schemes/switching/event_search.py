@@ -89,7 +89,8 @@ AT_ONCE = 16  # intervals that are halved, from the left
 # of a range: a quartic part of a step that must be looked at, and that next ones have
 UNRESOLVED, RESOLVED = 0.05, 0.01
 REACH = 0.25  # of the way to zero: what is so small beside it does not matter
-MOST_PLACES = 20_000
+MOST_PLACES = 20_000  # where a look is a value of a function
+MOST_STEPS = 500  # where each is a step: those of a step far too long, which tells nothing, would be looked at for ever
 
 Pair = Callable[[np.ndarray, np.ndarray], bool]  # does an event happen between two sets of values (n_e,)?
 
@@ -178,23 +179,33 @@ class ValuesInStep:
 
 
 def first_bracket(
-    happens: Pair, values: Callable[[np.ndarray], np.ndarray], start: float, end: float, seen: int = 2
+    happens: Pair,
+    values: Callable[[np.ndarray], np.ndarray],
+    start: float,
+    end: float,
+    seen: int = 2,
+    most: int = MOST_PLACES,
 ) -> tuple[float, float] | None:
     """The first interval [s] of a step, from start to end, between whose ends an event happens; None: there is none.
 
     values(s (N,)): (N, n_e) at places on the step. seen: so many halvings in a row must be as neighbours foretell.
+    most: fewer places are looked at.
     """
     s = np.linspace(start, end, 4 * seen + 1)
     e, known = values(s), np.zeros(4 * seen, dtype=int)
+    passing = np.array([happens(*pair) for pair in zip(e, e[1:], strict=False)])  # of each interval
     while True:
-        first = next((k for k in range(len(s) - 1) if happens(e[k], e[k + 1])), None)
+        first = int(passing.argmax()) if passing.any() else None
         open_ = ((known < seen) | _unsettled(s, e)) & (np.diff(s) > FINEST * (end - start))
         k = np.flatnonzero(open_[: None if first is None else first + 1])[:AT_ONCE]
-        if not len(k) or len(s) > MOST_PLACES:
+        if not len(k) or len(s) + len(k) >= most:
             return None if first is None else (float(s[first]), float(s[first + 1]))
         middles = (s[k] + s[k + 1]) / 2
         new = values(middles)
         known[k] = np.where(_foretold(s, e, k, middles, new), known[k] + 1, 0)
+        halves = [(happens(e[at], one), happens(one, e[at + 1])) for at, one in zip(k.tolist(), new, strict=True)]
+        passing[k] = [left for left, _ in halves]
+        passing = np.insert(passing, k + 1, [right for _, right in halves])
         s, e, known = np.insert(s, k + 1, middles), np.insert(e, k + 1, new, axis=0), np.insert(known, k + 1, known[k])
 
 

@@ -16,7 +16,7 @@ import numpy as np
 from runtime.engine.native import Engine, choose_engine
 from runtime.schemes.scheme import direct
 from runtime.schemes.stepper import Stepper
-from runtime.schemes.switching.event_search import first_bracket, first_passage, unsure
+from runtime.schemes.switching.event_search import MOST_STEPS, first_bracket, first_passage, unsure
 from runtime.schemes.switching.impulse import Impulse, may_give_impulses
 from runtime.schemes.switching.stop_program import KNOWN, Restart, StopProgram, impulse_there
 from runtime.schemes.switching.times import ON_THE_GRID, Breaks, SwitchTime, within
@@ -368,6 +368,7 @@ class _EventStep:
             0.0,
             length,
             seen=1,
+            most=MOST_STEPS,
         )
         first = length if of_events is None else of_events[0]
         return (0.0, first) if passed(scheme, at(0.0), at(first), asleep | ~kinks) else of_events
