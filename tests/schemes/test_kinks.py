@@ -141,7 +141,7 @@ def test_a_kink_that_comes_ever_again_is_crossed(model_of: Build, scheme: str, t
     """The run goes on as with steps that cross it, and says so: it slides from 1 m/s, then stays."""
     options = {"error_of": "step"} if tolerance else None
     run = simulate(model_of(sticking()), scheme=scheme, tolerance=tolerance, options=options)
-    assert run.status.ok and [one.kind for one in run.events] == ["kink_crossed"]
+    assert run.status.ok and {one.kind for one in run.events} == {"chattering", "kink_crossed"}
     assert np.abs(run["m.x"][run.t > 0.7] - run["m.x"][-1]).max() < 2e-3 and int(run.stats["kinks"]) < 1000
 
 
