@@ -275,7 +275,7 @@ def test_texts_are_data_in_what_is_seen_and_handed_on(tmp_path_factory: Any, tex
     with open(folder / "run.csv", encoding="utf-8", newline="") as file:
         head, *rows = csv.reader(file)
     unit = texts["unit of s"]
-    assert any(cell.startswith("s.") and unit in cell for cell in head)
+    assert ("measure.s" + (f" [{unit}]" if unit else "")) in head
     assert len(head) > 10 and all(len(row) == len(head) for row in rows)
     assert json.loads(json.dumps(run.report()))["model"]["title"] == title
     for fmi in (2, 3):
