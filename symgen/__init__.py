@@ -15,16 +15,16 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from runtime.model import load_model
-    from symgen.scene.builder import Scene
-    from symgen.scene.scene import SceneRecord
+    from symgen.mechanism.builder import Scene
+    from symgen.mechanism.scene import SceneRecord
     from symgen.schema.errors import SceneError
 
 __all__ = ["Scene", "SceneError", "SceneRecord", "load_model"]
 
 _HOMES = {
-    "Scene": "symgen.scene.builder",
+    "Scene": "symgen.mechanism.builder",
     "SceneError": "symgen.schema.errors",
-    "SceneRecord": "symgen.scene.scene",
+    "SceneRecord": "symgen.mechanism.scene",
     "load_model": "runtime.model",
 }
 

@@ -38,6 +38,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
+from typing import TYPE_CHECKING
 
 import casadi as ca
 import numpy as np
@@ -61,12 +62,15 @@ from symgen.kernels.all_coordinates import geometry
 from symgen.kernels.catalogue import kernel_builders, known_kernels
 from symgen.kernels.kernel import Kernel, arguments_of
 from symgen.kernels.specification import specification
-from symgen.scene import SceneError, SceneRecord
+from symgen.scene import SceneError
 from symgen.system.build import System, build_system
 from symgen.system.constraint import DerivationError
 from symgen.system.equations import Equations
 from symgen.system.topology import Topology
 from symgen.tapes.hoisting import TapesOnDemand, hoist, unhoisted
+
+if TYPE_CHECKING:
+    from symgen.mechanism.scene import SceneRecord
 
 
 @dataclass(frozen=True)

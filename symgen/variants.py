@@ -10,8 +10,9 @@ from pathlib import Path
 
 from symgen.emission.files import emit
 from symgen.emission.write import write_model
+from symgen.mechanism.scene import SceneRecord
 from symgen.pipeline import Configuration, derive
-from symgen.scene import SceneError, SceneRecord
+from symgen.scene import SceneError
 
 OF_THE_MOTION = ("t_end", "seen_every", "start")  # of `simulation`: how steps are made says who makes them
 

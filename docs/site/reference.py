@@ -2,8 +2,8 @@
 
 TOPICS: dict[str, list[str]] = {
     "Scenes and code": [
-        "symgen.scene.builder.Scene",
-        "symgen.scene.scene.SceneRecord",
+        "symgen.mechanism.builder.Scene",
+        "symgen.mechanism.scene.SceneRecord",
         "symgen.schema.errors.SceneError",
         "symgen.generate.generate",
         "symgen.fe.body.FlexibleBody",

@@ -11,14 +11,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import casadi as ca
 import numpy as np
 
 from runtime.contract.records import Bound, BoundedQuantity, Parameter
-from symgen.scene import SceneRecord
 from symgen.schema.fields import Meaning
+
+if TYPE_CHECKING:
+    from symgen.mechanism.scene import SceneRecord
 
 STRICTNESS: tuple[Bound, ...] = ("any", "not negative", "positive")
 

@@ -13,7 +13,7 @@ F = (L / 6 EI) [[2, -1], [-1, 2]].
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import casadi as ca
 import numpy as np
@@ -24,8 +24,11 @@ from runtime.contract.records import ModeSetRecord
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import add, mul
 from symgen.modes.beam import BeamIntegrals, BeamModes, ModeSets, beam_integrals, exact_bending, exact_stretching
-from symgen.scene import BeamBody, SceneRecord, lateral_ends
+from symgen.scene import BeamBody, lateral_ends
 from symgen.scene.attachments import StaticResidual
+
+if TYPE_CHECKING:
+    from symgen.mechanism.scene import SceneRecord
 
 BENDING_AXES = (1, 2)
 

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import casadi as ca
 import numpy as np
 
 from symgen.algebra.vectors import Matrix, Vector
-from symgen.scene import BeamBody, SceneRecord
+from symgen.scene import BeamBody
+
+if TYPE_CHECKING:
+    from symgen.mechanism.scene import SceneRecord
 
 BEAM_FRACTIONS = tuple(float(at) for at in np.linspace(0.0, 1.0, 17))
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import casadi as ca
 import numpy as np
@@ -15,7 +16,10 @@ import numpy as np
 from symgen.algebra.parameters import ParameterTable
 from symgen.bodies.beam_sets import beam_integrals_of, set_choices
 from symgen.modes.beam import BeamIntegrals, BeamPoint
-from symgen.scene import BeamBody, BeamMarker, ModalBody, ModalMarker, RigidBody, SceneRecord
+from symgen.scene import BeamBody, BeamMarker, ModalBody, ModalMarker, RigidBody
+
+if TYPE_CHECKING:
+    from symgen.mechanism.scene import SceneRecord
 
 Table = Sequence[Sequence[float | str]]
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import casadi as ca
 import numpy as np
@@ -23,16 +24,11 @@ from symgen.bodies.beam_sets import beam_integrals_of, set_choices
 from symgen.bodies.shape_integrals import modal_impedance
 from symgen.bodies.spatial_moments import SpatialIntegrals, SpatialPoint
 from symgen.modes.beam import TORSION, BeamIntegrals, BeamPoint
-from symgen.scene import (
-    BeamBody,
-    BeamMarker,
-    FlexibleMarker,
-    MarkerDirections,
-    RigidBody,
-    SceneRecord,
-    SpatialModalBody,
-)
+from symgen.scene import BeamBody, BeamMarker, FlexibleMarker, MarkerDirections, RigidBody, SpatialModalBody
 from symgen.scene.bodies import quaternion_of
+
+if TYPE_CHECKING:
+    from symgen.mechanism.scene import SceneRecord
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,8 @@ from symgen.cli.sources import Source, find_source
 from symgen.cli.words import UsageError
 
 if TYPE_CHECKING:
+    from symgen.mechanism.scene import SceneRecord
     from symgen.pipeline import Derived
-    from symgen.scene import SceneRecord
 
 TEMPLATE = Path(__file__).with_name("template.toml")  # a small working mechanism, the other choices as comments
 
@@ -22,7 +22,8 @@ TEMPLATE = Path(__file__).with_name("template.toml")  # a small working mechanis
 def new(arguments: argparse.Namespace) -> Outcome:
     """Write a commented scene file to start from."""
     from runtime.contract.files import write_text
-    from symgen.scene import SceneError, SceneRecord
+    from symgen.mechanism.scene import SceneRecord
+    from symgen.scene import SceneError
 
     name = arguments.name.replace("-", "_")
     path = Path(arguments.out) if arguments.out else Path(f"{name}.toml")

@@ -18,7 +18,7 @@ from symgen.scenes import SCENES, current_folder, generated_folder
 if TYPE_CHECKING:
     from runtime.contract.model import EmittedModel
     from runtime.model import Model
-    from symgen.scene import SceneRecord
+    from symgen.mechanism.scene import SceneRecord
 
 MAX_COUNT = 1000
 NOTHING: Mapping[str, float] = {}
@@ -43,7 +43,8 @@ def find_source(word: str, made_with: Mapping[str, float] = NOTHING) -> Source:
 
     made_with: arguments of a built-in scene's function. Raises SceneError.
     """
-    from symgen.scene import SceneError, SceneRecord
+    from symgen.mechanism.scene import SceneRecord
+    from symgen.scene import SceneError
     from symgen.schema.errors import did_you_mean
 
     path, name, folder = Path(word), builtin_name(word), is_folder(word)
@@ -133,7 +134,7 @@ def opened_text(name: str, text: str, digest: str, keep: Path | None = None) -> 
     known = builtin_name(name)
     if known is not None and (folder := current_folder(known)) and _scene_text(folder) == text:
         return load_model(folder)
-    from symgen.scene import SceneRecord
+    from symgen.mechanism.scene import SceneRecord
 
     return _derived(SceneRecord.from_toml_text(text), keep, digest)
 

@@ -9,7 +9,7 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from importlib.metadata import version
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
@@ -35,9 +35,12 @@ from runtime.contract.records import (
     SurfaceRecord,
 )
 from symgen.pipeline import Derived
-from symgen.scene import BeamBody, GroundBody, RigidBody, SceneRecord
+from symgen.scene import BeamBody, GroundBody, RigidBody
 from symgen.scene.appearance import BoxShape, CylinderShape, MeshShape, SphereShape
 from symgen.scene.flexible import SpatialModalBody
+
+if TYPE_CHECKING:
+    from symgen.mechanism.scene import SceneRecord
 
 
 def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) -> Description:

@@ -4,6 +4,9 @@ A `SceneRecord` is immutable and checked: whatever is wrong in it surfaces as a 
 and remedy.
 """
 
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
 from symgen.couplings import COUPLINGS, Coupling
 from symgen.joints import JOINTS, Joint
 from symgen.loads import LOADS, Load
@@ -19,7 +22,6 @@ from symgen.scene.bodies import (
     RigidMarker,
     TorsionModes,
 )
-from symgen.scene.builder import Scene
 from symgen.scene.flexible import (
     FlexibleMarker,
     FlexibleStiffening,
@@ -37,7 +39,6 @@ from symgen.scene.measures import (
     StressMeasure,
 )
 from symgen.scene.parts import AnyBody, AnyMarker, Body, DeclaredInput, DeclaredParameter, DeclaredState, Placement
-from symgen.scene.scene import SceneRecord
 from symgen.scene.simulation import (
     CoordinateGroup,
     DeclaredEvent,
@@ -52,6 +53,10 @@ from symgen.scene.toml_io import read_mesh
 from symgen.schema.errors import SceneError
 from symgen.schema.expressions import Expression, parse_expression
 from symgen.schema.fields import Quantity
+
+if TYPE_CHECKING:
+    from symgen.mechanism.builder import Scene
+    from symgen.mechanism.scene import SceneRecord
 
 __all__ = [
     "AnyBody", "AnyMarker", "AxialModes", "BeamBody", "BeamMarker", "Body",
@@ -69,3 +74,11 @@ __all__ = [
     "lateral_ends", "parse_expression", "read_mesh", "s_curve", "trapezoid",
     "with_ends",
 ]  # fmt: skip
+
+_HOMES = {"Scene": "symgen.mechanism.builder", "SceneRecord": "symgen.mechanism.scene"}  # what stands above
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'symgen.scene' has no attribute {name!r}")
+    return getattr(import_module(_HOMES[name]), name)

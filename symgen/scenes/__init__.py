@@ -17,7 +17,7 @@ from runtime.contract.cache import cache_folder
 from runtime.contract.files import OutputError, stamp_of, write_text
 
 if TYPE_CHECKING:
-    from symgen.scene import SceneRecord
+    from symgen.mechanism.scene import SceneRecord
 
 ROOT = Path(__file__).resolve().parents[2]
 GENERATOR = (ROOT / "symgen", ROOT / "runtime" / "contract")  # what the text and the code of a scene follow from

@@ -1,6 +1,7 @@
 """Beams that turn: driven by a torque, or brought to a speed."""
 
-from symgen.scene import Scene, SceneRecord
+from symgen.mechanism.builder import Scene
+from symgen.mechanism.scene import SceneRecord
 
 
 def hub_beam(hub_inertia: float = 10.0, modes: int = 3) -> SceneRecord:

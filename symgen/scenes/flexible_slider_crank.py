@@ -6,7 +6,8 @@ import math
 
 import numpy as np
 
-from symgen.scene import Scene, SceneRecord
+from symgen.mechanism.builder import Scene
+from symgen.mechanism.scene import SceneRecord
 
 L1, L2, WIDTH = 0.15, 0.30, 0.008
 M1, M2, M3 = 0.36, 0.151104, 0.075552

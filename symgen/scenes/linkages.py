@@ -2,7 +2,9 @@
 
 import math
 
-from symgen.scene import Scene, SceneError, SceneRecord
+from symgen.mechanism.builder import Scene
+from symgen.mechanism.scene import SceneRecord
+from symgen.scene import SceneError
 
 
 def four_bar() -> SceneRecord:

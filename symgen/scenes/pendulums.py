@@ -1,6 +1,7 @@
 """Pendulums, chains and oscillators of rigid bodies, or of beams."""
 
-from symgen.scene import Scene, SceneRecord
+from symgen.mechanism.builder import Scene
+from symgen.mechanism.scene import SceneRecord
 
 
 def pendulum() -> SceneRecord:

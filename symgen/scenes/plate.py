@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 import scipy.sparse as sp
 
-from symgen.scene.builder import Scene
+from symgen.mechanism.builder import Scene
 from symgen.scene.structures import StructureScene
 
 YOUNGS_MODULUS, POISSON, DENSITY = 2.1e11, 0.3, 7850.0  # steel

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from math import pi, sqrt
 from pathlib import Path
 
-from symgen.scene import Scene, SceneRecord
+from symgen.mechanism.builder import Scene
+from symgen.mechanism.scene import SceneRecord
 
 
 def heavy_top(orientation: str = "euler_parameters") -> SceneRecord:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
@@ -20,9 +20,12 @@ from symgen.bodies.spatial_integrals import three
 from symgen.joints.joint import Joint, Slide, Turn
 from symgen.loads import Load
 from symgen.loads.load import Scalar
-from symgen.scene import BeamBody, SceneRecord
+from symgen.scene import BeamBody
 from symgen.system.one_sided import Push, hunt_crossley
 from symgen.system.structure import ExpressionReader, Read
+
+if TYPE_CHECKING:
+    from symgen.mechanism.scene import SceneRecord
 
 SMALLEST = 1e-24  # m2: points nearer than that have met
 

@@ -7,16 +7,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from runtime.contract.consistent_state import GivenValues
 from symgen.algebra.parameters import ParameterTable
-from symgen.scene import BeamBody, InitialValue, SceneRecord, SpatialModalBody, with_ends
+from symgen.scene import BeamBody, InitialValue, SpatialModalBody, with_ends
 from symgen.system.equations import Equations, blank_equations
 from symgen.system.mechanism import Mechanism
 from symgen.system.orientations import Orientations, orientations_of
 from symgen.system.signals import input_units
 from symgen.system.structure import structure_equations
 from symgen.system.topology import Topology, topology_of
+
+if TYPE_CHECKING:
+    from symgen.mechanism.scene import SceneRecord
 
 
 @dataclass(frozen=True)

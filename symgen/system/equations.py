@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, reduce
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import casadi as ca
 
@@ -18,11 +18,13 @@ from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, sub, total
 from symgen.algebra.vectors import Vector
 from symgen.bodies.outlines import Picture
 from symgen.loads.load import LinearSpring
-from symgen.scene import SceneRecord
 from symgen.scene.attachments import StaticResidual
 from symgen.system.constraint import ConstraintRow
 from symgen.system.orientations import Turning
 from symgen.system.signals import input_records, input_symbols
+
+if TYPE_CHECKING:
+    from symgen.mechanism.scene import SceneRecord
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, Generic, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
 import casadi as ca
 import numpy as np
@@ -28,7 +28,7 @@ from symgen.joints.joint import Motor
 from symgen.joints.limits import Limits
 from symgen.loads import Load
 from symgen.loads.load import LoadEffect, Scalar
-from symgen.scene import BeamBody, BeamMarker, SceneRecord, SpatialModalBody
+from symgen.scene import BeamBody, BeamMarker, SpatialModalBody
 from symgen.scene.flexible import ALL_GAUGES
 from symgen.scene.measures import Measure, SectionForceMeasure, StressMeasure
 from symgen.schema.fields import Scope, StrictModel
@@ -38,6 +38,9 @@ from symgen.system.one_sided import Push, against, beyond_play, hunt_crossley
 from symgen.system.signals import modes_of, motion_derivatives
 from symgen.system.structure import ExpressionReader, Read
 from symgen.system.topology import Topology
+
+if TYPE_CHECKING:
+    from symgen.mechanism.scene import SceneRecord
 
 
 class ModalCoordinates(Protocol):

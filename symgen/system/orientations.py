@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import casadi as ca
 
@@ -20,9 +21,11 @@ from runtime.contract.records import Coordinate
 from symgen.algebra.rows import nonzero
 from symgen.algebra.scalar import ONE, ZERO, div, dot, mul, neg
 from symgen.algebra.vectors import Vector, identity, quaternion_product, rotation_of, scaled, zeros
-from symgen.scene import SceneRecord
 from symgen.system.constraint import ConstraintRow
 from symgen.system.topology import Topology
+
+if TYPE_CHECKING:
+    from symgen.mechanism.scene import SceneRecord
 
 AXES = "xyz"
 SMALLEST = 1e-300  # of a squared angle: keeps its root from zero, where exp has no derivative

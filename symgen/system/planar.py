@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 import casadi as ca
 import numpy as np
@@ -28,7 +29,7 @@ from symgen.joints import Joint
 from symgen.joints.joint import Turn
 from symgen.loads import Load
 from symgen.loads.load import LoadEffect, Scalar
-from symgen.scene import BeamBody, SceneRecord
+from symgen.scene import BeamBody
 from symgen.system.acting import PlanarActing, distance_between, turn_between
 from symgen.system.constraint import STILL, ConstraintRow, Motion
 from symgen.system.constraint_rows import LocalPlace, holding, planar_rows, sliding_rows
@@ -36,6 +37,9 @@ from symgen.system.equations import Equations
 from symgen.system.mechanism import Space, Spin
 from symgen.system.structure import ExpressionReader, Read
 from symgen.system.topology import Topology
+
+if TYPE_CHECKING:
+    from symgen.mechanism.scene import SceneRecord
 
 
 class PlanarSpace(Space[MarkerMotion]):

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 import casadi as ca
 
 from runtime.contract.records import RATES, InputRecord
 from symgen.joints import Joint
-from symgen.scene import SceneRecord
 from symgen.system.constraint import DerivationError
+
+if TYPE_CHECKING:
+    from symgen.mechanism.scene import SceneRecord
 
 
 def input_records(scene: SceneRecord) -> list[InputRecord]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import casadi as ca
 import numpy as np
@@ -31,7 +32,7 @@ from symgen.joints import Joint
 from symgen.joints.joint import Turn
 from symgen.loads import Load
 from symgen.loads.load import LoadEffect, Scalar
-from symgen.scene import BeamBody, SceneRecord
+from symgen.scene import BeamBody
 from symgen.system.acting import SpatialActing, angle_about_z, axis_of, distance_between, gradient
 from symgen.system.constraint import STILL, ConstraintRow, Motion
 from symgen.system.constraint_rows import (
@@ -48,6 +49,9 @@ from symgen.system.joint_templates import JointCoordinate, JointCoordinates
 from symgen.system.mechanism import Space, Spin
 from symgen.system.structure import ExpressionReader, Read
 from symgen.system.topology import Topology
+
+if TYPE_CHECKING:
+    from symgen.mechanism.scene import SceneRecord
 
 
 class SpatialSpace(Space[SpatialMarker]):

@@ -10,17 +10,19 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO, mul, total
-from symgen.scene import SceneRecord
 from symgen.scene.parts import AnyTable
 from symgen.schema.expressions import Node
 from symgen.system.equations import Equations, blank_equations
+
+if TYPE_CHECKING:
+    from symgen.mechanism.scene import SceneRecord
 
 
 def switching_values(node: Node, env: Mapping[str, Any]) -> Iterator[ca.SX]:

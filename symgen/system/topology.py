@@ -8,8 +8,12 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from symgen.scene import Placement, SceneRecord
+from symgen.scene import Placement
+
+if TYPE_CHECKING:
+    from symgen.mechanism.scene import SceneRecord
 
 
 @dataclass(frozen=True)

@@ -19,10 +19,10 @@ import numpy as np
 
 from symgen.joints import JOINTS
 from symgen.joints.joint import Turn
+from symgen.mechanism.builder import Scene
 from symgen.scene import toml_io
 from symgen.scene.appearance import MOST_TRIANGLES
 from symgen.scene.bodies import quaternion_of
-from symgen.scene.builder import Scene
 from symgen.scene.toml_io import read_mesh, within
 from symgen.schema.errors import SceneError, did_you_mean
 from symgen.urdf.robot import (

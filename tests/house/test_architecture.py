@@ -20,6 +20,7 @@ import generated
 import runtime
 import symgen
 from runtime.schemes.catalogue import SCHEMES
+from symgen import scene
 
 ROOT = Path(__file__).resolve().parents[2]
 OWN = ("symgen", "runtime", "tests", "benchmarks", "examples")
@@ -60,24 +61,29 @@ SYMGEN_PACKAGES = {
     "algebra": "scene schema",
     "bodies": "algebra modes scene",
     "system": "algebra bodies couplings joints loads scene schema",
-    "urdf": "joints scene schema",
     "choice": "algebra system",
     "condensed": "algebra system choice",
     "kernels": "notation algebra system choice condensed",
     "tapes": "system kernels",
     "pipeline": "choice condensed kernels scene system tapes",
     "emission": "notation pipeline scene schema",
-    "generate": "emission pipeline scene",
-    "scenes": "scene",
-    "variants": "emission pipeline scene",
-    "cli": "kernels emission generate pipeline scene scenes schema urdf",
-    "": "cli scene schema",
+    "derivation": "emission pipeline",
+    "mechanism": "couplings derivation joints loads scene schema",
+    "generate": "derivation mechanism",
+    "urdf": "joints mechanism scene schema",
+    "scenes": "mechanism scene",
+    "variants": "emission mechanism pipeline scene",
+    "cli": "kernels emission generate mechanism pipeline scene scenes schema urdf",
+    "": "cli mechanism schema",
 }
 PACKAGES = {"runtime": RUNTIME_PACKAGES, "symgen": SYMGEN_PACKAGES}
-# Imports inside functions that point upwards, (module, what it imports): none is meant to stay.
-UPWARDS = {
-    ("symgen.scene.kept", "symgen.generate"),
-    ("symgen.scene.scene", "symgen.scene.kept"),
+# Imports inside functions that point upwards, (module, what it imports): there are none.
+UPWARDS: set[tuple[str, str]] = set()
+# Names that a package gives when they are asked for are where they stand.
+GIVEN = {f"runtime.{name}": f"runtime.{home}.{name}" for name, home in runtime._HOMES.items()} | {
+    f"{package.__name__}.{name}": f"{home}.{name}"
+    for package in (symgen, scene)
+    for name, home in package._HOMES.items()
 }
 
 
@@ -128,8 +134,10 @@ def _imports(path: Path) -> Iterator[str]:
             if node.level:
                 parents = package.split(".")[: len(package.split(".")) - node.level + 1]
                 base = ".".join([*parents, *([base] if base else [])])
-            yield base
-            yield from (f"{base}.{alias.name}" for alias in node.names)
+            names = [f"{base}.{alias.name}" for alias in node.names]
+            if any(name not in GIVEN for name in names):
+                yield base
+            yield from (GIVEN.get(name, name) for name in names)
 
 
 def within(name: str, package: str) -> bool:

@@ -15,7 +15,7 @@ from runtime.contract.kept_models import KeptModels
 from runtime.model import Model, load_model
 
 if TYPE_CHECKING:
-    from symgen.scene.scene import SceneRecord
+    from symgen.mechanism.scene import SceneRecord
 
 KEPT_COMPLETE = 40  # coordinates; of longer trees what grows with the square of their length is derived when asked for
 PACKAGE = Path(__file__).resolve().parents[1]
@@ -37,13 +37,13 @@ def kept_model(scene: SceneRecord) -> Model:
     name = f"{scene.name}-{hashlib.sha256(repr(facts).encode()).hexdigest()[:24]}"
 
     def generated(folder: Path) -> Path:
-        from symgen.generate import generate
+        from symgen.derivation import generate
 
         return generate(scene, folder, largest=KEPT_COMPLETE)
 
     found = KeptModels("models").model(name, Model, generated)
     if found is None:
-        from symgen.generate import model_of
+        from symgen.derivation import model_of
 
         return model_of(scene)
     return found

@@ -12,9 +12,9 @@ import numpy as np
 from symgen.couplings import COUPLINGS
 from symgen.joints import JOINTS
 from symgen.loads import LOADS
+from symgen.mechanism.scene import SceneRecord
 from symgen.scene.bodies import BeamBody, RigidBody
 from symgen.scene.flexible import ModalBody, SpatialModalBody
-from symgen.scene.scene import SceneRecord
 from symgen.scene.tables import read_points
 from symgen.schema.errors import SceneError, show
 from symgen.schema.fields import Meaning, StrictModel

@@ -91,7 +91,7 @@ class SceneRecord(SceneParts):
 
     def model(self) -> Model:
         """The equations, ready to run: generated once, then kept in the cache. Raises SceneError."""
-        from symgen.scene.kept import kept_model
+        from symgen.mechanism.kept import kept_model
 
         return kept_model(self)
 
