@@ -5,13 +5,44 @@ A family of methods has a marker and shades of one colour, for steps without sub
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from math import prod
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
-if TYPE_CHECKING:
-    from runtime.running.ladder import Method
+
+class Method(Protocol):
+    """What a method is drawn by."""
+
+    @property
+    def scheme(self) -> str:
+        """The name of its scheme."""
+
+    @property
+    def m(self) -> tuple[int, ...] | None:
+        """Ratios of steps."""
+
+    @property
+    def options(self) -> Mapping[str, Any]:
+        """Changes to those of the scheme."""
+
+    @property
+    def label(self) -> str:
+        """What reports call it."""
+
+
+@dataclass(frozen=True)
+class MethodOfRun:
+    """The scheme and ratios that a run was made with."""
+
+    scheme: str
+    m: tuple[int, ...] | None = None
+    options: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def label(self) -> str:
+        """Both."""
+        return f"{self.scheme} m={self.m}"
 
 
 @dataclass(frozen=True)

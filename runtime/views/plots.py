@@ -29,12 +29,11 @@ from runtime.views import curves
 from runtime.views.animation import snapshots as snapshots
 from runtime.views.curves import COLOURS, SPECIALS, Curves
 from runtime.views.figure import WIDTH, NotebookFigure, finish, grid, legend, literal, owner, panel, prefixed, title
-from runtime.views.method_styles import method_styles
+from runtime.views.method_styles import Method, MethodOfRun, method_styles
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from runtime.running.ladder import Method
     from runtime.solutions.solution import Solution
 
 
@@ -157,7 +156,7 @@ def difference(
 
 def _run_colours(runs: Sequence[Solution]) -> list[str]:
     """Those of their methods, where each run has another one."""
-    methods = [Method(run.scheme, tuple(run.m) or None) for run in runs if run.scheme in SCHEMES]
+    methods = [MethodOfRun(run.scheme, tuple(run.m) or None) for run in runs if run.scheme in SCHEMES]
     styles = method_styles(methods)
     if len(styles) == len(runs):
         return [str(styles[method.label]["color"]) for method in methods]
