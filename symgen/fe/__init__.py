@@ -7,6 +7,8 @@ module each: reading or assembling a `FEStructure`, checking that it is one free
 from symgen.fe.body import FlexibleBody
 from symgen.fe.frame import LineMesh, Section
 from symgen.fe.inertia import Marker
+from symgen.fe.matrix_files import read_dof_map, read_matrix
+from symgen.fe.reduced import ReducedBody
 from symgen.fe.structure import STEEL, FEStructure, FiniteElementError, FiniteElementWarning, Material
 
 __all__ = [
@@ -18,5 +20,8 @@ __all__ = [
     "LineMesh",
     "Marker",
     "Material",
+    "ReducedBody",
     "Section",
+    "read_dof_map",
+    "read_matrix",
 ]

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -27,7 +28,9 @@ from symgen.fe.inertia import (
     modal_fields,
     stress_stiffening,
 )
+from symgen.fe.mesh_files import FileMesh, interface_of
 from symgen.fe.mode_sets import MODE_SETS, ModeSet, fixed_interface_modes, free_modes, mixed_modes, with_static_shapes
+from symgen.fe.reduced import ReducedBody, reduced_body
 from symgen.fe.report import (
     FlexibilityLoss,
     RigidCheck,
@@ -58,6 +61,7 @@ from symgen.fe.structure import (
     interface,
     structure,
 )
+from symgen.fe.units import LENGTHS, check_material, check_plausible, known_units, sparse_in_si
 from symgen.modes.cleaning import Array, fixed
 
 Matrix: TypeAlias = sp.spmatrix | sp.sparray | ArrayLike
@@ -195,17 +199,155 @@ class FlexibleBody:
 
     @classmethod
     def from_matrices(
-        cls, K: Matrix, M: Matrix, nodes: ArrayLike, *, dofs: int | ArrayLike = 3, **choices: Any
+        cls,
+        K: Matrix,
+        M: Matrix,
+        nodes: ArrayLike,
+        *,
+        dofs: int | ArrayLike = 3,
+        units: str = "SI",
+        **choices: Any,
     ) -> FlexibleBody:
-        """From stiffness [N/m] and mass [kg] and the node table `id x y z` [m].
+        """From stiffness and mass of the body without supports; `symgen.fe.read_matrix` reads them.
 
-        dofs: 3 or 6 per node, or a dof map with rows `node component`.  choices: those of `from_structure`.
-        The matrices are those of the body without supports. Raises FiniteElementError.
+        Parameters
+        ----------
+        K, M : matrix, shape (n, n)
+            Stiffness [N/m] and mass [kg], sparse or dense.
+        nodes : array_like, shape (k, 3) or (k, 4)
+            Rows `x y z` or `id x y z` [m].
+        dofs : int or array_like, shape (n, 2)
+            3 or 6 per node, node by node; or rows `node component` as of `symgen.fe.read_dof_map`.
+        units : {"SI", "mm-t-s", "mm-kg-s"}
+            Of K, M and nodes. Other lengths among the choices are in metres.
+        **choices
+            Those of `from_structure`.
+
+        Returns
+        -------
+        FlexibleBody
+
+        Raises
+        ------
+        FiniteElementError
+            As `from_structure`; for matrices and tables that do not belong together.
         """
         ids, positions = read_nodes(nodes)
         node, component = read_dofs(dofs, ids)
-        return cls.from_structure(
-            structure(_matrix("stiffness", K), _matrix("mass", M), ids, positions, node, component), **choices
+        pair = [_matrix("stiffness", K), _matrix("mass", M)]
+        if known_units(units) != "SI":
+            pair = [sparse_in_si(one, component >= AXES, units) for one in pair]
+            positions = positions * LENGTHS[units]
+        return cls.from_structure(structure(pair[0], pair[1], ids, positions, node, component), **choices)
+
+    @classmethod
+    def from_reduced(
+        cls,
+        K: Any,
+        M: Any,
+        *,
+        interface: Mapping[str, ArrayLike],
+        modes: int | None = None,
+        recovery: Mapping[str, Any] | None = None,
+        origin: str | ArrayLike = (0.0, 0.0, 0.0),
+        rho_psi: ArrayLike | None = None,
+        psi_psi: ArrayLike | None = None,
+        units: str = "SI",
+    ) -> ReducedBody:
+        """From reduced matrices (Craig-Bampton, a superelement) of a body without supports.
+
+        Parameters
+        ----------
+        K, M : matrix, shape (n, n)
+            Rows: six motions of each interface node in the order of `interface`, then the modal coordinates.
+        interface : mapping of str to array_like, shape (3,)
+            Name and place of each interface node.
+        modes : int, optional
+            How many free modes are kept, all n - 6 where left out.
+        recovery : mapping, optional
+            Name to the stress xx yy zz yz xz xy per reduced coordinate, (6, n), or to {"position": ..., "stress": ...}.
+        origin : str or array_like, shape (3,)
+            Of the body's frame: an interface or a place.
+        rho_psi, psi_psi : array_like, shapes (n, 3, 3) and (n, n, 3, 3), optional
+            [a][i][j] = int rho_i psi_a,j dm about the origin and [a][b][i][j] = int psi_a,i psi_b,j dm of the reduced
+            shapes psi, which K and M do not say; without them a warning says what is left out.
+        units : {"SI", "mm-t-s", "mm-kg-s"}
+            Of everything here.
+
+        Returns
+        -------
+        ReducedBody
+            `fields()` for `Scene.flexible`, `frequencies`.
+
+        Raises
+        ------
+        FiniteElementError
+            Where rigid motions of the interfaces strain the body, where not six motions are free of strain, and for
+            wrong sizes.
+
+        References
+        ----------
+        R. R. Craig, M. C. C. Bampton, Coupling of substructures for dynamic analyses, AIAA J. 6 (1968) 1313-1319.
+        """
+        return reduced_body(
+            K,
+            M,
+            interface=interface,
+            modes=modes,
+            recovery=recovery,
+            origin=origin,
+            rho_psi=rho_psi,
+            psi_psi=psi_psi,
+            units=units,
+        )
+
+    @classmethod
+    def from_file(
+        cls,
+        path: str | Path,
+        *,
+        material: Material,
+        interface: Mapping[str, str | NodeSet],
+        units: str = "SI",
+        order: int = 2,
+        **choices: Any,
+    ) -> FlexibleBody:
+        """From a mesh file, read by meshio (extra `files`).
+
+        Parameters
+        ----------
+        path : str or Path
+            `.inp` (Abaqus, CalculiX), `.bdf` (Nastran), `.msh` (Gmsh), `.vtu`, `.med`: tetrahedra or hexahedra, linear
+            or quadratic. Elements of 20 nodes get nodes in their faces and middle, their edges stay as they are.
+        material : Material
+            In SI, whatever the file holds.
+        interface : mapping
+            Name to the name of a node or element set of the file, or as in `from_structure`.
+        units : {"SI", "mm-t-s", "mm-kg-s"}
+            Of the places in the file. Lengths among the choices are in metres.
+        order : {1, 2}
+            Of the elements on a linear mesh; quadratic meshes have 2.
+        **choices
+            Those of `from_structure`.
+
+        Returns
+        -------
+        FlexibleBody
+
+        Raises
+        ------
+        FiniteElementError
+            For other elements, by name and number; for sets that are not there; for files that cannot be read.
+        """
+        if not isinstance(material, Material):
+            raise FiniteElementError("material", f"{material!r} is none", "give Material(E, nu, rho) in SI, or STEEL")
+        found = FileMesh(path, units)
+        return cls.from_mesh(
+            found.mesh,
+            material,
+            order=2 if found.quadratic else order,
+            interface=interface_of(found, interface),
+            **choices,
         )
 
     @classmethod
@@ -215,6 +357,7 @@ class FlexibleBody:
         Node ids count from 0, vertices of the mesh first.  choices: those of `from_structure`.
         Raises FiniteElementError.
         """
+        check_material(material)
         body = frame_structure(mesh, material) if isinstance(mesh, LineMesh) else solid_structure(mesh, material, order)
         return cls.from_structure(body, **choices)
 
@@ -268,7 +411,9 @@ class FlexibleBody:
         if stiffening:
             held = found.elastic if mode_set == "mixed" else None
             bent = stress_stiffening(body, found.shapes, at, list(parts.values()), held)
-        return cls(body, parts, markers, mode_set, at, found, inertia_integrals(body, found.shapes, at), check, bent)
+        integrals = inertia_integrals(body, found.shapes, at)
+        check_plausible(integrals.mass, float(np.ptp(body.positions, axis=0).max()))
+        return cls(body, parts, markers, mode_set, at, found, integrals, check, bent)
 
     @property
     def nf(self) -> int:
