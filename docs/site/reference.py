@@ -5,7 +5,7 @@ TOPICS: dict[str, list[str]] = {
         "symgen.mechanism.builder.Scene",
         "symgen.mechanism.scene.SceneRecord",
         "symgen.schema.errors.SceneError",
-        "symgen.generate.generate",
+        "symgen.derivation.generate",
         "symgen.fe.body.FlexibleBody",
     ],
     "Models and runs": [

@@ -98,8 +98,8 @@ def simulate(
     initial : mapping of str to float, Equilibrium or Solution, optional
         Where the motion starts: coordinates [m, rad] and rates `<coordinate>_dot` [m/s, rad/s] by name, an equilibrium,
         or a solution from whose last sample the run goes on (`run.initial_values(at=0.3)`: from another one).
-    start : {"given", "quasi_static", "equilibrium"}, optional
-        "quasi_static": elastic coordinates in equilibrium; "equilibrium": all but those that turn.
+    start : str, optional
+        "given"; "quasi_static": elastic coordinates in equilibrium; "equilibrium": all but those that turn.
     t0 : float, optional
         Start of the motion [s].
     inputs : mapping, optional

@@ -13,7 +13,16 @@ import pytest
 import symgen.scenes as scenes
 from symgen.scenes.pendulums import pendulum
 
-HEAVY = {"sympy", "pydantic", "matplotlib", "scipy", "symgen.scene", "symgen.pipeline", "symgen.generate"}
+HEAVY = {
+    "sympy",
+    "pydantic",
+    "matplotlib",
+    "scipy",
+    "symgen.scene",
+    "symgen.mechanism",
+    "symgen.pipeline",
+    "symgen.generate",
+}
 MOST = 135  # modules of this project that a run brings in
 METHODS = {"printed", "coupled", "single_rate", "exponential_rk4", "exponential_adams"}
 SELDOM = {  # what only some runs ask for, and what prints code that the cache has

@@ -11,7 +11,6 @@ import pytest
 from runtime import load_model, simulate
 from runtime.contract.errors import ModelError
 from runtime.model import Model
-from symgen import generate as generating
 from symgen.cli import main
 from symgen.cli.runs import results_of
 from symgen.cli.sources import opened_model
@@ -86,14 +85,11 @@ def test_a_generator_that_derives_another_model_is_refused(folder: Path, monkeyp
 
 
 @pytest.mark.long
-def test_a_long_tree_is_written_without_what_grows_with_its_square(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_long_tree_is_written_without_what_grows_with_its_square(tmp_path: Path) -> None:
     scene = chain(8)
-    monkeypatch.setattr(generating, "LARGEST_COMPLETE", len(scene.coordinates()))
-    assert not load_model(generate(scene, tmp_path / "all")).builders.keys() ^ model_of(scene).builders.keys()
-    monkeypatch.setattr(generating, "LARGEST_COMPLETE", len(scene.coordinates()) - 1)
-    short = generate(scene, tmp_path / "short")
+    whole = generate(scene, tmp_path / "all", largest=len(scene.coordinates()))
+    assert not load_model(whole).builders.keys() ^ model_of(scene).builders.keys()
+    short = generate(scene, tmp_path / "short", largest=len(scene.coordinates()) - 1)
     manifest = json.loads((short / "manifest.json").read_text(encoding="utf-8"))
     assert set(manifest["left_out"]) <= QUADRATIC and {"condensed", "augmented"} <= {*manifest["left_out"]}
     assert check(scene, short) == "" and check(scene, short, complete=True) != ""
