@@ -49,7 +49,7 @@ def _zeros(rows: int) -> Any:
     """A default of ``rows`` rows of nf zeros (rows = 0: one vector; rows < 0: nf rows)."""
 
     def make(data: dict[str, Any]) -> Any:
-        nf = len(data["M_ff"])
+        nf = len(data.get("M_ff", ()))  # pydantic before 2.12 asks for it though M_ff is missing or wrong
         zero = (0.0,) * nf
         return zero if rows == 0 else (zero,) * (nf if rows < 0 else rows)
 
