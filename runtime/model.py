@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from runtime.contract.arguments import arguments
 from runtime.contract.lazy_method import LazyMethod
 from runtime.contract.loading import load_folder
 from runtime.contract.model import EmittedModel, model_card
@@ -205,6 +206,7 @@ class Model(EmittedModel):
 
         return Dynamics(self)
 
+    @arguments()
     def inverse_dynamics(self, q: Any, v: Any, a: Any, motors: Sequence[str] = (), **where: Any) -> np.ndarray:
         """Generalised forces tau (n_i,) [N, N m] for the motion q, v, a (n_i,); motors: inputs to solve for instead.
 
@@ -228,6 +230,7 @@ class Model(EmittedModel):
         """Generalised forces C(q, v) v (n_i,): centrifugal, gyroscopic and damping."""
         return self._dynamics().coriolis(q, v, **where)
 
+    @arguments()
     def jacobian(self, marker: str, q: Any, **where: Any) -> np.ndarray:
         """Jacobian (6, n_i), in the plane (3, n_i): velocity and angular velocity of "body.marker" by v."""
         return self._dynamics().jacobian(marker, q, **where)
@@ -241,6 +244,7 @@ class Model(EmittedModel):
 copyreg.pickle(Model, reduced)
 
 
+@arguments()
 def load_model(folder: str | Path, digest: str | None = None) -> Model:
     """Load a folder written by `symgen generate`, after comparing its files with the manifest's hashes.
 

@@ -5,8 +5,11 @@ Whatever is not of this family is a fault of the project itself.
 
 from __future__ import annotations
 
+from numbers import Real
+
 from runtime.contract.escapes import shown
 
+LARGEST_NUMBER = 1e300
 LONGEST_MESSAGE = 2000  # characters: what was given may be as long as it likes, its echo may not
 
 
@@ -35,6 +38,19 @@ class SymgenError(Exception):
 def printable(text: str) -> str:
     """A message that moves no cursor and hides nothing: what is not printed, but for line ends, by its escape."""
     return "\n".join(map(shown, text.split("\n")))
+
+
+def shown_value(value: object) -> str:
+    """A value in a message: its repr, or its type where that is too deep or too long to print, or fails itself."""
+    try:
+        return clipped(repr(value))
+    except Exception:
+        return f"a {type(value).__name__}"
+
+
+def is_finite_number(value: object) -> bool:
+    """A real number that a float holds; no bool."""
+    return isinstance(value, Real) and not isinstance(value, bool) and bool(abs(value) <= LARGEST_NUMBER)  # type: ignore[operator]
 
 
 def clipped(text: str) -> str:

@@ -13,8 +13,9 @@ from typing import Any, NamedTuple, Self, TypeVar
 import casadi as ca
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, arguments
 from runtime.contract.cards import Html, card, fold, table
-from runtime.contract.errors import ModelError
+from runtime.contract.errors import ModelError, is_finite_number, shown_value
 from runtime.contract.orientations import Places, places_of
 from runtime.contract.records import (
     Bound,
@@ -65,8 +66,8 @@ def require_bounds(quantities: Sequence[BoundedQuantity], values: np.ndarray) ->
 def checked_value(parameter: Parameter, value: float) -> float:
     """The value as a float. Raises ModelError if it is not finite or has the wrong sign."""
     what = "input" if parameter.kind == "input" else "parameter"
-    if isinstance(value, bool) or not isinstance(value, int | float | np.number) or not np.isfinite(value):
-        raise ModelError(f"{what} {parameter.name!r} must be a finite number, not {value!r}")
+    if not is_finite_number(value):
+        raise ModelError(f"{what} {parameter.name!r} must be a finite number, not {shown_value(value)}")
     if not _within(parameter.bound, float(value)):
         raise ModelError(f"{what} {parameter.name!r} must be {WORDS[parameter.bound]}, not {value}")
     return float(value)
@@ -328,6 +329,7 @@ class EmittedModel:
         """The inputs as functions of time; see runtime.contract.signals."""
         return Signals(self.description.inputs, self.sources)
 
+    @arguments(values=BY_NAME)
     def with_inputs(self, values: Mapping[str, float | Callable[[Any], Any]]) -> Self:
         """A copy with inputs by name: constants, or functions of time, which are called with a symbolic t.
 
@@ -493,6 +495,7 @@ class EmittedModel:
         """Positions of the constraint rows that are not redundant, (n_c - n_R,)."""
         return np.setdiff1d(np.arange(len(self.constraints)), self.redundant_rows)
 
+    @arguments()
     def parameter_vector(self, changes: Mapping[str, float] | None = None) -> np.ndarray:
         """p (n_p,) with some entries changed by name. Raises ModelError for a name the model does not have."""
         p = changed_vector(self.name, self.parameters, {**self.input_values, **(changes or {})})

@@ -20,7 +20,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from runtime.contract.errors import ArgumentError
+from runtime.contract.errors import ArgumentError, is_finite_number, shown_value
 from runtime.contract.orientations import IDENTITY
 from runtime.contract.records import InputRecord, Parameter
 
@@ -104,8 +104,8 @@ class Signals:
             if name in self.sources:
                 raise ArgumentError(f"input {name!r} is a function of time in this run: it cannot be set")
             number = value.item() if isinstance(value, np.ndarray) and value.ndim == 0 else value
-            if isinstance(value, bool) or not isinstance(number, int | float | np.number) or not np.isfinite(number):
-                raise ArgumentError(f"input {name!r} must be a finite number, not {value!r}")
+            if not is_finite_number(number):
+                raise ArgumentError(f"input {name!r} must be a finite number, not {shown_value(value)}")
             found[self.names.index(name)] = number
         return found
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.arguments import BY_NAME, arguments
+from runtime.contract.arguments import BY_NAME, NAMES, Kind, arguments
 from runtime.contract.errors import ArgumentError, ModelError, NoResult
 from runtime.contract.model import EmittedModel
 from runtime.engine.derivatives import Recorder, TangentCode, most_lanes
@@ -30,6 +30,10 @@ from runtime.schemes.switching.times import switches_by_inputs
 
 Values = Sequence[float] | np.ndarray | Mapping[str, float]
 MODES = ("auto", "forward", "reverse")
+OBJECTIVE = Kind(
+    lambda value: NAMES.holds(getattr(value, "outputs", None)) and hasattr(value, "weighed"),
+    'give an objective, such as End("tip_y")',
+)
 
 
 class RunCode:
@@ -144,6 +148,7 @@ class DifferentiableRun:
         """Names of what is differentiated by."""
         return self.variables.names
 
+    @arguments()
     def over(
         self,
         t0: float,
@@ -233,6 +238,7 @@ class DifferentiableRun:
         self._require_finite(slopes)
         return OutputJacobian(self.t, self.outputs, self.by, y, slopes)
 
+    @arguments(objective=OBJECTIVE)
     def gradient(self, objective: Objective, x: Values, mode: str = "auto") -> Gradient:
         """Run with the values x, and differentiate an objective made of these outputs.
 
@@ -390,6 +396,7 @@ class Gradient:
 # The gradient of a number that a run leads to, and the Jacobian of its outputs: the doors.
 
 
+@arguments(of=OBJECTIVE)
 def gradient(model: EmittedModel, of: Objective, by: Sequence[str], *, mode: str = "auto", **run: Any) -> Gradient:
     """Differentiate an objective of a run by parameters, initial values and inputs.
 
@@ -427,12 +434,11 @@ def gradient(model: EmittedModel, of: Objective, by: Sequence[str], *, mode: str
     ----------
     A. Griewank and A. Walther, Evaluating Derivatives, 2nd ed., SIAM, 2008.
     """
-    if not hasattr(of, "outputs"):
-        raise ArgumentError("of", f"is {of!r}", 'give an objective, such as End("tip_y")')
     prepared = DifferentiableRun(model, of.outputs, by, **run)
     return prepared.gradient(of, prepared.x0, mode)
 
 
+@arguments()
 def output_jacobian(model: EmittedModel, outputs: Sequence[str], by: Sequence[str], **run: Any) -> OutputJacobian:
     """Differentiate outputs at stored times by parameters, initial values and inputs.
 

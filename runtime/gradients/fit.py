@@ -13,7 +13,7 @@ from scipy import stats
 from scipy.optimize import least_squares
 
 from runtime.contract.arguments import BY_NAME, NAMES, arguments
-from runtime.contract.errors import ArgumentError, NoResult
+from runtime.contract.errors import ArgumentError, NoResult, is_finite_number
 from runtime.contract.model import EmittedModel
 from runtime.gradients.differentiable_run import DifferentiableRun, OutputJacobian
 
@@ -350,9 +350,7 @@ def measured(run: DifferentiableRun, data: Mapping[str, Any], deviation: float |
     for name in names:
         if name not in given:
             raise ArgumentError(f"deviation of {name}", "is missing", f"give one for each of {', '.join(names)}")
-    spread = np.column_stack(
-        [_column(np.broadcast_to(given[name], samples), f"{name} (deviation)", samples) for name in names]
-    )
+    spread = np.column_stack([_column(_spread(given[name], samples), f"{name} (deviation)", samples) for name in names])
     if not (spread > 0).all():
         raise ArgumentError("deviation", "must be positive", "let it be infinite where nothing was measured")
     values = np.column_stack([_column(data[name], name, samples) for name in names])
@@ -369,6 +367,11 @@ def measured(run: DifferentiableRun, data: Mapping[str, Any], deviation: float |
     if found.count <= len(run.by):
         raise ArgumentError("data", f"are {found.count} numbers for {len(run.by)} unknowns", "measure more of them")
     return found
+
+
+def _spread(given: Any, samples: int) -> Any:
+    """A number stands for all samples."""
+    return np.full(samples, given) if is_finite_number(given) or isinstance(given, float) else given
 
 
 def _column(values: Any, name: str, samples: int) -> np.ndarray:

@@ -62,6 +62,8 @@ class Integral:
     def weighed(self, t: np.ndarray, y: np.ndarray) -> Weighed:
         """sum of w_k y_k or of w_k y_k^2."""
         weights = trapezoid_weights(t)[:, None]
+        if not isinstance(self.squared, bool):
+            raise ArgumentError("squared", f"is a {type(self.squared).__name__}", "give True or False")
         if self.squared:
             return float(np.sum(weights * y**2)), 2 * weights * y
         return float(np.sum(weights * y)), weights.copy()
@@ -85,14 +87,21 @@ class SquaredError:
 
     def weighed(self, t: np.ndarray, y: np.ndarray) -> Weighed:
         """sum of r_k^2. Raises ArgumentError for data of another length, and for NaN."""
-        data = np.asarray(self.data, dtype=float)
+        data = _numbers(self.data, f"data of {self.output}")
         if data.shape != t.shape:
             raise ArgumentError(
                 f"data of {self.output}",
                 f"has shape {data.shape}",
                 f"give one value for each of the {len(t)} saved times",
             )
-        weights = 1.0 / np.broadcast_to(np.asarray(self.deviation, dtype=float), t.shape)
+        deviation = _numbers(self.deviation, f"deviation of {self.output}")
+        if deviation.shape not in ((), t.shape) or not np.all(deviation > 0):
+            raise ArgumentError(
+                f"deviation of {self.output}",
+                "is no positive number, or one for each saved time",
+                "let it be infinite where nothing was measured",
+            )
+        weights = 1.0 / np.broadcast_to(deviation, t.shape)
         bad = np.flatnonzero((weights > 0) & ~np.isfinite(data))
         if len(bad):
             raise ArgumentError(
@@ -122,6 +131,8 @@ class Largest:
 
     def weighed(self, t: np.ndarray, y: np.ndarray) -> Weighed:
         """max of |y_k| or y_k."""
+        if not isinstance(self.magnitude, bool):
+            raise ArgumentError("magnitude", f"is a {type(self.magnitude).__name__}", "give True or False")
         values, sign = (np.abs(y), np.sign(y)) if self.magnitude else (y, np.ones_like(y))
         top = int(values.argmax())
         largest, slope = float(values[top, 0]), np.zeros_like(y)
@@ -146,6 +157,8 @@ class Formula:
         if samples not in self._functions:
             t, y = ca.SX.sym("t", samples), ca.SX.sym("y", samples, len(self.outputs))
             columns = {name: y[:, k] for k, name in enumerate(self.outputs)}
+            if not callable(self.build):
+                raise ArgumentError("build", f"is a {type(self.build).__name__}", "give a function of t and y")
             try:
                 value: Any = self.build(t, columns)
             except KeyError as missing:
@@ -156,6 +169,13 @@ class Formula:
             slope = ca.densify(ca.reshape(ca.gradient(ca.SX(value), ca.vec(y)), samples, len(self.outputs)))
             self._functions[samples] = ca.Function("objective", [t, y], [ca.SX(value), slope])
         return self._functions[samples]
+
+
+def _numbers(values: Any, item: str) -> np.ndarray:
+    try:
+        return np.asarray(values, dtype=float)
+    except (TypeError, ValueError, OverflowError, RecursionError):
+        raise ArgumentError(item, "are no numbers", "give an array of them") from None
 
 
 def trapezoid_weights(t: np.ndarray) -> np.ndarray:

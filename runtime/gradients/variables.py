@@ -45,7 +45,10 @@ class Variables:
             if wrong:
                 raise ArgumentError("x", f"{wrong[0]!r} is not wanted or missing", f"give {', '.join(self.names)}")
             x = [x[name] for name in self.names]
-        values = np.asarray(x, dtype=float)
+        try:
+            values = np.asarray(x, dtype=float)
+        except (TypeError, ValueError, OverflowError, RecursionError):
+            raise ArgumentError("x", "is no list of numbers", f"give {', '.join(self.names)}") from None
         if values.shape != (len(self.names),):
             wanted = f"{len(self.names)} values: {', '.join(self.names)}"
             raise ArgumentError("x", f"has shape {values.shape}", f"give {wanted}")

@@ -13,6 +13,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from runtime.contract.arguments import arguments
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import at_home, dependent_part, whole
 from runtime.contract.errors import ModelError
@@ -46,11 +47,14 @@ class Dynamics:
         refuse_rigid_stops(model, "is open at a state by itself", "take a scene without them, or step it")
         self.model = model
 
+    @arguments()
     def place(
         self, q: Any, t: float = 0.0, parameters: Mapping[str, float] | None = None, near: np.ndarray | None = None
     ) -> Place:
         """The configuration with these q."""
         model, q_i = self.model, self._vector("q", q)
+        if near is not None:
+            near = self._vector("near", near, model.coordinates)
         c = model.constants(model.parameter_vector(parameters))
         q_d = dependent_part(model, model.initial_q if near is None else np.asarray(near, dtype=float))
         if model.q_d:
@@ -61,14 +65,14 @@ class Dynamics:
         turns = [k for k in model.places.turns.ravel() if k < len(q_i)]
         return Place(np.where(np.isin(np.arange(len(q_i)), turns), 0.0, q_i), q_d, c, t)
 
-    def _vector(self, name: str, values: Any) -> np.ndarray:
+    def _vector(self, name: str, values: Any, names: Sequence[str] | None = None) -> np.ndarray:
+        names = self.model.q_i if names is None else names
         try:
             found = np.array(values, dtype=float)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError, RecursionError):
             found = np.zeros(0)
-        if found.shape != (len(self.model.q_i),) or not np.all(np.isfinite(found)):
-            known = ", ".join(self.model.q_i[:12])
-            raise ModelError(f"{name} must be {len(self.model.q_i)} finite numbers, for {known}")
+        if found.shape != (len(names),) or not np.all(np.isfinite(found)):
+            raise ModelError(f"{name} must be {len(names)} finite numbers, for {', '.join(names[:12])}")
         return found
 
     def _call(self, name: str, at: Place, v: np.ndarray, **more: Any) -> dict[str, np.ndarray]:

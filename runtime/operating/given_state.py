@@ -37,6 +37,7 @@ from runtime.contract.coordinates import (
     parameter_columns,
     values_by_name,
 )
+from runtime.contract.errors import is_finite_number, shown_value
 from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import angle_names, parameter_rates
 
@@ -231,8 +232,8 @@ def _split(
     coordinate_of = {f"{name}_dot": name for name in (*model.coordinates, *angles)}
     coordinate_of |= {entry.owner: entry.name for entry in model.description.coordinates if entry.kind == "state"}
     for name, value in changes.items():
-        if isinstance(value, bool) or not isinstance(value, int | float | np.number) or not np.isfinite(value):
-            raise InitialStateError(f"initial value of {name} must be a finite number, not {value!r}")
+        if not is_finite_number(value):
+            raise InitialStateError(f"initial value of {name} must be a finite number, not {shown_value(value)}")
         if name in model.coordinates or name in known or name in angles:
             coordinates[name] = float(value)
         elif name in coordinate_of:

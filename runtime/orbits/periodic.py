@@ -11,7 +11,7 @@ import numpy as np
 
 from runtime.contract.arguments import BY_NAME, NUMBER, START, Kind, arguments
 from runtime.contract.coordinates import followed
-from runtime.contract.errors import ArgumentError, SymgenError
+from runtime.contract.errors import LARGEST_NUMBER, ArgumentError, SymgenError, shown_value
 from runtime.contract.model import EmittedModel, refuse_events
 from runtime.gradients.variables import parameters_at
 from runtime.operating.given_state import given_state
@@ -166,9 +166,11 @@ class _Asked:
         elif self.period != FREE and not (
             isinstance(self.period, int | float)
             and not isinstance(self.period, bool)
-            and 0 < float(self.period) < np.inf
+            and 0 < self.period < LARGEST_NUMBER
         ):
-            raise ArgumentError("period", f"is {self.period!r}", 'give a positive number of seconds, or "free"')
+            raise ArgumentError(
+                "period", f"is {shown_value(self.period)}", 'give a positive number of seconds, or "free"'
+            )
         if not self.model.q_i:
             raise ArgumentError(
                 f"model {self.model.name}", "is driven in every coordinate", "its motion repeats as its drives do"

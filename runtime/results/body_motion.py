@@ -7,6 +7,7 @@ from typing import NamedTuple, TypeVar
 
 import numpy as np
 
+from runtime.contract.arguments import arguments
 from runtime.contract.errors import ModelError
 from runtime.contract.flexible import BodyMotion, MarkerForce, cross_matrix
 from runtime.contract.model import EmittedModel
@@ -146,6 +147,7 @@ def poses_of(model: EmittedModel, q: np.ndarray) -> tuple[np.ndarray, np.ndarray
     return values[..., :3], np.swapaxes(values[..., 3:].reshape(len(q), count, 3, 3), 2, 3)
 
 
+@arguments()
 def body_motion(solution: Samples, body: str) -> BodyMotion:
     """Motion of a flexible body in space and the forces at its markers, for `FlexibleBody.equilibrium_stresses()`.
 

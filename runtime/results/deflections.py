@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.polynomial import legendre
 
+from runtime.contract.arguments import arguments
 from runtime.contract.flexible import BENDING as ENDS
 from runtime.results.body_motion import attached_forces, frame_motion, wrench
 from runtime.results.samples import Samples
@@ -46,6 +47,7 @@ class Deflections:
     z: np.ndarray
 
 
+@arguments()
 def deflections(
     solution: Samples, body: str, at: float | Sequence[float] | None = None, way: Way = "equilibrium"
 ) -> Deflections:

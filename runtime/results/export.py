@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.arguments import arguments
 from runtime.contract.coordinates import OMEGA, angular_velocities, euler_angles, parameter_columns
 from runtime.contract.errors import ModelError
 from runtime.contract.escapes import csv_row
@@ -45,6 +46,7 @@ LONGEST_VARIABLE = 58  # of the 63 characters that MATLAB reads, the rest tells 
 POWERS = ("power_dissipated", "power_applied", "power_driven")
 
 
+@arguments()
 def write_npz(solution: Samples, path: str | Path) -> None:
     """Everything in one .npz file of plain arrays (no pickle). Raises OutputError if it cannot be written."""
     header = {
@@ -218,6 +220,7 @@ def column_units(model: EmittedModel) -> dict[str, str]:
     return units
 
 
+@arguments()
 def export(solution: Samples, path: str | Path) -> None:
     """One row a sample with names and units, as .csv, .mat (MATLAB) or .parquet by the name's end.
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from runtime.contract.arguments import arguments
 from runtime.contract.coordinates import at_home, parts, rate_parts
 from runtime.contract.model import EmittedModel
 from runtime.engine.rows import evaluate
@@ -51,6 +52,7 @@ class JointStop:
         return f"<stop: largest force {largest:.6g}, {hits}, at rest for {self.at_rest:.6g} s>"
 
 
+@arguments()
 def joint_stop(solution: Samples, joint: str) -> JointStop:
     """The rigid stops of a joint. Raises ModelError for a joint that has none."""
     rows = stopping(solution.model)
@@ -68,6 +70,7 @@ def joint_stop(solution: Samples, joint: str) -> JointStop:
     return JointStop(force, np.array(hits).reshape(-1, 2), at_rest)
 
 
+@arguments()
 def joint_friction(solution: Samples, joint: str) -> JointFriction:
     """Friction of a joint. Raises ModelError for a joint that has none."""
     rows = rubbing(solution.model)

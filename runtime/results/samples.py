@@ -10,6 +10,7 @@ from typing import Any, Self
 
 import numpy as np
 
+from runtime.contract.arguments import arguments
 from runtime.contract.coordinates import (
     independent_rates,
     named_values,
@@ -291,6 +292,7 @@ class Samples(WithLater):
             f"{self.t[0]:g} to {self.t[-1]:g} s, {self.status.name}>"
         )
 
+    @arguments()
     def __getitem__(self, name: str) -> np.ndarray:
         """Column (N,) by name: a coordinate, its rate or acceleration (`_dot`, `_ddot`), or a measure.
 
@@ -310,27 +312,33 @@ class Samples(WithLater):
         moving = (f"{coordinate}{suffix}" for suffix, _ in self._motion() for coordinate in self.model.coordinates)
         return name in self.model.measures or name in moving
 
+    @arguments()
     def rate(self, name: str) -> np.ndarray:
         """Velocity (N,) of a coordinate [m/s, rad/s]. Raises ModelError for an unknown name."""
         return self.q_dot[:, self.column_of(name, self.model.coordinates, "coordinate")]
 
+    @arguments()
     def acceleration(self, name: str) -> np.ndarray:
         """Acceleration (N,) of a coordinate [m/s^2, rad/s^2]. Raises ModelError for an unknown name."""
         return self.q_ddot[:, self.column_of(name, self.model.coordinates, "coordinate")]
 
+    @arguments()
     def multiplier(self, row: str) -> np.ndarray:
         """Multiplier (N,) of a constraint row `joint.row` [N, N m]; the force on q is -C_q^T lam (Eq. 22)."""
         return self.lam[:, self.column_of(row, self.model.constraints, "constraint")]
 
+    @arguments()
     def joint_force(self, joint: str) -> np.ndarray:
         """Force [N] and moment [N m] (N, 3), in space (N, 6), of a joint on body b, at marker b, in world axes."""
         return self.joint_forces[:, self.column_of(joint, self.model.joints, "joint")]
 
+    @arguments()
     def load_force(self, load: str) -> np.ndarray:
         """Force [N] and moment [N m] (N, 3), in space (N, 6), of a load on its marker (marker b), in world axes."""
         names = [record.name for record in self.model.description.loads]
         return self.load_forces[:, self.column_of(load, names, "load")]
 
+    @arguments()
     def motor(self, name: str) -> np.ndarray:
         """Torque [N m] or force [N] (N,) of a prescribed motion: what its drive puts on body b along the motion.
 
@@ -393,6 +401,7 @@ class Samples(WithLater):
         """(N,) total energy - initial energy - work [J]: zero for an exact solution sampled finely enough."""
         return self.balance.error
 
+    @arguments()
     def initial_values(self, at: float | None = None) -> dict[str, float]:
         """All coordinates and rates by name of the last sample, or of the one nearest to a time [s].
 
@@ -401,6 +410,7 @@ class Samples(WithLater):
         k = -1 if at is None else int(np.abs(self.t - at).argmin())
         return named_values(self.model, self.q[k], self.q_dot[k])
 
+    @arguments()
     def interpolate(self, t: float | np.ndarray, what: str = "q") -> np.ndarray:
         """Values between the saved samples at time(s) t [s].
 

@@ -15,6 +15,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
+from runtime.contract.arguments import arguments
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.flexible import (
     ShapeFunctions,
@@ -320,6 +321,7 @@ class SectionForces:
         return LargestForce(float(values[sample, place]), float(self.t[sample]), float(self.at[place]))
 
 
+@arguments()
 def section_forces(
     solution: Samples, body: str, at: float | Sequence[float] | None = None, way: Way = "equilibrium"
 ) -> SectionForces:
@@ -342,6 +344,8 @@ def sections_of(at: float | Sequence[float] | None, way: str) -> np.ndarray:
     if way not in WAYS:
         raise ArgumentError(f"way {way!r} is not known; give one of {', '.join(WAYS)}")
     xi = np.atleast_1d(np.asarray(STATIONS if at is None else at, dtype=float))
+    if xi.ndim != 1 or not len(xi):
+        raise ArgumentError("at", f"has the shape {xi.shape}", "give fractions of the length, from 0 to 1")
     if not ((xi >= 0.0) & (xi <= 1.0)).all():
         raise ArgumentError(f"sections {at!r} are off the beam; give fractions of its length from 0 to 1")
     return xi

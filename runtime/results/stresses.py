@@ -12,6 +12,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
+from runtime.contract.arguments import arguments
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.flexible import UnknownInterface, causes
 from runtime.contract.records import GaugeRecord
@@ -135,6 +136,7 @@ def beam_stresses(solution: Samples, body: str, way: StressWay = "equilibrium") 
     return BeamStresses(body, solution.t, np.asarray(found.at), np.sqrt(squares))
 
 
+@arguments()
 def stresses(solution: Samples, body: str, way: StressWay = "equilibrium") -> Stresses:
     """Stress components and von Mises stress of a finite-element body at the gauges of the scene.
 

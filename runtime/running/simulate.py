@@ -11,6 +11,7 @@ import numpy as np
 
 from runtime.contract.arguments import BY_NAME, CALLED, FLAG, NAMES, PLACE, START, arguments
 from runtime.contract.coordinates import Initial
+from runtime.contract.errors import ArgumentError
 from runtime.contract.model import EmittedModel, refuse_events
 from runtime.operating.given_state import given_state
 from runtime.results.motion_error import MotionError
@@ -156,6 +157,8 @@ def simulate(
             )  # fmt: skip
     if error not in (MEASURED, OFF):
         raise SchemeError(f"error must be {MEASURED} or {OFF}, not {error!r}")
+    if checkpoint_every is not None and checkpoint_every < 1:
+        raise ArgumentError("checkpoint_every", f"cannot be {checkpoint_every}", "give a number of steps from 1 on")
     further = Further(progress, force, outputs, stream, checkpoint, checkpoint_every)
     model = bound(model, inputs)
     begin, end = span_of(model, t0, t_end)

@@ -10,10 +10,10 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from runtime.contract.arguments import BY_NAME, arguments
+from runtime.contract.arguments import BY_NAME, START, arguments
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import Initial
-from runtime.contract.errors import ArgumentError, ModelError
+from runtime.contract.errors import ArgumentError, ModelError, shown_value
 from runtime.contract.model import EmittedModel
 from runtime.contract.signals import SINCE
 from runtime.contract.status import Event, Status
@@ -104,6 +104,7 @@ class ModelStepper:
 
     # ---- stepping -------------------------------------------------------------------------------------------
 
+    @arguments(state=START)
     def reset(
         self,
         state: Initial = None,
@@ -148,7 +149,7 @@ class ModelStepper:
                 if self._across is not None:
                     self._across.look_anew()
         if not (isinstance(n, int | np.integer) and n >= 0):
-            raise ArgumentError("n", f"is {n!r}", "give a whole number of steps")
+            raise ArgumentError("n", f"is {shown_value(n)}", "give a whole number of steps")
         self._advance(n)
         self._sample = None
 
@@ -158,8 +159,10 @@ class ModelStepper:
             self._across.take_inputs()
         names, own = self.model.inputs, self._own_inputs.copy() if self.scheme.remembers else self._own_inputs
         if not isinstance(u, Mapping):
-            if not isinstance(u, Sequence | np.ndarray):
-                raise ArgumentError("u", f"is {u!r}", "give inputs by name, a list of numbers, or a number of steps")
+            if not isinstance(u, Sequence) and getattr(u, "ndim", 0) != 1:
+                raise ArgumentError(
+                    "u", f"is {shown_value(u)}", "give inputs by name, a list of numbers, or a number of steps"
+                )
             if len(u) != len(names):
                 raise ArgumentError(f"{len(u)} numbers for {len(names)} inputs: {', '.join(names) or 'none'}")
             u = dict(zip(names, u, strict=True))
@@ -174,6 +177,7 @@ class ModelStepper:
         if self.scheme.remembers:
             self._own.hold(self._z, own)
 
+    @arguments()
     def change(self, parameters: Mapping[str, float]) -> None:
         """Change parameters by name from the next step on; the others stay as they are. Raises ModelError.
 
@@ -201,7 +205,7 @@ class ModelStepper:
     def restore(self, kept: SteppedState) -> None:
         """Go back to what was saved. Raises ArgumentError if it is of another stepper."""
         if not isinstance(kept, SteppedState):
-            raise ArgumentError("the saved state", f"is {kept!r}", "give what `save` gave")
+            raise ArgumentError("the saved state", f"is {shown_value(kept)}", "give what `save` gave")
         if len(kept.z) != len(self._z) or len(kept.p) != len(self.parameters):
             raise ArgumentError(
                 "the saved state", "is of a stepper of another model or scheme", "save it from this one"
@@ -260,6 +264,7 @@ class ModelStepper:
         """(3,) or in space (6,) world force [N] and moment [N m] of each joint on its body b, by name."""
         return {name: self.sample.joint_forces[0, k] for k, name in enumerate(self.model.joints)}
 
+    @arguments()
     def reader(self, names: Sequence[str]) -> Callable[[], np.ndarray]:
         """A function that gives these coordinates, rates and measures (k,) at once, fast: for controllers.
 

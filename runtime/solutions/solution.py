@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from runtime.contract.arguments import MODEL, arguments
 from runtime.contract.cards import badge, card, line, sparkline, table
 from runtime.contract.coordinates import followed
 from runtime.contract.lazy_method import LazyMethod
@@ -194,6 +195,7 @@ class Solution(Samples):
         return solution_card(self)
 
     @classmethod
+    @arguments(model=MODEL)
     def load(cls, path: str | Path, model: EmittedModel | None = None) -> Solution:
         """Read a solution that `save` wrote, or the folder of a stream; without `model` it has no functions.
 

@@ -11,6 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
 
+from runtime.contract.arguments import NUMBER, PLACE, WHOLE, require
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.files import OutputError, replacing
 from runtime.views.curves import COLOURS
@@ -49,6 +50,10 @@ def animate(
     Returns what was drawn. Raises ModelError (nothing to draw), ValueError (frames, fps), OutputError (place not
     writable, another ending).
     """
+    require(PLACE, path=path)
+    require(WHOLE, frames=frames)
+    require(NUMBER, fps=fps)
+    require(NUMBER, or_none=True, exaggeration=exaggeration)
     if Path(path).suffix.lower() != ".gif":
         raise OutputError(f"{path}: a film's name must end in .gif; the page of `run.view` records a video")
     if not 0.1 <= fps <= 50.0:

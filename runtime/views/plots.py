@@ -17,6 +17,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.colors import BoundaryNorm, ListedColormap, to_rgba
 from matplotlib.figure import Figure
 
+from runtime.contract.arguments import NAMES, PLACE, Kind, require
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.operating.campbell import Campbell, frequencies_along
@@ -66,6 +67,9 @@ def forces(solution: Solution, path: str | Path | None = None) -> Figure:
     return _panels(solution, groups, path)
 
 
+SHOWN = Kind(lambda value: isinstance(value, str) or NAMES.holds(value), 'give a list of names, such as ["rod.theta"]')
+
+
 def coordinates(
     solution: Solution,
     path: str | Path | None = None,
@@ -76,6 +80,8 @@ def coordinates(
 
     Raises ModelError for an unknown name, ArgumentError where `ax` is given for more than one unit.
     """
+    require(SHOWN, or_none=True, names=names)
+    require(PLACE, or_none=True, path=path)
     chosen = [names] if isinstance(names, str) else names
     groups = curves.every_motion(solution) if chosen is None else _named(solution, chosen)
     if ax is None:

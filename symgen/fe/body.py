@@ -17,6 +17,8 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import ArrayLike
 
+from runtime.contract.arguments import BY_NAME, Kind, arguments
+from runtime.contract.errors import shown_value
 from symgen.fe.frame import EquilibriumForces, LineMesh, equilibrium_forces, frame_structure, struts
 from symgen.fe.inertia import (
     InertiaIntegrals,
@@ -111,7 +113,10 @@ def _table(item: str, source: ArrayLike) -> Array:
 
 
 def _matrix(item: str, source: Matrix) -> sp.csr_matrix:
-    return sp.csr_matrix(source if sp.issparse(source) else _table(item, source))
+    found: Any = source if sp.issparse(source) else _table(item, source)
+    if found.ndim != 2:
+        raise FiniteElementError(item, f"has the shape {found.shape}", "give a square matrix")
+    return sp.csr_matrix(found)
 
 
 def _whole(item: str, values: Sequence[float] | Array) -> Integers:
@@ -163,9 +168,12 @@ def origin_of(origin: str | ArrayLike, parts: Mapping[str, Interface]) -> Array:
 
 
 def _point(item: str, value: ArrayLike) -> Array:
-    point = np.asarray(value, dtype=np.float64)
+    try:
+        point = np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError, RecursionError):
+        point = np.zeros(0)
     if point.shape != (AXES,) or not np.all(np.isfinite(point)):
-        raise FiniteElementError(item, f"{value!r} is not a point", "give x, y, z in metres")
+        raise FiniteElementError(item, f"{shown_value(value)} is not a point", "give x, y, z in metres")
     return point
 
 
@@ -178,6 +186,9 @@ def marker_of(part: Interface, shapes: Array, origin: Array) -> Marker:
         fixed(dusted(moved[:AXES], float(np.max(np.abs(shapes), initial=0.0)))),
         fixed(dusted(moved[AXES:], float(np.max(np.abs(moved[AXES:]), initial=0.0)))),
     )
+
+
+MATERIAL = Kind(lambda value: isinstance(value, Material), "give a Material(E, nu, rho), such as STEEL")
 
 
 @dataclass(frozen=True, eq=False)
@@ -198,6 +209,7 @@ class FlexibleBody:
     stiffening: StressStiffening | None = None
 
     @classmethod
+    @arguments()
     def from_matrices(
         cls,
         K: Matrix,
@@ -351,6 +363,7 @@ class FlexibleBody:
         )
 
     @classmethod
+    @arguments(material=MATERIAL)
     def from_mesh(cls, mesh: Any, material: Material, *, order: int = 2, **choices: Any) -> FlexibleBody:
         """From a scikit-fem MeshTet or MeshHex with elements of `order` 1 or 2, or from a LineMesh of beams.
 
@@ -362,6 +375,7 @@ class FlexibleBody:
         return cls.from_structure(body, **choices)
 
     @classmethod
+    @arguments(interface=BY_NAME, marker_positions=BY_NAME)
     def from_structure(
         cls,
         body: FEStructure,
@@ -425,6 +439,7 @@ class FlexibleBody:
         """Frequencies of the modes [Hz], (nf,)."""
         return np.sqrt(self.modes.eigenvalues) / (2.0 * np.pi)
 
+    @arguments(gauges=BY_NAME)
     def fields(
         self, damping_ratio: float | Sequence[float] = 0.0, surface: int = 0, gauges: Gauges | None = None
     ) -> dict[str, Any]:

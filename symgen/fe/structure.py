@@ -10,20 +10,30 @@ Interfaces: named sets of nodes as markers, averaged or held as one rigid piece.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from runtime.contract.errors import SymgenError
+from runtime.contract.arguments import Kind
+from runtime.contract.errors import SymgenError, shown_value
 from symgen.modes.cleaning import Array
 
 NodeSet = Sequence[int] | Callable[[Array], NDArray[np.bool_]]
 
 FLAT = 1e-8  # relative size of the smallest moment of the nodes below which they lie on a line
+
+
+def _are_nodes(value: Any) -> bool:
+    listed = isinstance(value, Iterable) and not isinstance(value, str | bytes | Mapping)
+    return listed and getattr(value, "ndim", 1) == 1 and all(isinstance(one, int | np.integer) for one in value)
+
+
+NODES = Kind(_are_nodes, "give ids of nodes, or a function of their positions")
 
 
 @dataclass(frozen=True, eq=False)
@@ -187,6 +197,8 @@ class FEStructure:
 
     def places(self, item: str, ids: Iterable[int]) -> Integers:
         """Places of nodes in the table. Raises FiniteElementError for unknown or repeated ids, or for none."""
+        if not NODES.holds(ids):
+            raise FiniteElementError(item, f"{shown_value(ids)} is no list of nodes", NODES.wanted)
         wanted = np.asarray(list(ids), dtype=np.int64)
         place = {int(name): k for k, name in enumerate(self.ids)}
         unknown = [int(name) for name in wanted if int(name) not in place]

@@ -5,18 +5,24 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from inspect import Parameter, Signature, cleandoc
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self, overload
+from typing import TYPE_CHECKING, Any, Self, get_args, overload
 
 import numpy as np
 
+from runtime.contract.arguments import PLACE
 from symgen.couplings import COUPLINGS
 from symgen.joints import JOINTS
 from symgen.loads import LOADS
 from symgen.mechanism.scene import SceneRecord
-from symgen.scene.bodies import BeamBody, RigidBody
-from symgen.scene.flexible import ModalBody, SpatialModalBody
-from symgen.scene.tables import read_points
-from symgen.schema.errors import SceneError, show
+from symgen.scene.bodies import BeamBody, GroundBody, RigidBody
+from symgen.scene.flexible import ModalBody, SpatialModalBody, Structure
+from symgen.scene.measures import CoordinateMeasure, MarkerMeasure, SectionForceMeasure, StressMeasure
+from symgen.scene.parts import DeclaredInput, DeclaredParameter, DeclaredState
+from symgen.scene.simulation import DeclaredEvent, Simulation
+from symgen.scene.surfaces import SurfaceTable
+from symgen.scene.tables import CurveTable, read_points
+from symgen.scene.translate import item_path
+from symgen.schema.errors import SceneError, did_you_mean, show
 from symgen.schema.fields import Meaning, StrictModel
 
 if TYPE_CHECKING:
@@ -34,17 +40,20 @@ class Scene:
         Scene("arm").rigid("rod", mass=1.0, inertia=0.1).revolute("hinge", "ground.origin", "rod.origin").model()
 
     Each type of body, joint, coupling and load has a method of its name; `help(Scene.revolute)` lists its fields.
-    Values are in SI units: numbers, expressions in quotes, lists or NumPy arrays. Nothing is checked before `build`,
-    which `model` calls: it raises SceneError with the item, the problem and the remedy.
+    Values are in SI units: numbers, expressions in quotes, lists or NumPy arrays. A wrong keyword, type or name raises
+    SceneError at the call; values are checked by `build`, which `model` calls: it raises SceneError with the item, the
+    problem and the remedy.
     """
 
     def __init__(self, name: str, **fields: Any) -> None:
         """An empty scene. fields: title, description, space ("planar" by default, or "spatial")."""
+        _require_known("scene", SceneRecord, fields)
         self._data: dict[str, Any] = {"name": name, **_plain(fields, "scene")}
 
     @classmethod
     def from_toml(cls, path: str | Path) -> Scene:
         """Read a scene from a TOML file; entries can be added. Raises SceneError."""
+        _require_path(path)
         found = cls("")
         found._data = SceneRecord.from_toml(path).to_dict()
         return found
@@ -96,10 +105,12 @@ class Scene:
         """Add a joint of the type with this name; each type has a method of its name, too."""
         return self._add("joints", type, name, {"marker_a": marker_a, "marker_b": marker_b, **fields})
 
-    if TYPE_CHECKING:
-
-        def __getattr__(self, type: str) -> Callable[..., Self]:
-            """A method for each type of body, joint, coupling and load, see below."""
+    def __getattr__(self, type: str) -> Callable[..., Self]:
+        """A method for each type of body, joint, coupling and load, see below; another name is told what is near."""
+        if type.startswith("_"):
+            raise AttributeError(type)
+        methods = [name for name in dir(Scene) if not name.startswith("_")]
+        raise AttributeError(f"a scene has no method {show(type)}; {did_you_mean(type, methods)}")
 
     def force(self, name: str, marker: str, *components: float | str, **fields: Any) -> Self:
         """Add a force at a marker: components x, y (and z) [N], numbers or expressions; frame: "world" or "body"."""
@@ -116,7 +127,8 @@ class Scene:
         shear_force [N], bending_moment [N m], ... at a marker of a beam; stress [Pa] at a marker of a beam or at
         `body.gauge` of a finite-element body, with its component.
         """
-        base = {} if relative_to == "ground.origin" else {"relative_to": relative_to}
+        usual = isinstance(relative_to, str) and relative_to == "ground.origin"
+        base = {} if usual else {"relative_to": relative_to}
         return self._add("measures", type, name, {"of": of, **base, **fields})
 
     @overload
@@ -166,6 +178,7 @@ class Scene:
                 raise SceneError(extra[0], "does not go with a structure", "remove it")
             declared = {name: float(entry["default"]) for name, entry in self._data.get("parameters", {}).items()}
             return StructureScene(self._data["name"], self._data.get("title", ""), declared, fields)
+        _require_known("structure", Structure, fields)
         return self._set("structure", fields)
 
     def independent(self, *coordinates: str) -> Self:
@@ -191,6 +204,7 @@ class Scene:
 
     def simulation(self, **fields: Any) -> Self:
         """Set what runs use by default: t_end [s], scheme, tolerance, dt [s], m, seen_every [s], start."""
+        _require_known("simulation", Simulation, fields)
         return self._set("simulation", fields)
 
     def build(self) -> SceneRecord:
@@ -199,6 +213,8 @@ class Scene:
 
     def to_toml(self, path: str | Path | None = None) -> str:
         """The scene as TOML text, for `from_toml` and the command line; written where a path is given (OutputError)."""
+        if path is not None:
+            _require_path(path)
         text = self.build().to_toml()
         if path is not None:
             from runtime.contract.files import write_text
@@ -214,6 +230,9 @@ class Scene:
         return self.build().model()
 
     def _declare(self, section: str, name: str, fields: dict[str, Any]) -> Self:
+        if not isinstance(name, str):
+            raise SceneError(section, f"the name {show(name)} is not text", "give a name first")
+        _require_known(f"{section}.{name}", DECLARED[section], fields)
         declared = self._data.setdefault(section, {})
         if name in declared:
             raise SceneError(f"{section}.{name}", "is declared twice", "remove one of them")
@@ -229,13 +248,41 @@ class Scene:
         return self
 
     def _start(self, kind: str, values: dict[str, Any]) -> Self:
+        if not isinstance(values, Mapping) or not all(isinstance(key, str) for key in values):
+            raise SceneError(f"initial.{kind}", f"{show(values)} is no table", 'give names: {"rod.theta": 0.1}')
         start = self._data.setdefault("initial", {})
         start[kind] = {**start.get(kind, {}), **_plain(values, "initial")}
         return self
 
     def _add(self, section: str, type: str, name: str, fields: dict[str, Any]) -> Self:
+        path = item_path(section, len(self._data.get(section, ())), name)
+        if not isinstance(type, str) or type not in RECORDS[section]:
+            raise SceneError(f"{path}.type", f"unknown type {show(type)}", did_you_mean(type, RECORDS[section]))
+        if not isinstance(name, str):
+            raise SceneError(f"{path}.name", f"{show(name)} is not text", "give text")
+        _require_known(path, RECORDS[section][type], fields)
         self._data.setdefault(section, []).append(_plain({"type": type, "name": name, **fields}, section))
         return self
+
+
+def _require_path(path: Any) -> None:
+    if not PLACE.holds(path):
+        raise SceneError("path", f"{show(path)} is not a path", PLACE.wanted)
+
+
+def _require_known(
+    path: str, record: type[StrictModel] | Sequence[type[StrictModel]], fields: Mapping[str, Any]
+) -> None:
+    """Raises SceneError for the first field that the record has not, nor any of several."""
+    known = dict.fromkeys(key for one in _several(record) for key in one.model_fields)
+    for key in fields:
+        if key not in known:
+            item = key if path == "scene" else f"{path}.{key}"
+            raise SceneError(item, f"unknown key {show(key)}", did_you_mean(key, known))
+
+
+def _several(record: type[StrictModel] | Sequence[type[StrictModel]]) -> Sequence[type[StrictModel]]:
+    return record if isinstance(record, Sequence) else [record]
 
 
 def _plain(value: Any, item: str, depth: int = 0) -> Any:
@@ -256,7 +303,7 @@ def _plain(value: Any, item: str, depth: int = 0) -> Any:
 def _is_data(matrix: Any) -> bool:
     """Is this a sparse matrix, a file or a large array of numbers: nothing to be written out?"""
     if isinstance(matrix, np.ndarray):
-        return len(matrix) > SYMBOLIC_AT_MOST
+        return matrix.ndim > 0 and len(matrix) > SYMBOLIC_AT_MOST
     return isinstance(matrix, str | Path) or hasattr(matrix, "tocsr")
 
 
@@ -297,6 +344,24 @@ def _described(record: type[StrictModel]) -> str:
 
 BODIES: dict[str, type[StrictModel]]
 BODIES = {"rigid": RigidBody, "beam": BeamBody, "modal": ModalBody, "flexible": SpatialModalBody}
+RECORDS: dict[str, Mapping[str, type[StrictModel]]] = {
+    "bodies": {"ground": GroundBody, **BODIES},
+    "joints": JOINTS,
+    "couplings": COUPLINGS,
+    "loads": LOADS,
+    "measures": {
+        kind: record
+        for record in (MarkerMeasure, CoordinateMeasure, SectionForceMeasure, StressMeasure)
+        for kind in get_args(record.model_fields["type"].annotation)
+    },
+}
+DECLARED: dict[str, type[StrictModel] | Sequence[type[StrictModel]]] = {
+    "parameters": DeclaredParameter,
+    "inputs": DeclaredInput,
+    "states": DeclaredState,
+    "events": DeclaredEvent,
+    "tables": (CurveTable, SurfaceTable),
+}
 
 for _section, _records in (("bodies", BODIES), ("joints", JOINTS), ("couplings", COUPLINGS), ("loads", LOADS)):
     for _type, _record in _records.items():

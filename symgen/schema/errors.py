@@ -32,7 +32,7 @@ def raise_all(errors: Iterable[SceneError]) -> None:
 
 def did_you_mean(wrong: object, known: Iterable[str]) -> str:
     """Say which known name is nearest to ``wrong``, whatever its case, or list the known names, of many the nearest."""
-    names, word = list(known), str(wrong)[:80]
+    names, word = list(known), wrong[:80] if isinstance(wrong, str) else show(wrong)[:80]
     by_case = {name.casefold(): name for name in names}
     for asked, own in ((word, names), (word.casefold(), list(by_case))):
         if close := difflib.get_close_matches(asked, own, n=1, cutoff=0.6):

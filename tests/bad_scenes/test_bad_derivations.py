@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from runtime import InitialStateError, ModelError, SchemeError, load_model, simulate
-from runtime.contract.errors import SymgenError
+from runtime.contract.errors import ArgumentError, SymgenError
 from runtime.model import Model
 from symgen.generate import generate
 from symgen.pipeline import derive
@@ -194,12 +194,12 @@ def swing(tmp_path_factory: pytest.TempPathFactory) -> Model:
     [
         ({"scheme": "rk4", "dt": 0.0}, SchemeError, "dt must be a positive number"),
         ({"scheme": "rk4", "dt": -1e-3}, SchemeError, "dt must be a positive number"),
-        ({"scheme": "rk4", "dt": float("nan")}, SchemeError, "dt must be a positive number"),
+        ({"scheme": "rk4", "dt": float("nan")}, ArgumentError, "dt: cannot be nan; give a finite number"),
         ({"dt": 1e-3}, SchemeError, "is the step, which a tolerance chooses"),
         ({"t_end": 0.0}, SchemeError, "t_end must be a time after"),
-        ({"t_end": float("inf")}, SchemeError, "t_end must be a time after"),
+        ({"t_end": float("inf")}, ArgumentError, "t_end: cannot be inf; give a finite number"),
         ({"seen_every": -1.0}, SchemeError, "seen_every"),
-        ({"samples": 1.5}, SchemeError, "samples"),
+        ({"samples": 1.5}, ArgumentError, "samples: cannot be 1.5"),
         ({"scheme": "runge"}, SchemeError, "no scheme 'runge'"),
         ({"scheme": "printed", "m": [2]}, SchemeError, "it has no ratio; leave m out"),
         ({"scheme": "single_rate", "m": [2]}, SchemeError, "leave m"),
@@ -211,9 +211,9 @@ def swing(tmp_path_factory: pytest.TempPathFactory) -> Model:
         ({"parameters": {"rod.mass": "x"}}, ModelError, "must be a finite number"),
         ({"parameters": {"rod.mass": -1.0}}, ModelError, "at least zero"),
         ({"parameters": {"rod.inertia": -1.0}}, ModelError, "at least zero"),
-        ({"scheme": "printed", "m": 3}, SchemeError, "m must be a list"),
-        ({"t0": float("nan")}, SchemeError, "t0 must be a time"),
-        ({"t0": "a"}, SchemeError, "t0 must be a time"),
+        ({"scheme": "printed", "m": 3}, ArgumentError, "m: cannot be 3; give a list"),
+        ({"t0": float("nan")}, ArgumentError, "t0: cannot be nan"),
+        ({"t0": "a"}, ArgumentError, "t0: cannot be 'a'"),
         ({"scheme": "rk4", "t_end": 1e300, "dt": 1e-300}, SchemeError, "raise dt"),
         ({"scheme": "printed", "options": {"eps": "a"}}, SchemeError, "eps"),
         ({"initial": {"rod.phi": 1.0}}, InitialStateError, "no coordinate 'rod.phi'"),
@@ -236,7 +236,7 @@ def test_ratios_must_be_whole_numbers(ratio: Any, tmp_path: Path) -> None:
     )
     scene.groups(L=["a"], S=["b"]).simulation(t_end=1.0, dt=0.01, m=[2], scheme="printed")
     model = load_model(generate(scene.build(), tmp_path / "pair"))
-    with pytest.raises(SchemeError, match="whole numbers"):
+    with pytest.raises((SchemeError, ArgumentError), match="whole numbers"):
         simulate(model, scheme="printed", m=[ratio])
 
 

@@ -55,7 +55,7 @@ def test_a_jump_that_the_motion_decides_is_refused_and_a_bend_is_not(model_of: B
     [
         (["tip_y"], ["hub.inertai"], ModelError, "did you mean 'hub.inertia'"),
         (["tip_z"], ["hub.inertia"], ModelError, "output 'tip_z'.*did you mean 'tip_y'"),
-        ("tip_y", ["hub.inertia"], ModelError, "outputs must be a list"),
+        ("tip_y", ["hub.inertia"], ArgumentError, "outputs.*give a list of names"),
         (["tip_y"], [], ModelError, "by must be a list"),
         (["tip_y"], ["hub.inertia", "hub.inertia"], ModelError, "names something twice"),
         (["tip_y"], ["beam.modes"], ModelError, "structure"),

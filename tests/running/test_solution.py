@@ -198,7 +198,7 @@ def test_interpolation_is_cubic_hermite() -> None:
     assert solution.interpolate(2.0, "kinetic") == pytest.approx(13.0)
     assert np.array_equal(solution.interpolate(solution.t, "q"), solution.q)
     for outside in (-1e-9, 2.1, np.nan):
-        with pytest.raises(ValueError, match="outside"):
+        with pytest.raises(ValueError, match="outside|finite number"):
             solution.interpolate(outside)
 
 

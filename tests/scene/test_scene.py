@@ -195,8 +195,10 @@ def test_refusals_say_what_to_write(scene: Scene, words: str) -> None:
 def test_examples_of_records_are_taken(example: str) -> None:
     name, _, given = example.partition(" = ")
     fields = tomllib.loads(f"{name} = {given}")
-    record = held().joint("prismatic", "rail", "ground.origin", "arm.origin", **fields)
-    assert getattr(record.build().joints[1], name) is not None
+    scene = (
+        Scene("a").rigid("arm", mass=1, inertia=1).joint("prismatic", "rail", "ground.origin", "arm.origin", **fields)
+    )
+    assert getattr(scene.build().joints[0], name) is not None
 
 
 def test_a_scene_is_written_as_a_file(tmp_path: Path) -> None:

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from runtime.baselines.scipy_methods import reference_solution
-from runtime.contract.arguments import BY_NAME, NUMBERS, arguments
-from runtime.contract.errors import ModelError
+from runtime.contract.arguments import BY_NAME, CALLED, NUMBERS, RATIOS, arguments
+from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.files import write_text
 from runtime.contract.model import EmittedModel
 from runtime.operating.mode_solver import State, state_at
@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 TENFOLD = float(np.log(10.0))
 SHARE_OF_FREQUENCY = 1e-4  # growth below this share of a mode's frequency is the change of the mechanism in a step
 BISECTIONS = 9
+MOST_LOOKS = 10_000  # steps, and states, of a chart
 Progress = Callable[[float, float], None]
 
 
@@ -228,7 +229,7 @@ def _growth_below(curve: StabilityCurve) -> float | None:
     return float(below.max()) if len(below) else 0.0
 
 
-@arguments(options=BY_NAME, parameters=BY_NAME, initial=BY_NAME, dt_range=NUMBERS)
+@arguments(m=RATIOS, options=BY_NAME, parameters=BY_NAME, initial=BY_NAME, dt_range=NUMBERS, progress=CALLED)
 def stability_chart(
     model: EmittedModel,
     scheme: str | None = None,
@@ -296,6 +297,11 @@ def stability_chart(
     end = float(model.simulation["t_end"]) if t_end is None else float(t_end)
     if not end > 0:
         raise ModelError(f"t_end must be a positive time, not {t_end!r}")
+    for count, what in ((points, "points"), (states, "states")):
+        if not 1 <= count <= MOST_LOOKS:
+            raise ArgumentError(what, f"cannot be {count}", f"give 1 to {MOST_LOOKS}")
+    if dt_range is not None and not (len(dt_range) == 2 and 0 < dt_range[0] < dt_range[1]):
+        raise ArgumentError("dt_range", f"cannot be {dt_range!r}", "give the shortest and the longest step [s]")
     c = model.constants(model.parameter_vector(parameters))
     along = states_along(model, t_end=end, count=states, parameters=parameters, initial=initial, start=start)
     exact = ExactMotion(model, c)

@@ -15,6 +15,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from runtime.contract.arguments import PLACE, RUN, require
 from runtime.contract.files import OutputError, write_text
 from runtime.views.viewer.record import view_record
 
@@ -81,6 +82,8 @@ def show(solution: Solution, path: str | Path | None = None, beside: Solution | 
 
     beside: a second run, shown pale in the same page. Raises ModelError if there is nothing to draw, and OutputError.
     """
+    require(PLACE, or_none=True, path=path)
+    require(RUN, or_none=True, beside=beside)
     return shown(view(solution, beside), path)
 
 
