@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import euler_angles, followed
 from runtime.contract.status import Event, Status
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
@@ -208,6 +209,7 @@ def with_limits(solution: Solution) -> Solution:
 FIRST_PART = 1 / 20  # of a motion, in which methods that damp are compared with far shorter steps
 SHORTER = 2  # times shorter steps, of which a regular error of order 2 leaves a quarter: where a run may be condemned
 EARLY, FINER = 8, 4  # times there, and how much shorter those steps are
+START_FINER = 8  # the same for methods whose steps pass by what dies out or lets go within one of them
 SAVED = 20  # samples of a companion, which nobody sees but who looks for trouble
 LEAST = 4  # steps in the time in which a load acts
 
@@ -243,7 +245,11 @@ def measured(run: Run, solution: Solution) -> MotionError:
             return compared(run, marks, seen, 1 / INSIDE)
         if not among(marks.at, np.array(marks.steps())).any():  # an event has ended it soon
             return compared(run, marks, seen, 1 / FINER, early=True)
-        found = compared(run, marks, seen, _ratio(plan))
+        found = MotionError(reason="its start is as the rest")
+        if plan.scheme.passes_transients and not plan.scheme.adaptive:
+            found = compared_behind_start(run, marks, seen, _ratio(plan))
+        if not found.measured:
+            found = compared(run, marks, seen, _ratio(plan))
         if not found.measured or max(found.judged.values()) > LARGEST:
             shorter = compared(run, marks, seen, 1 / SHORTER)
             found = min((one for one in (found, shorter) if one.measured), key=lambda one: one.largest, default=found)
@@ -300,6 +306,43 @@ def compared(run: Run, marks: Marks, seen: np.ndarray, ratio: float, early: bool
     t = np.array([plan.time(step) for step in at[both].tolist()])
     sizes = amplitudes(model, seen[0] if early else np.concatenate([theirs, seen[0]]))  # of the whole motion
     return motion_error(model, t, mine, theirs, sizes, (v, other_v), seen[1])
+
+
+def compared_behind_start(run: Run, marks: Marks, seen: np.ndarray, ratio: float) -> MotionError:
+    """The difference to a companion whose steps are about `ratio` times as long behind its first part, and START_FINER
+    times shorter in it; not where inputs, events or other independent coordinates would have to go along.
+
+    Steps that take the stiff part of the motion exactly pass by a contact that lets go, or a friction that begins to
+    slide, within the first of them. Longer ones do the same, and what they miss goes on for ever.
+    """
+    problem, plan = run.problem, run.record.segments[0].plan
+    a = _common_steps(problem, plan)
+    b, first = coprime(a, ratio), a * ceil(plan.whole_steps * FIRST_PART / a)
+    at = marks.at[among(marks.at, np.array(marks.steps())) & (marks.at > first)]
+    if problem.model.description.events or problem.inputs or len(run.record.segments) > 1 or not len(at):
+        return MotionError(reason="it cannot be begun with other steps")
+    fine = stepped_by(problem, plan, plan.grid.dt_L / START_FINER, first * START_FINER, 1 / START_FINER)
+    start = begun(problem, fine, None, quiet=True, like=run)
+    status = integrate(start)
+    if status.name == "interrupted":
+        raise KeyboardInterrupt
+    if not status.ok:
+        return MotionError(reason=f"with steps of {start.segment.plan.grid.dt_L:.3g} s it ends as {status.name}")
+    there = start.seen()
+    later = replace(problem, t0=plan.time(first), state=ConsistentState(there.q[-1], there.q_dot[-1], {}))
+    beside = Marks((at - first) // a * b)
+    stepped = stepped_by(later, replace(plan, t0=later.t0), plan.grid.dt_L * a / b, int(beside.at[-1]), ratio)
+    other = begun(later, stepped, beside, quiet=True)
+    status = integrate(other)
+    if status.name == "interrupted":
+        raise KeyboardInterrupt
+    both = among(beside.at, np.array(beside.steps()))
+    if not status.ok or not both.any():
+        return MotionError(reason=f"with longer steps behind its start it ends as {status.name}")
+    model = problem.model
+    (mine, v), (theirs, other_v) = marks.told(model, at[both]), beside.told(model, beside.at[both])
+    sizes = amplitudes(model, np.concatenate([theirs, seen[0]]))
+    return motion_error(model, plan.times(at[both]), mine, theirs, sizes, (v, other_v), seen[1])
 
 
 def loads_missed(run: Run) -> list[Event]:

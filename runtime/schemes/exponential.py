@@ -76,6 +76,7 @@ class Exponential(Scheme):
     """
 
     options: ExponentialOptions
+    passes_transients = True
 
     def __init__(self, model: EmittedModel, grid: Grid, options: ExponentialOptions) -> None:
         options, m = options.checked(len(grid.groups)), grid.m[0]

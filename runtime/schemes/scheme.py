@@ -46,6 +46,7 @@ class Scheme(ABC):
 
     order: int = 2
     damps: bool = False  # do its steps damp vibrations that they do not resolve?
+    passes_transients: bool = False  # do they pass by what dies out, or lets go, within the first of them?
     adaptive: bool = False  # are its steps as long as a tolerance asks for, and dt the time between states to be seen?
     if_not_converged: str = "Give a larger eps, or (printed) common_update = direct."
     starts_from_last: bool = False  # do iterations begin with the last step's values, and its rate of convergence?

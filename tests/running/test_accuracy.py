@@ -359,7 +359,9 @@ def test_a_rate_that_is_lost_is_told_though_the_place_is_right(model_of: Build) 
     """1e8 N m s stop the rod at once; steps of 1 ms leave rates that change their signs, 0.26 rad/s in the end."""
     run = simulate(model_of(rod(1e8)), scheme="exponential")
     assert run["rod.theta"][-1] == pytest.approx(0.3, abs=1e-6) and abs(run["rod.theta_dot"][-1]) > 0.1
-    assert run.error.judged["rod.theta_dot"] > 0.15 and "rod.theta_dot is off by" in str(run.stats["remark"])
+    assert (
+        run.error.judged["rod.theta_dot"] > 0.5 and run.status.name == "inaccurate"
+    )  # of its size, which is all error
 
 
 @pytest.mark.parametrize("damping", [1e4, 1e6, 1e8])

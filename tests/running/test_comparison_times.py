@@ -101,3 +101,28 @@ def test_motions_that_come_no_nearer_show_no_order() -> None:
     """Of p = 0 the ratio of differences is log(first) / log(second): what is below it shows none."""
     assert shown_order(0.9 * np.log(2.0) / np.log(1.5), 1.0, 2.0, 1.5, 4.0) == 0.0
     assert shown_order(1.0, 0.0, 2.0, 1.5, 4.0) == 4.0
+
+
+@pytest.mark.parametrize(("contact", "friction", "dt"), [(1e5, 0.0, 2e-3), (1e3, 1.0, 5e-3), (1e3, 1.0, 2e-3)])
+def test_what_lets_go_within_the_first_exponential_step_is_told(
+    model_of: Build, contact: float, friction: float, dt: float
+) -> None:
+    """Two rods: the second one starts on an elastic stop, or the first one begins to slide; against steps of 20 us.
+
+    Longer steps passed it by as those of the run do, and told 2e-4 of 1e-2.
+    """
+    builder = Scene("release").gravity(0, -9.81)
+    for name, mass, inertia, centre, tip in (("a", 1.0, 0.05, 0.3, 0.6), ("c", 0.6, 0.03, 0.25, 0.5)):
+        markers = {"tip": {"position": (tip, 0)}}
+        builder.rigid(name, mass=mass, inertia=inertia, center_of_mass=(centre, 0), markers=markers)
+        builder.measure(f"r{name}", "coordinate", f"{name}.theta")
+    builder.revolute("h", "ground.origin", "a.origin", damping=0.01).revolute("g", "a.tip", "c.origin", damping=0.01)
+    builder.torque("friction", "a.origin", f"-{friction}*tanh(ra_dot/0.002)")
+    builder.torque("contact", "c.origin", f"{contact}*max(0, -1.2 - rc)")
+    builder.initial({"a.theta": -0.9, "c.theta": -1.25}).rates({"a.theta": 0.01, "c.theta": -2.0})
+    model = model_of(builder.build())
+    fine = simulate(model, scheme="rk4", dt=2e-5, t_end=1.0, samples=100, error="off")
+    run = simulate(model, scheme="exponential", dt=dt, t_end=1.0, samples=100)
+    names = ("a.theta", "c.theta")
+    off = max(float(np.sqrt(np.mean((run[name] - fine[name]) ** 2)) / np.std(fine[name])) for name in names)
+    assert run.status.name == "completed" and off / WITHIN < run.error.largest < off * WITHIN
