@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from math import isfinite
 from typing import Any
 
 import casadi as ca
@@ -13,7 +12,7 @@ import numpy as np
 from runtime.contract.arguments import BY_NAME, START, arguments
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import Initial
-from runtime.contract.errors import ArgumentError, ModelError, shown_value
+from runtime.contract.errors import LARGEST_NUMBER, ArgumentError, ModelError, shown_value
 from runtime.contract.model import EmittedModel
 from runtime.contract.signals import SINCE
 from runtime.contract.status import Event, Status
@@ -170,7 +169,7 @@ class ModelStepper:
             own[:] = self.model.signals.changed(own, self.time, u)
         for name, value in u.items() if self._plain_inputs else ():
             k = self._plain_inputs.get(name)
-            if k is None or not isinstance(value, KNOWN) or not isfinite(value):
+            if k is None or not isinstance(value, KNOWN) or not abs(value) <= LARGEST_NUMBER:
                 own[:] = self.model.signals.changed(own, 0.0, u)  # says what is wrong
                 break
             own[k] = value

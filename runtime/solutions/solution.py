@@ -176,6 +176,7 @@ class Solution(Samples):
 
             return columns
 
+    @arguments()
     def __getitem__(self, name: str) -> np.ndarray:
         """Column (N,) by name: a coordinate, its rate or acceleration (`_dot`, `_ddot`), a measure, or one of the CSV.
 
