@@ -7,6 +7,9 @@ TOPICS: dict[str, list[str]] = {
         "symgen.schema.errors.SceneError",
         "symgen.derivation.generate",
         "symgen.fe.body.FlexibleBody",
+        "symgen.fe.matrix_files.read_matrix",
+        "symgen.fe.matrix_files.read_dof_map",
+        "symgen.fe.reduced.ReducedBody",
     ],
     "Models and runs": [
         "runtime.model.load_model",
