@@ -8,10 +8,12 @@ from functools import cached_property
 from io import StringIO
 from itertools import product
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
 
+from symgen.fe.input_deck import plain_deck
 from symgen.fe.structure import AXES, FiniteElementError, Flags, Integers, NodeSet
 from symgen.fe.units import LENGTHS, known_units
 from symgen.modes.cleaning import Array
@@ -35,6 +37,8 @@ class FileMesh:
         file = Path(path)
         found = _read(file)
         scale = LENGTHS[known_units(units)]
+        if not found.cells or np.ndim(found.points) != 2:
+            raise FiniteElementError(file.name, "has no nodes or no elements", "write the mesh, not only its steps")
         self.points: Array = np.asarray(found.points, dtype=float)[:, :AXES] * scale
         self.name, cells = file.name, [(one.type, np.asarray(one.data, dtype=np.int64)) for one in found.cells]
         kinds = sorted({kind for kind, data in cells if kind in SOLIDS and len(data)})
@@ -151,6 +155,8 @@ def _in_set(mesh: FileMesh, name: str, wanted: str) -> NodeSet:
         remedy = "write the set with the mesh (*NSET, a physical group), or give a function of positions"
         raise FiniteElementError(f"interface '{name}'", problem, remedy)
     places = mesh.sets[known[wanted.lower()]]
+    if not len(places):
+        raise FiniteElementError(f"interface '{name}'", f"set {wanted!r} of {mesh.name} is empty", "name its nodes")
 
     def chosen(positions: Array) -> Any:
         return mesh.nodes_of(places, positions)
@@ -171,10 +177,17 @@ def _read(file: Path) -> Any:
         raise FiniteElementError(str(file), "there is no such file", "check the path")
     told = StringIO()
     try:
-        with redirect_stdout(told), redirect_stderr(told):
-            return meshio.read(file)
+        with redirect_stdout(told), redirect_stderr(told), TemporaryDirectory() as folder:
+            plain = file
+            if file.suffix.lower() == ".inp":
+                plain = Path(folder) / file.name
+                plain.write_text(plain_deck(file), encoding="utf-8")
+            return meshio.read(plain)
+    except FiniteElementError:
+        raise
     except (Exception, SystemExit) as error:  # meshio leaves the program where none of its readers takes a file
         said = " ".join((told.getvalue() if isinstance(error, SystemExit) else f"{error}").split())
+        said = said.partition(" Error: ")[0]  # the rest is the place of the plain copy
         problem = f"meshio cannot read it: {_keyword(file, said)}"
         remedy = "write tetrahedra or hexahedra as .inp (Abaqus, CalculiX), .bdf (Nastran), .msh (Gmsh), .vtu or .med"
         raise FiniteElementError(file.name, problem, remedy) from error

@@ -223,6 +223,35 @@ def test_surfaces_by_name(tmp_path: Path) -> None:
 
 
 @needs_meshio
+def test_decks_as_programs_write_them(tmp_path: Path) -> None:
+    """Nodes in two blocks, one after the elements, with a set; GENERATE with two numbers and two rows; sets in sets."""
+    points, cells, ends = mesh_of("hexahedron20")
+    rows = [f"{k + 1}, {x!r}, {y!r}, {z!r}" for k, (x, y, z) in enumerate(points.tolist())]
+    named = {name: (nodes + 1).tolist() for name, nodes in ends.items()}
+    tip = named["TIP"]
+    lines = ["*HEADING", "bar", "** nodes", "*Node, NSET=first", *rows[:30], "*Element, type=C3D20, elset=ALL"]
+    for k, cell in enumerate((cells + 1).tolist()):
+        lines += [f"{k + 1}, {', '.join(map(str, cell[:10]))},", ", ".join(map(str, cell[10:]))]
+    lines += ["*NODE", *rows[30:], "*NSET, NSET=PART1, GENERATE", *(f"{n}, {n}" for n in tip[:3])]
+    lines += ["*NSET, NSET=PART2", ", ".join(map(str, tip[3:])) + ",", "*NSET, NSET=TIP", "part1, PART2"]
+    lines += ["*NSET, NSET=ROOT", *map(str, named["ROOT"]), "*STEP", "*NSET, NSET=TIP", "1"]
+    deck = written(tmp_path, "deck.inp", *lines)
+    body = FlexibleBody.from_file(deck, interface=SETS, **CHOICES)
+    assert_allclose(body.interfaces["tip"].position, [0.2, 0.01, 0.005], atol=1e-9)
+    assert_allclose(body.interfaces["root"].position, [0.0, 0.01, 0.005], atol=1e-9)
+    for extra, problem in (
+        (["*NSET, NSET=ODD", "nobody"], "deck.inp: the block of line .*'nobody' is neither a number nor a set"),
+        (["*INCLUDE, INPUT=/etc/passwd"], "line .*INCLUDE.*put the included file in its place"),
+        (["*PART, NAME=second"], "a second PART"),
+    ):
+        with pytest.raises(FiniteElementError, match=problem):
+            FlexibleBody.from_file(written(tmp_path, "deck.inp", *lines[:-3], *extra), interface=SETS, **CHOICES)
+    empty = written(tmp_path, "deck.inp", *lines[:-3], "*NSET, NSET=NONE")
+    with pytest.raises(FiniteElementError, match="set 'none' of deck.inp is empty"):
+        FlexibleBody.from_file(empty, **{**CHOICES, "interface": {"root": "none"}})
+
+
+@needs_meshio
 def test_what_does_not_get_in_is_named(tmp_path: Path) -> None:
     import meshio
 
