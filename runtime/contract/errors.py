@@ -9,7 +9,7 @@ from numbers import Real
 
 from runtime.contract.escapes import shown
 
-LARGEST_NUMBER = 1e300
+LARGEST_NUMBER, LARGEST_INTEGER = 1e300, 2**63 - 1
 LONGEST_MESSAGE = 2000  # characters: what was given may be as long as it likes, its echo may not
 
 
@@ -49,8 +49,9 @@ def shown_value(value: object) -> str:
 
 
 def is_finite_number(value: object) -> bool:
-    """A real number that a float holds; no bool."""
-    return isinstance(value, Real) and not isinstance(value, bool) and bool(abs(value) <= LARGEST_NUMBER)  # type: ignore[operator]
+    """A real number that a float holds, and an integer that NumPy does; no bool."""
+    most = LARGEST_INTEGER if isinstance(value, int) else LARGEST_NUMBER
+    return isinstance(value, Real) and not isinstance(value, bool) and bool(abs(value) <= most)  # type: ignore[operator]
 
 
 def clipped(text: str) -> str:
