@@ -90,6 +90,18 @@ def test_a_branch_of_free_periods(van_der_pol: Model) -> None:
     assert through.stability[0] == "stable" and through.stability[-1] == "unstable"
 
 
+def test_where_stability_changes_is_told_between_the_points_around(model_of: Build) -> None:
+    """At d = 3 every amplitude is a motion, so that nothing can be located: the place is told to half a step."""
+    model = model_of(oscillator("shifted", "(d-3)*(1-x*x)*x_dot-x", (2.0, 0.0), d=4.0))
+    branch = periodic_over(model, "d", (4.0, 2.5), period="free", scheme="dop853", steps=200)
+    (special,) = branch.specials
+    assert not branch.stopped and branch.values[-1] == pytest.approx(2.5, abs=1e-12)
+    k = branch.stability.index("unstable")
+    below, above = sorted(branch.values[k - 1 : k + 1])
+    assert below < 3 < above and above - below < 0.5
+    assert below < special.value < above and special.kind.startswith("stability changes")
+
+
 def test_duffing_through_both_folds_is_that_of_harmonic_balance(duffing: Model) -> None:
     branch = periodic_over(duffing, "omega", (1.0, 1.6), speed="omega", tolerance=1e-9, scheme="dop853")
     folds = [one for one in branch.specials if one.kind == "fold"]
@@ -248,7 +260,7 @@ def test_a_branch_goes_on_where_it_was_stopped(duffing: Model) -> None:
     assert rest.points[-1].x == pytest.approx(whole.points[-1].x, abs=1e-9)
 
 
-def test_wrong_questions_are_refused_by_name(duffing: Model, tmp_path: Path) -> None:
+def test_wrong_questions_are_refused_by_name(duffing: Model, model_of: Build, tmp_path: Path) -> None:
     with pytest.raises(ArgumentError, match="period"):
         periodic(duffing)
     with pytest.raises(ArgumentError, match=r"-1.*positive number of seconds"):
@@ -259,6 +271,12 @@ def test_wrong_questions_are_refused_by_name(duffing: Model, tmp_path: Path) -> 
         periodic(duffing, speed="omega", parameters={"omega": 0.0})
     with pytest.raises(NoPeriodicMotion, match="do not repeat after 3"):
         periodic(duffing, period=3.0)
+    beaten = oscillator("beaten", "-x-x_dot+cos(2*t)+0.003*cos(2.5*t)")  # together they repeat after 4 pi only
+    with pytest.raises(NoPeriodicMotion, match="do not repeat after 3.14"):
+        periodic(model_of(beaten), period=np.pi)
+    assert periodic(model_of(beaten), period=4 * np.pi).stability == "stable"
+    with pytest.raises(NoPeriodicMotion, match=r"leaves mass\.x.* open by"):  # it comes to drift by 1 m/s for ever
+        periodic(model_of(oscillator("drifting", "1+cos(2*t)-x_dot")), period=np.pi)
     with pytest.raises(InitialStateError, match="mass.z"):
         periodic(duffing, speed="omega", start={"mass.z": 1.0})
     with pytest.raises(ArgumentError, match="spun"):

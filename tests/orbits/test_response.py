@@ -28,6 +28,7 @@ def test_a_damped_mathieu_oscillator_answers_as_hills_matrix_says(model_of: Buil
     found = periodic(model, period=np.pi, steps=400, scheme="dop853")
     w = np.array([0.3, 1.1, 1.7, 2.9])
     answer = found.response("u", w, ["x"], harmonics=2)
+    assert answer.harmonics.tolist() == [-2, -1, 0, 1, 2]
     m = np.arange(-20, 21)
     for k, one in enumerate(w):
         s = one + 2 * m

@@ -254,6 +254,13 @@ def test_samples_far_apart_miss_no_event(model_of: Build, every: int) -> None:
     assert [event.time for event in run.events] == pytest.approx(times[times < 1.0], rel=0, abs=1e-7)
 
 
+def test_many_events_between_states_that_are_seen_are_no_chatter(model_of: Build) -> None:
+    """x = cos(2 pi t) passes zero twice a second: 60 times before the first state that is seen, at times by hand."""
+    run = simulate(model_of(swinging()), tolerance=1e-8, t_end=30.1, seen_every=30.1, error="off")
+    assert run.status.name == "completed"
+    assert [event.time for event in run.events] == pytest.approx(0.25 + 0.5 * np.arange(60), rel=0, abs=1e-5)
+
+
 def end_stop(event: bool) -> SceneRecord:
     """A rod that falls onto a spring at -1 rad."""
     builder = Scene("end_stop").gravity(0, -G).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))

@@ -29,6 +29,19 @@ def test_steps_of_whole_turns_pass_nothing_over(model_of: Build, dt: float) -> N
     assert [event.time for event in run.events] == pytest.approx(times, rel=0, abs=1e-9)
 
 
+def test_a_dip_between_the_places_of_a_long_step_is_told(model_of: Build) -> None:
+    """A wheel of 1 rad/s passes a dip of 1.9 rad early in steps that are as long as it likes, wherever the dip is."""
+    scene = Scene("dipping_wheel").rigid("wheel", mass=1.0, inertia=0.1).parameter("middle", 2.0, "rad")
+    scene.revolute("axle", "ground.origin", "wheel.origin").measure("angle", "coordinate", "wheel.theta")
+    scene.event("low", when="1 - 1.5 * exp(-(angle - middle) * (angle - middle) / 2.25)").rates({"wheel.theta": 1.0})
+    model = model_of(scene.simulation(t_end=20.0, dt=10.0, scheme="dopri5").build())
+    half = 1.5 * np.sqrt(np.log(1.5))
+    how = {"scheme": "dopri5", "tolerance": 1e-6, "options": {"error_of": "step"}, "error": "off"}
+    for middle in (2.0, 2.5, 3.0, 3.5):
+        run = simulate(model, **how, parameters={"middle": middle})
+        assert [event.time for event in run.events] == pytest.approx([middle - half, middle + half], rel=0, abs=1e-9)
+
+
 @pytest.mark.parametrize("scheme", ["rk4", "exponential", "dopri5"])
 def test_an_event_that_is_over_before_a_load_kinks_in_the_same_step(model_of: Build, scheme: str) -> None:
     """cos(20 t + 1.2) falls and rises again before a wall is met, in one step: a raw ValueError. The event is at

@@ -140,6 +140,17 @@ def test_friction_whose_coefficient_is_zero_holds_nothing(model_of: Build, angle
     assert (slides.mode[moving] == np.sign(slides.velocity[moving])).all() and not slides.force.any()
 
 
+@pytest.mark.parametrize("pull", [2.0, -2.0])
+def test_what_nothing_rubs_sets_out_without_a_change_of_mode(model_of: Build, pull: float) -> None:
+    """1 kg pulled by 2 N from rest over a coefficient of zero: x = t^2, from the start in the mode of its way."""
+    scene = Scene("pulled").ground().rigid("block", mass=1.0, inertia=0.1).parameter("mu", 0.0, "N")
+    scene.prismatic("rail", "ground.origin", "block.origin", friction={"coulomb": "mu"})
+    scene.force("pull", "block.origin", pull, 0.0)
+    run = simulate(model_of(scene.simulation(t_end=1.0, dt=0.01, scheme="rk4").build()))
+    assert not run.events and (run.friction("rail").mode == np.sign(pull)).all()
+    assert run["block.x"][-1] == pytest.approx(pull / 2, rel=1e-12)
+
+
 def test_a_spring_lets_a_block_stick_for_good(model_of: Build) -> None:
     """Case (b) of the same example from its stop on: it sticks at -.2475140 m, .985376654 s later, and stays."""
     friction = {"coulomb": 3.0, "stribeck": 5.0, "breakaway": 8.008, "stribeck_velocity": 0.5, "viscous": 1.0}

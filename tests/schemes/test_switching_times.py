@@ -7,6 +7,7 @@ from collections.abc import Callable
 import casadi as ca
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from runtime import ModelError
 from runtime.model import Model
@@ -22,6 +23,7 @@ TABLES: dict[str, dict[str, object]] = {
     "line": {"x": [0.2, 0.6, 0.9], "y": [0.0, 1.0, 0.0]},
     "spline": {"x": [0.1, 0.5, 0.9], "y": [0.0, 1.0, 0.0], "interpolation": "cubic"},
 }
+RISE = brentq(lambda u: 3.75 * u - 7.8125 * u**3 - 0.4, 0.0, 0.3)  # the natural spline from 0 to 1 in 0.4 s, alike back
 CASES = {
     "where(t < on, 1, 0)": [0.25],
     "where(0.1 <= t < 3 * on, t, 0)": [0.1, 0.75],
@@ -32,6 +34,8 @@ CASES = {
     "where(t > held, 1, 0) + where(w > 3, 1, 0)": [0.6],
     'table("line", 2 * t)': [0.1, 0.3, 0.45],
     'table("spline", t + 0.01)': [0.09, 0.89],
+    'where(table("line", 2 * t) > 0.5, 1, 0)': [0.2, 0.375],
+    'where(table("spline", t + 0.01) > 0.4, 1, 0)': [0.09 + RISE, 0.89 - RISE],
     "where(angle > t, 1, 0)": [],  # depends on the motion
     "sin(w * t)": [],
 }

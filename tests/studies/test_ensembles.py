@@ -215,6 +215,20 @@ def test_cases_without_an_event_stay_in_their_lanes(model_of: Build, monkeypatch
         np.testing.assert_array_equal(found["rod.theta"][case], run["rod.theta"])
 
 
+def test_a_case_that_leaves_its_lane_takes_the_steps_of_the_others(model_of: Build) -> None:
+    """Steps of 2.2 / w grow, in lanes and alone: the case with an event is the run that is forced to take them."""
+    scene = on_rail("loud", "m", "rail", mass=1.0, inertia=0.1).measure("x", "x", "m.origin").input("late", 1.0, "s")
+    scene.input("push", 0.0, "N").force("spring", "m.origin", "push - 5e6 * x", 0.0).initial({"m.x": 1e-6})
+    scene.event("pushed", "t - late", action={"push": "1"})
+    model = model_of(scene.simulation(t_end=0.01, dt=1e-3, scheme="single_rate").build())
+    found = ensemble(model, {"late": [1.0, 0.0043]}, outputs=["m.x"], seen_every=0.0)
+    runs = [simulate(model, inputs={"late": late}, force=True, seen_every=0.0, error="off") for late in (1.0, 0.0043)]
+    assert list(found["status"]) == ["completed", "completed"]
+    assert [len(run.events) for run in runs] == [0, 1]
+    np.testing.assert_array_equal(np.asarray(found["m.x"]), np.array([run["m.x"] for run in runs]))
+    assert not simulate(model, inputs={"late": 0.0043}).status.ok
+
+
 @pytest.mark.parametrize("scheme", ["rk4", "exponential", "single_rate"])
 def test_friction_and_rigid_stops_stay_in_lanes_until_something_changes(
     model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str
@@ -235,6 +249,19 @@ def test_friction_and_rigid_stops_stay_in_lanes_until_something_changes(
     assert [any(event.time > 0 for event in run.events) for run in runs] == [False, True, False, False, True]
     np.testing.assert_array_equal(np.asarray(found["block.x"]), np.array([run["block.x"] for run in runs]))
     assert leave == ([2.5, 9.0] if scheme != "single_rate" else [2.5, 4.0, -9.0, 9.0])
+
+
+def test_many_discs_that_turn_fast_are_lost_no_sooner_than_one(model_of: Build) -> None:
+    """Free discs turn by w t, by hand; a step of each is below the limit of 1e6 rad, of all it is above."""
+    scene, discs = Scene("discs"), [f"disc{k}" for k in range(6)]
+    for name in discs:
+        scene.rigid(name, mass=1.0, inertia=0.1).revolute(f"{name}_axle", "ground.origin", f"{name}.origin")
+        scene.rates({f"{name}.theta": 4e5})
+    model = model_of(scene.simulation(t_end=3.0, dt=1.0, scheme="rk4").build())
+    found = ensemble(model, initial={"disc0.theta_dot": [4e5, -4e5]}, outputs=["disc0.theta", "disc5.theta"])
+    assert list(found["status"]) == ["completed", "completed"]
+    assert np.asarray(found["disc0.theta"])[:, -1] == pytest.approx([12e5, -12e5], rel=1e-12)
+    assert np.asarray(found["disc5.theta"])[:, -1] == pytest.approx([12e5, 12e5], rel=1e-12)
 
 
 def test_turning_bodies_start_with_their_angular_velocities(built_in: Load) -> None:

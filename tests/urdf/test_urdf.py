@@ -271,6 +271,19 @@ def test_a_link_as_a_beam(tmp_path: Path) -> None:
         reading(tmp_path, text, flexible={"rod": beam})
 
 
+def test_a_beam_may_be_shorter_than_a_metre(tmp_path: Path) -> None:
+    """About its hinge rho A l^3 / 3, with the sections' own rho I l, and the lump on its end; l = 0.6 m."""
+    beam = tmp_path / "beam.toml"
+    beam.write_text(BEAM.replace("length = 1.2", "length = 0.6"), encoding="utf-8")
+    text = robot('<link name="base"/>', link("rod", 0.162, at="0 0 -0.3"), link("lump", 0.5),
+                 joint("pivot", "revolute", "base", "rod", axis="0 1 0"),
+                 joint("flange", "fixed", "rod", "lump", at="0 0 -0.6"))  # fmt: skip
+    model = model_of(reading(tmp_path, text, flexible={"rod": beam}).build())
+    place = model.q_i.index("pivot.angle")
+    J = 0.27 * 0.6**3 / 3 + 2700.0 * 2e-9 * 0.6 + 0.5 * 0.6**2 + 0.2
+    assert model.mass_matrix(np.zeros(5))[place, place] == pytest.approx(J, rel=1e-9)
+
+
 MODAL = """
 [[bodies]]
 type = "flexible"
@@ -313,6 +326,9 @@ BAD = {
                     "link 'b'.*moves and has no mass"),
     "impossible": (robot('<link name="a"/>', link("b", moments="1 1 3"), joint("j", "revolute", "a", "b")),
                    "no body has its moments of inertia 1, 1, 3"),
+    "impossible and small": (
+        robot('<link name="a"/>', link("b", 1e-4, moments="1e-9 1e-9 3e-9"), joint("j", "revolute", "a", "b")),
+        "no body has its moments of inertia 1e-09, 1e-09, 3e-09"),
     "negative mass": (robot(link("a", -1.0)), "link 'a'.*has the mass -1"),
     "no number": (robot(link("a", at="0 0 ${x}")), "xyz of its origin is '0 0 .*xacro"),
     "two numbers": (robot(link("a", at="0 0")), "give 3 finite numbers"),
