@@ -119,7 +119,7 @@ class ConsistentState:
 
     placed (n,): where joints that place bodies put what was not given, before loops were closed; other (n,): another
     branch that lies about as near to it. None where that was not looked for, or there is none. told: events of the
-    start: what may not be what was meant.
+    start: what may not be what was meant. not_given: names of what was changed that nobody gave.
     """
 
     q: np.ndarray
@@ -128,6 +128,7 @@ class ConsistentState:
     placed: np.ndarray | None = None
     other: np.ndarray | None = None
     told: tuple[tuple[EventKind, str], ...] = ()
+    not_given: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -181,10 +182,10 @@ def consistent_state(task: Assembly) -> ConsistentState:
     given, stages = task.stages(task.coordinates, task.guess)
     free = stages[-1]
     stages.insert(0, stages[0] & task.among(task.origins))
-    open_ = task.among(task.reluctant - {k for k, name in enumerate(names) if name in task.coordinates.values})
+    not_given = task.among(task.reluctant - {k for k, name in enumerate(names) if name in task.coordinates.values})
     q = None
     rows = np.array(task.first, dtype=int)
-    for start in _starts(given, open_):
+    for start in _starts(given, not_given):
         if len(rows):
             start = _nearest(start, stages[1], lambda q: tuple(part[rows] for part in position(q)))
         moving, q = _first_closed(start, stages, position)
@@ -210,7 +211,8 @@ def consistent_state(task: Assembly) -> ConsistentState:
         for k, name in enumerate(names)
         if name in task.rates.values and v[k] != task.rates.values[name]
     }
-    return ConsistentState(q, v, changed, start, _other_branch(start, q, moving, position))
+    not_given = frozenset(name for name in changed if name in names and name not in task.coordinates.values)
+    return ConsistentState(q, v, changed, start, _other_branch(start, q, moving, position), not_given=not_given)
 
 
 def _first_closed(
@@ -249,12 +251,12 @@ def less_turns(change: np.ndarray) -> np.ndarray:
     return np.asarray((change + np.pi) % (2 * np.pi) - np.pi)
 
 
-def _starts(q0: np.ndarray, open_: np.ndarray) -> Iterator[np.ndarray]:
+def _starts(q0: np.ndarray, not_given: np.ndarray) -> Iterator[np.ndarray]:
     """q0, then starts with the open coordinates of joints turned a little: a straight chain knows no way to bend."""
     yield q0
     rng = np.random.default_rng(0)
-    for _ in range(OTHER_STARTS if open_.any() else 0):
-        yield q0 + np.where(open_, rng.uniform(-TURN_OPEN, TURN_OPEN, len(q0)), 0.0)
+    for _ in range(OTHER_STARTS if not_given.any() else 0):
+        yield q0 + np.where(not_given, rng.uniform(-TURN_OPEN, TURN_OPEN, len(q0)), 0.0)
 
 
 def _positions(q0: np.ndarray, free: np.ndarray, position: Residual) -> np.ndarray | None:
@@ -485,7 +487,7 @@ def start_events(state: ConsistentState, t0: float) -> list[Event]:
     """What a run tells of its start at t0 [s]: what may not be what was meant."""
     found = [Event(t0, kind, text) for kind, text in state.told]
     for name, (given, used) in state.changed.items():
-        if not rounds_to(given, used):
+        if name not in state.not_given and not rounds_to(given, used):
             text = f"{name} was given as {given:.9g} and begins at {used:.9g}, where joints and stops allow it"
             found.append(Event(t0, "start_changed", text, name))
     return found

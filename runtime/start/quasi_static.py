@@ -96,12 +96,12 @@ def settling(model: EmittedModel) -> ca.Function:
         step = solve(factor(Number(K)), Number(ca.densify(r))).re
         size, scale, work = ca.norm_inf(step), ca.fmax(LEAST_SCALE, ca.norm_inf(q[elastic])), ca.dot(r, step)
         less = work <= CONTRACTION * before
-        open_ = ca.logic_and(size > TOLERANCE * scale, ca.logic_or(less, size > STAGNANT * scale))
+        not_given = ca.logic_and(size > TOLERANCE * scale, ca.logic_or(less, size > STAGNANT * scale))
         usual = ca.logic_and(size <= LARGEST_STEP, ca.logic_or(less, size <= STAGNANT * scale))
         valley = ca.logic_and(usual, ca.logic_and(_is_positive(0.5 * (K + K.T)), ca.sum1(ca.fabs(step)) < LARGEST))
         q_next = ca.SX(q)
         q_next[elastic] = q[elastic] + step
-        values = [ca.densify(value) for value in (q_next, open_, valley, work)]
+        values = [ca.densify(value) for value in (q_next, not_given, valley, work)]
         return ca.Function("settling", [t, q, v, loop, c, before], values)
 
     return model.derived("settling", build)
@@ -172,10 +172,10 @@ def settled(
     def solved(t: float, start: np.ndarray, v: np.ndarray) -> np.ndarray | None:
         q, before = start, LARGEST
         for _ in range(MAX_STEPS):
-            q, open_, valley, before = settling(model)(t, q, v, loop, c, before)
+            q, not_given, valley, before = settling(model)(t, q, v, loop, c, before)
             if not float(valley) > 0:
                 return None
-            if not float(open_) > 0:
+            if not float(not_given) > 0:
                 return np.asarray(q).ravel()
         return None
 
@@ -248,7 +248,8 @@ def _with_elastic(model: EmittedModel, state: ConsistentState, q: np.ndarray, q_
         for k, name in enumerate(model.coordinates)
         if name in model.elastic and q[k] != state.q[k]
     }
-    return replace(state, q=q, q_dot=q_dot, changed={**state.changed, **changed})
+    not_given = state.not_given | changed.keys()  # the start asks for their places
+    return replace(state, q=q, q_dot=q_dot, changed={**state.changed, **changed}, not_given=not_given)
 
 
 def _told(model: EmittedModel, c: np.ndarray, t: float, state: ConsistentState) -> ConsistentState:
@@ -346,4 +347,5 @@ def equilibrium_state(
         for name, before, after in zip(model.coordinates, state.q, q, strict=True)
         if before != after
     }
-    return replace(state, q=q, q_dot=q_dot, changed={**state.changed, **changed})
+    not_given = state.not_given | changed.keys()  # the start asks for their places
+    return replace(state, q=q, q_dot=q_dot, changed={**state.changed, **changed}, not_given=not_given)

@@ -104,3 +104,13 @@ def test_what_a_start_changes_is_an_event(model_of: Build) -> None:
     assert not [event for event in found.events if event.kind == "start_changed"]
     found = simulate(model_of(contradicting().initial({"crank.theta": fixed, "sl.x": 0.3}).build()))
     assert [event.name for event in found.events if event.kind == "start_changed"] == ["sl.x"]
+
+
+def test_a_quasi_static_start_is_what_was_asked_for() -> None:
+    """Deflections that nobody gave begin where the start lays them, without a word."""
+    scene = Scene("arm").gravity(0, -9.81).revolute("hinge", "ground.origin", "arm.start")
+    scene.beam(
+        "arm", length=1.0, density=2700.0, area=4e-5, second_moment=1.3e-11, youngs_modulus=7e10, lateral={"modes": 2}
+    )
+    run = scene.model().simulate(t_end=0.01, scheme="rk4", dt=1e-4, start="quasi_static", error="off")
+    assert abs(run["arm.q1"][0]) > 1e-3 and run.events == []
