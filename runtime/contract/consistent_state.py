@@ -211,8 +211,8 @@ def consistent_state(task: Assembly) -> ConsistentState:
         for k, name in enumerate(names)
         if name in task.rates.values and v[k] != task.rates.values[name]
     }
-    not_given = frozenset(name for name in changed if name in names and name not in task.coordinates.values)
-    return ConsistentState(q, v, changed, start, _other_branch(start, q, moving, position), not_given=not_given)
+    unasked = frozenset(name for name in changed if name in names and name not in task.coordinates.values)
+    return ConsistentState(q, v, changed, start, _other_branch(start, q, moving, position), not_given=unasked)
 
 
 def _first_closed(
