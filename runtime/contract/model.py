@@ -558,12 +558,6 @@ def refuse_elements(model: EmittedModel, who: str, remedy: str) -> None:
         raise ModelError(f"{names} of model {model.name}", f"{does}, which {who}", remedy + more)
 
 
-def refuse_rigid_stops(model: EmittedModel, who: str, remedy: str) -> None:
-    """Raises ModelError for a model with rigid stops, of which `who` does not know."""
-    if any(event.side for event in model.mode_events):
-        refuse_elements(model, who, remedy)
-
-
 def refuse_reactions(model: EmittedModel, who: str, remedy: str) -> None:
     """Raises ModelError for a model with friction by reactions (`mu`), of which `who` does not know."""
     if model.has("elements") and "margin" in model.kernel("elements").name_out():

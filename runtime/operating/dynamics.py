@@ -7,7 +7,7 @@ with inputs as they are given (or their defaults): springs, dampers and elastic 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import casadi as ca
@@ -17,10 +17,11 @@ from runtime.contract.arguments import arguments
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import at_home, dependent_part, whole
 from runtime.contract.errors import ModelError
-from runtime.contract.model import EmittedModel, refuse_rigid_stops
+from runtime.contract.model import EmittedModel, refuse_reactions
 from runtime.operating.given_state import closed
 
 POSSIBLE = 1e-9  # of the largest force: what motors may leave over
+PROBES = (1.0, 1e-2, 1e-4)  # N, N m: values of inputs by which their effect is seen
 
 
 @dataclass(frozen=True)
@@ -39,12 +40,12 @@ class Dynamics:
     Turns in q are rotation vectors from the axes of the world, in v and a angular velocities and accelerations in axes
     of their body. near (n,): all coordinates from which loop unknowns are found, by default those of the scene's start.
     parameters: changes of parameters and inputs by name. Friction that sticks acts in joints that move, by the sign of
-    their rate; joints at rest have none, but in `forward_dynamics`, where it holds what it can. Raises ModelError for
-    arrays of another length and unknown names, InitialStateError for q at which the loops do not close.
+    their rate; joints at rest have none, but in `forward_dynamics`, where it holds what it can. Rigid stops are open,
+    but in `forward_dynamics` those push that q rests on. Raises ModelError for arrays of another length, unknown names,
+    and forces asked for beyond a stop; InitialStateError for q at which the loops do not close.
     """
 
     def __init__(self, model: EmittedModel) -> None:
-        refuse_rigid_stops(model, "is open at a state by itself", "take a scene without them, or step it")
         self.model = model
 
     @arguments()
@@ -99,15 +100,22 @@ class Dynamics:
         return unlocked(self.model, state, at.c)
 
     def _held(self, at: Place, v: np.ndarray, tau: np.ndarray | None) -> np.ndarray:
-        """Accelerations with what rests held by friction. Raises ModelError where no choice is consistent."""
-        found = self._unlocked(at, v)
-        a = replace(found, Q=found.Q if tau is None else found.Q + tau).accelerations()
+        """Accelerations with what rests held by friction and stops. Raises ModelError where no choice is consistent."""
+        a = self._unlocked(at, v).accelerations(tau)
         if a is None:
             raise ModelError(
                 f"friction of model {self.model.name}", "no choice of what sticks is consistent at this state",
                 "look at joints that share a loop",
             )  # fmt: skip
         return np.asarray(a)
+
+    def _needed(self, at: Place, v: np.ndarray, a: np.ndarray) -> np.ndarray:
+        """M a - Q_hat. Raises ModelError beyond a rigid stop."""
+        if self.model.element_modes.size:
+            found = self._unlocked(at, v)
+            return np.asarray(found.M @ a - found.force_at(a))
+        M, Q = self._condensed(at, v)
+        return np.asarray(M @ a - Q)
 
     def mass_matrix(self, q: Any, **where: Any) -> np.ndarray:
         """M(q) (n_i, n_i)."""
@@ -120,6 +128,7 @@ class Dynamics:
     def coriolis(self, q: Any, v: Any, **where: Any) -> np.ndarray:
         """C(q, v) v (n_i,): what tau has more because of the velocities, damping included."""
         at, v = self.place(q, **where), self._vector("v", v)
+        refuse_reactions(self.model, "depends on accelerations, too", "take inverse_dynamics, or give coulomb")
         return np.asarray(self._condensed(at, 0 * v)[1] - self._condensed(at, v)[1])
 
     def forward_dynamics(self, q: Any, v: Any, tau: Any = None, **where: Any) -> np.ndarray:
@@ -139,26 +148,25 @@ class Dynamics:
         """
         at, v, a = self.place(q, **where), self._vector("v", v), self._vector("a", a)
         if not motors:
-            M, Q = self._condensed(at, v)
-            return np.asarray(M @ a - Q)
+            return self._needed(at, v, a)
         if unknown := [name for name in motors if name not in self.model.inputs]:
             raise ModelError(f"model {self.model.name} has no input {unknown[0]!r}; it has {self.model.inputs}")
 
         def missing(values: Any) -> np.ndarray:
             given = {**(where.get("parameters") or {}), **dict(zip(motors, values, strict=True))}
-            here = self.place(q, **{**where, "parameters": given})
-            M, Q = self._condensed(here, v)
-            return np.asarray(M @ a - Q)
+            return self._needed(self.place(q, **{**where, "parameters": given}), v, a)
 
         idle = missing([0.0] * len(motors))
-        acting = np.array([idle - missing(unit) for unit in np.eye(len(motors))]).T
-        values = np.linalg.lstsq(acting, idle, rcond=1e-12)[0]
-        if np.abs(missing(values)).max() > POSSIBLE * max(np.abs(idle).max(), np.abs(acting @ values).max(), 1e-300):
-            raise ModelError(
-                f"the motors {', '.join(motors)} of model {self.model.name} cannot make this motion: they are too few, "
-                "or a load is not proportional to one of them"
-            )
-        return np.asarray(values)
+        for size in PROBES:  # a motor at its limit gives no more: a smaller value tells what it does below
+            acting = np.array([(idle - missing(size * unit)) / size for unit in np.eye(len(motors))]).T
+            values = np.linalg.lstsq(acting, idle, rcond=1e-12)[0]
+            largest = max(np.abs(idle).max(), np.abs(acting @ values).max(), 1e-300)
+            if np.abs(missing(values)).max() <= POSSIBLE * largest:
+                return np.asarray(values)
+        raise ModelError(
+            f"the motors {', '.join(motors)} of model {self.model.name} cannot make this motion: they are too few or "
+            "at their limits, or a load is not proportional to one of them"
+        )
 
     def jacobian(self, marker: str, q: Any, **where: Any) -> np.ndarray:
         """J (6, n_i): velocity of "body.marker" and angular velocity there are J v, both in axes of the world."""

@@ -21,7 +21,7 @@ from runtime.contract.coordinates import (
     parameter_columns,
 )
 from runtime.contract.errors import ModelError, NoResult
-from runtime.contract.model import EmittedModel
+from runtime.contract.model import EmittedModel, refuse_reactions
 from runtime.contract.orientations import angle_names, angles
 from runtime.contract.signals import SUFFIXES
 from runtime.operating.balance import Balance, Clamped, Found, balanced, clamped_directions, steady_rates, trimmed
@@ -341,6 +341,7 @@ def _sliding(clamped: Clamped, q_i: np.ndarray, p: np.ndarray) -> np.ndarray:
         return p
     from runtime.operating.resting import signs, state_of, with_modes
 
+    refuse_reactions(model, "is open in an equilibrium", "give coulomb, or step it")
     state, c = state_of(clamped, at, q_i)
     found = with_modes(model, p, signs(model, state, c))
     clamped.functions.c = model.constants(found)

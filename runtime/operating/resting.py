@@ -20,24 +20,63 @@ from runtime.schemes.switching.stops import AT_REST
 BEYOND = 1e-9  # of what holds: how far a force may be beyond it
 
 
+MOST_TURNS, SETTLED = 100, 1e-14  # of forces of joints that follow from the friction they cause
+
+
 @dataclass(frozen=True)
 class Unlocked:
-    """M_hat and Q_hat with the friction of joints that slide and none of those that rest; G, G_bias and bounds (k,) of
-    the latter.
+    """M_hat and Q_hat with the friction of joints that slide and none of those that rest, and stops open.
+
+    G, G_bias, lower and upper (k,): of what rests, by friction or on a stop, with the bounds of its force. own: the
+    function `elements`; beyond: stops that the state is beyond, with the distance [m or rad].
     """
 
+    model: EmittedModel
     M: np.ndarray
     Q: np.ndarray
     G: np.ndarray
     G_bias: np.ndarray
-    holds: np.ndarray
+    lower: np.ndarray
+    upper: np.ndarray
+    own: Mapping[str, np.ndarray]
+    beyond: Mapping[str, float]
 
-    def accelerations(self) -> np.ndarray | None:
-        """q_i_ddot (n_i,) with what rests held as far as friction can; None where no choice is consistent."""
-        free, by = np.linalg.solve(self.M, self.Q), np.linalg.solve(self.M, self.G.T)
+    def accelerations(self, tau: np.ndarray | None = None) -> np.ndarray | None:
+        """q_i_ddot (n_i,) with what rests held as far as friction and stops can; None where no choice is consistent.
+
+        Raises ModelError beyond a stop, and for friction by reactions.
+        """
+        self.refuse_beyond()
+        refuse_reactions(self.model, "forward dynamics at a state do not solve for", "give coulomb, or step it")
+        Q = self.Q if tau is None else self.Q + tau
+        free, by = np.linalg.solve(self.M, Q), np.linalg.solve(self.M, self.G.T)
         A, b = self.G @ by, self.G @ free + self.G_bias
-        sides = complementary(A, b, -self.holds, self.holds)
-        return None if sides is None else free + by @ balancing(A, b, -self.holds, self.holds, sides)
+        sides = complementary(A, b, self.lower, self.upper)
+        return None if sides is None else free + by @ balancing(A, b, self.lower, self.upper, sides)
+
+    def force_at(self, a: np.ndarray) -> np.ndarray:
+        """Q_hat (n_i,) at accelerations (n_i,), on which friction by reactions depends: R = |F_0 + F_a a + F_R R|.
+
+        Raises ModelError beyond a stop, and where these reactions have no solution.
+        """
+        self.refuse_beyond()
+        if "F_0" not in self.own:
+            return self.Q
+        own, R = self.own, np.zeros(len(self.own["margin"]))
+        for _ in range(MOST_TURNS):
+            before = R
+            R = np.linalg.norm((own["F_0"] + own["F_a"] @ a + own["F_R"] @ R).reshape(len(R), -1), axis=1)
+            if (np.abs(R - before) <= SETTLED * np.abs(R).max(initial=0.0)).all():
+                return np.asarray(self.Q + own["Q_hat_R"] @ R)
+        raise ModelError(
+            f"friction of model {self.model.name}", "its forces of joints by mu have no solution at this state",
+            "take a smaller mu, or a smaller radius",
+        )  # fmt: skip
+
+    def refuse_beyond(self) -> None:
+        """Raises ModelError for a state beyond a stop."""
+        for name, far in self.beyond.items():
+            raise ModelError(f"{name} of model {self.model.name}", f"q is {far:.6g} beyond it", "give a q within it")
 
 
 def with_modes(model: EmittedModel, values: np.ndarray, modes: np.ndarray) -> np.ndarray:
@@ -58,19 +97,33 @@ def state_of(clamped: Clamped, at: PointValues, q_i: np.ndarray) -> tuple[dict[s
 
 def signs(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:
     """(n_m,) of the rates of joints with friction, zero at rest, one of stops; at: q_i, q_d, q_i_dot, q_d_dot, t."""
-    refuse_reactions(model, "is open at a state by itself", "give coulomb, or step it")
     rate = elements(model, at, c)["v_rel"][[one.row for one in model.mode_events]]
-    rest = AT_REST * (1.0 + np.abs(at["q_i_dot"]).max(initial=0.0))
     sides = np.array([one.side for one in model.mode_events])
-    return np.where(sides != 0, 1.0, np.where(np.abs(rate) <= rest, 0.0, np.sign(rate)))
+    return np.where(sides != 0, 1.0, np.where(np.abs(rate) <= _slow(at), 0.0, np.sign(rate)))
+
+
+def _slow(at: Mapping[str, np.ndarray]) -> float:
+    """The rate below which an element rests."""
+    return AT_REST * (1.0 + float(np.abs(at["q_i_dot"]).max(initial=0.0)))
 
 
 def unlocked(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray) -> Unlocked:
-    """At a state: q_i, q_d, q_i_dot, q_d_dot, t, with constants c."""
+    """At a state: q_i, q_d, q_i_dot, q_d_dot, t, with constants c; stops are open where the state is within them."""
     modes = signs(model, at, c)
     own = elements(model, at, with_modes(model, c, modes))
-    rest = [one.row for one, mode in zip(model.mode_events, modes, strict=True) if mode == 0]
-    return Unlocked(own["M_hat"], own["Q_hat"], own["G"][rest], own["G_bias"][rest], own["holds"][rest])
+    events, holds = model.mode_events, own["holds"]
+    stops = [one for one in events if one.side]
+    gap = dict(zip((one.name for one in stops), own.get("gap", np.zeros(0)), strict=True))
+    still = np.abs(own["v_rel"]) <= _slow(at)
+    touched = [one for one in stops if gap[one.name] <= ON_IT and still[one.row]]
+    rubs = [one.row for one, mode in zip(events, modes, strict=True) if mode == 0]
+    lower, upper = -holds, holds.copy()
+    upper[[one.row for one in touched if one.side > 0]] = np.inf
+    lower[[one.row for one in touched if one.side < 0]] = -np.inf
+    rest = sorted({*rubs, *(one.row for one in touched)})
+    beyond = {name: -float(one) for name, one in gap.items() if one < -ON_IT}
+    G, bias = own["G"][rest], own["G_bias"][rest]
+    return Unlocked(model, own["M_hat"], own["Q_hat"], G, bias, lower[rest], upper[rest], own, beyond)
 
 
 def held(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray) -> tuple[dict[str, float], dict[str, float]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -18,23 +19,37 @@ SHOWN = 6  # names of a kind that a line of the list has
 
 
 def import_robot(arguments: argparse.Namespace) -> Outcome:
-    """Write the scene of a robot that a URDF file describes, and list what the file has and the scene has not."""
+    """Write the scene of a robot that a URDF file describes; list what the scene has not, and what was assumed."""
     from runtime.contract.files import write_text
     from symgen.scene import SceneError
-    from symgen.urdf import read
+    from symgen.urdf import RobotWarning, read
 
     path = Path(arguments.out) if arguments.out else Path(f"{Path(arguments.file).stem}.toml")
     if path.exists() and not arguments.force:
         raise SceneError(f"file '{path}'", "is there already", "choose another --out, or replace it with --force")
-    meshes, packages = not arguments.no_meshes, arguments.package or ()
-    robot = read(arguments.file, arguments.base, arguments.flexible, meshes=meshes, packages=packages)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RobotWarning)  # the list below has them
+        robot = read(
+            arguments.file,
+            arguments.base,
+            arguments.flexible,
+            meshes=not arguments.no_meshes,
+            packages=arguments.package or (),
+            inertia=arguments.inertia,
+            kinematics=arguments.kinematics,
+            default_inertia=None if arguments.density is None else "meshes",
+            density=arguments.density,
+            **{law: not getattr(arguments, f"no_{law}") for law in ("damping", "friction", "limits", "effort")},
+        )
     scene = robot.build()
     write_text(path, scene.to_toml())
     lines = [f"Wrote {path}: {len(scene.moving_bodies)} bodies, {len(scene.joints)} joints.", *_lost(robot.dropped)]
+    assumed = [str(one) for one in robot.assumed]
+    lines += ["Assumed:", *(f"  {one}" for one in assumed)] if assumed else []
     lines += [f"Renamed: {', '.join(f'{a} -> {b}' for a, b in robot.renamed.items())}"] if robot.renamed else []
     dropped = [str(one) for one in robot.dropped]
     return Outcome(
-        {"scene": scene.name, "file": str(path), "dropped": dropped, "renamed": robot.renamed},
+        {"scene": scene.name, "file": str(path), "dropped": dropped, "assumed": assumed, "renamed": robot.renamed},
         [*lines, f"Next: symgen show {path}, then symgen view {path}"],
     )
 

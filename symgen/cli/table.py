@@ -192,6 +192,18 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
             pairs(
                 "--flexible", "flexible", "the beam or finite-element body of a scene file for a link", words.file_of
             ),
+            opt(
+                "--inertia HOW",
+                "as_given takes bodies that cannot be",
+                choices=("possible", "as_given"),
+                default="possible",
+            ),
+            opt("--kinematics", "joints follow inputs q_JOINT; no link needs inertia"),
+            opt("--density KG_M3", "links that have no inertia get that of their shapes, of this density", number),
+            opt("--no-damping", "leave out damping of joints"),
+            opt("--no-friction", "leave out friction of joints"),
+            opt("--no-limits", "leave out ends of joints"),
+            opt("--no-effort", "leave out the limits of motors"),
             opt("--no-meshes", "leave out mesh files"),
             opt("--package DIR", "a further folder whose meshes may be read; may be repeated", action="append"),
             opt("--out FILE", "the scene file to write (default: NAME.toml)"),

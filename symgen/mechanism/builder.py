@@ -264,6 +264,16 @@ class Scene:
         self._data.setdefault(section, []).append(_plain({"type": type, "name": name, **fields}, section))
         return self
 
+    def _change(self, section: str, name: str, fields: dict[str, Any]) -> Self:
+        """Set fields of the entry of this name; None removes one."""
+        (entry,) = [one for one in self._data[section] if one["name"] == name]
+        for key, value in _plain(fields, section).items():
+            if value is None:
+                entry.pop(key, None)
+            else:
+                entry[key] = value
+        return self
+
 
 def _require_path(path: Any) -> None:
     if not PLACE.holds(path):

@@ -142,6 +142,7 @@ class RigidBody(StrictModel):
     inertia tensor in a spatial one, where products are its entries xy, xz, yz; center_of_mass [m] in the body frame.
     orientation (spatial): a sequence of axes if the body's Euler angles are wanted as input and output.
     ``free = true`` says that no joint is intended. shape: how pictures show it, in place of rods between its markers.
+    ``as_given = true`` takes moments of inertia that no mass distribution has.
     """
 
     type: Literal["rigid"] = "rigid"
@@ -152,6 +153,7 @@ class RigidBody(StrictModel):
     center_of_mass: Position = (0.0, 0.0)
     orientation: Orientation = "euler_parameters"
     free: Flag = False
+    as_given: Flag = False
     markers: dict[Name, RigidMarker] = Field(default_factory=dict)
     shape: Shapes = ()
 

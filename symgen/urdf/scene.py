@@ -9,14 +9,16 @@ from __future__ import annotations
 
 import keyword
 import re
+import warnings
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, Self
 from xml.etree.ElementTree import Element
 
 import numpy as np
 
+from runtime.contract.errors import printable
 from symgen.joints import JOINTS
 from symgen.joints.joint import Turn
 from symgen.mechanism.builder import Scene
@@ -24,25 +26,34 @@ from symgen.scene import toml_io
 from symgen.scene.appearance import MOST_TRIANGLES
 from symgen.scene.bodies import quaternion_of
 from symgen.scene.toml_io import read_mesh, within
-from symgen.schema.errors import SceneError, did_you_mean
+from symgen.schema.errors import SceneError, did_you_mean, show
+from symgen.urdf.given_inertia import impossible, inertia_faults, taken_as_given
+from symgen.urdf.joint_laws import JointLaws
 from symgen.urdf.robot import (
     TURNS_OR_SLIDES,
+    Assumed,
     Dropped,
+    Groups,
     Inertia,
+    JointLimit,
     Link,
     Mimic,
     Pose,
     Robot,
     RobotJoint,
+    RobotWarning,
     groups_of,
     inertia_of,
     numbers,
     pose,
     pose_of,
+    raise_together,
     read_document,
     refuse,
     robot_of,
 )
+from symgen.urdf.shape_inertia import inertia_of_shapes
+from symgen.urdf.tree_kinematics import RobotKinematics
 
 NEAR = 1e-6  # m: how far a joint of the URDF may be from the point of the body that takes it
 
@@ -228,16 +239,60 @@ LONGEST = 48
 class RobotBuilder(Scene):
     """The scene of a robot, to which more can be added.
 
-    dropped: what the URDF has and the scene has not. frames: link -> the marker "body.marker" that stands for its
-    frame. coordinates: joint -> names of its coordinates. efforts: joint -> names of the inputs [N m, N] that act on
-    these. renamed: names of the URDF that a scene cannot have -> those in the scene.
+    dropped: what the URDF has and the scene has not. assumed: what the file lacks or contradicts, and what was taken.
+    frames: link -> the marker "body.marker" that stands for its frame. coordinates: joint -> names of its coordinates.
+    efforts: joint -> names of the inputs [N m, N] that act on these. limits: joint -> what the file limits. drives:
+    joint -> the input [rad, m] that its coordinate follows, where the robot was read for its kinematics. renamed: names
+    of the URDF that a scene cannot have -> those in the scene.
     """
 
     dropped: list[Dropped]
+    assumed: list[Assumed]
     frames: dict[str, str]
     coordinates: dict[str, list[str]]
     efforts: dict[str, list[str]]
+    limits: dict[str, JointLimit]
+    drives: dict[str, str]
     renamed: dict[str, str]
+    _tree: tuple[Robot, Groups, str]
+
+    def kinematics(self) -> RobotKinematics:
+        """Positions and Jacobians of the links, at once and without inertia. Raises SceneError.
+
+        Only for robots whose joints turn or slide.
+        """
+        return RobotKinematics(*self._tree)
+
+    def change_joint(self, joint: str, **fields: Any) -> Self:
+        """Set fields of a joint that was read, as `scene.joint` has them; None removes one.
+
+        Parameters
+        ----------
+        joint : its name in the file
+        fields : such as ``damping=0.2``, ``friction={"mu": 0.1, "radius": 0.02}``, ``limits=None``
+
+        Raises
+        ------
+        SceneError
+            For a joint that is not there; what a field may be is checked in `build`.
+        """
+        if joint not in self.coordinates:
+            raise SceneError(f"joint '{joint}'", "is not there", did_you_mean(joint, self.coordinates))
+        return self._change("joints", self.renamed.get(joint, joint), fields)
+
+
+@dataclass(frozen=True)
+class ReadOptions:
+    """What of a file becomes part of the scene; the fields are those of `read`."""
+
+    free: bool
+    flexible: Mapping[str, str | Path]
+    meshes: bool
+    packages: Sequence[str | Path]
+    as_given: bool
+    kinematics: bool
+    density: float | None
+    laws: JointLaws
 
 
 def read(
@@ -246,50 +301,155 @@ def read(
     flexible: Mapping[str, str | Path] | None = None,
     meshes: bool = True,
     packages: Sequence[str | Path] = (),
+    *,
+    inertia: Literal["possible", "as_given"] = "possible",
+    kinematics: bool = False,
+    default_inertia: Literal["meshes"] | None = None,
+    density: float | None = None,
+    damping: bool = True,
+    friction: bool = True,
+    limits: bool | Mapping[str, float] = True,
+    effort: bool = True,
 ) -> RobotBuilder:
     """The scene of a URDF file under gravity of 9.81 m/s^2 against z.
 
-    base: the root link stands on the ground or floats. flexible: link -> file of the beam or finite-element body in its
-    place. meshes: draw mesh files, too: those below the folder of the URDF or of its package, the nearest folder above
-    with a package.xml. packages: further folders whose meshes may be read. Raises SceneError naming file, element and
-    reason for what no scene can be made of.
+    Parameters
+    ----------
+    path : file
+    base : the root link stands on the ground or floats
+    flexible : link -> file of the beam or finite-element body in its place
+    meshes : draw mesh files, too
+        Those below the folder of the URDF or of its package, the nearest folder above with a package.xml.
+    packages : further folders whose meshes may be read
+    inertia : "possible" refuses a body that no mass distribution has, by name; "as_given" takes it with a warning
+        So are links without mass whose motion no inertia determines, for loops that are closed later.
+    kinematics : joints follow inputs `q_JOINT` [rad, m]; no link needs inertia, and nothing acts
+    default_inertia : "meshes" gives links that have no inertia that of their shapes, of a density [kg/m^3]
+    damping, friction : those of the file act; else they are in `dropped`
+    limits : ends of the file are rigid stops without rebound; a mapping, such as ``{"stiffness": 1e5}``, is their law
+        A start beyond an end is moved to it.
+    effort : motors give no more than the effort of the file
+
+    Returns
+    -------
+    RobotBuilder
+
+    Raises
+    ------
+    SceneError
+        Names file, element and reason for what no scene can be made of; all faults of the file at once.
+
+    Warns
+    -----
+    RobotWarning
+        Lists what was assumed.
     """
     if base not in ("fixed", "free"):
         refuse("base", f"is {base!r}", 'give "fixed" or "free"')
-    robot = robot_of(read_document(path), Path(path).name)
-    return _RobotScene(robot, Path(path), base == "free", flexible or {}, meshes, packages).builder
+    if inertia not in ("possible", "as_given"):
+        refuse("inertia", f"is {inertia!r}", 'give "possible" or "as_given"')
+    if kinematics and (base == "free" or flexible):
+        given = 'base="free"' if base == "free" else "flexible"
+        refuse("kinematics", f"does not go with {given}", "leave one of them out")
+    document, assumed = read_document(path)
+    robot = robot_of(document, Path(path).name)
+    robot.assumed[:0] = assumed
+    laws = JointLaws(damping, friction, limits, effort) if not kinematics else JointLaws(False, False, False, False)
+    of_shapes = _density(default_inertia, density)
+    options = ReadOptions(
+        base == "free", flexible or {}, meshes, packages, inertia == "as_given", kinematics, of_shapes, laws
+    )
+    found = _RobotScene(robot, Path(path), options).builder
+    if found.assumed:
+        lines = "".join(f"\n  {one}" for one in found.assumed)
+        warnings.warn(printable(f"{Path(path).name} was taken with assumptions:{lines}"), RobotWarning, stacklevel=2)
+    return found
+
+
+def _density(default_inertia: str | None, density: float | None) -> float | None:
+    if default_inertia not in (None, "meshes"):
+        refuse("default_inertia", f"is {default_inertia!r}", 'give "meshes" and a density, or leave it out')
+    if default_inertia is None:
+        if density is not None:
+            refuse("density", "has nothing to act on", 'give default_inertia="meshes", too')
+        return None
+    if not isinstance(density, int | float) or not 0 < density < np.inf:
+        refuse("density", f"is {show(density)}", "give the density of the shapes [kg/m^3], above 0")
+    return float(density)
 
 
 class _RobotScene:
-    def __init__(
-        self,
-        robot: Robot,
-        path: Path,
-        free: bool,
-        flexible: Mapping[str, str | Path],
-        meshes: bool,
-        packages: Sequence[str | Path],
-    ) -> None:
-        self.robot, self.file, self.meshes, self.free = robot, path.name, meshes, free
-        self.folders = MeshFolders(path.parent, packages)
+    def __init__(self, robot: Robot, path: Path, options: ReadOptions) -> None:
+        self.robot, self.file, self.options, self.free = robot, path.name, options, options.free
+        flexible = options.flexible
+        self.folders = MeshFolders(path.parent, options.packages)
         for link in flexible.keys() - robot.links.keys():
             refuse(f"{self.file}: link '{link}'", "is not there", did_you_mean(link, robot.links))
         self.groups = groups_of(robot, flexible)
         self.floating = self._floating()
-        if not (free or self.groups.joints or flexible):
+        if not (self.free or self.groups.joints or flexible):
+            raise_together(self.file, robot.faults)
             refuse(self.file, "nothing moves on a fixed base", "take a free base")
         self.names = _names([*robot.links, *(joint.name for joint in robot.joints)])
         self.links, self.joints = _split(self.names, robot)
         self.flexible = {link: flexible_link(link, self.links[link], flexible[link]) for link in flexible}
         self.builder = RobotBuilder(_plain_name(robot.name), title=robot.name[:100], space="spatial")
-        self.builder.dropped, self.builder.frames = list(robot.dropped), {}
-        self.builder.coordinates, self.builder.efforts = {}, {}
+        self.builder.dropped, self.builder.frames, self.builder.assumed = list(robot.dropped), {}, list(robot.assumed)
+        self.builder.coordinates, self.builder.efforts, self.builder.drives = {}, {}, {}
+        self.builder.limits = {joint.name: joint.limit for joint in self.groups.joints}
+        self.builder._tree = robot, self.groups, self.file
         given = {**self.links, **self.joints}
         self.builder.renamed = {name: own for name, own in given.items() if name != own}
-        self.builder.gravity(0.0, 0.0, -9.81)
-        self.on_ground = None if free or robot.root in flexible else robot.root
+        if not options.kinematics:
+            self.builder.gravity(0.0, 0.0, -9.81)
+        self.on_ground = None if self.free or robot.root in flexible else robot.root
+        self._check_mimics()
+        self.inertias = self._inertias()
         self._add_bodies()
         self._add_joints()
+
+    def _inertias(self) -> dict[str, Inertia]:
+        """Of all groups that move as rigid bodies. Raises SceneError with all of them that cannot be."""
+        moving = [group for group in self.groups.members if group != self.on_ground and group not in self.flexible]
+        if self.options.density is not None:
+            self._fill(moving, self.options.density)
+        found = {group: inertia_of(self.robot, self.groups, group) for group in moving}
+        if self.options.kinematics:
+            return dict.fromkeys(found, Inertia())
+        if self.options.as_given:
+            self.builder.assumed += taken_as_given(found, self.groups)
+            raise_together(self.file, self.robot.faults)
+            return found
+        complete = not self.flexible
+        faults = inertia_faults(self.robot, self.groups, found, self.free, complete, self.file)
+        raise_together(self.file, [*self.robot.faults, *faults])
+        return found
+
+    def _fill(self, moving: list[str], density: float) -> None:
+        """Give the links of groups without inertia that of their shapes."""
+        for group in moving:
+            if inertia_of(self.robot, self.groups, group).mass == 0:
+                for name in self.groups.members[group]:
+                    link = self.robot.links[name]
+                    own = inertia_of_shapes(
+                        link, density, lambda kind, item: _geometry(kind, item, self.folders), self.builder.assumed
+                    )
+                    self.robot.links[name] = replace(link, inertia=own)
+
+    def _check_mimics(self) -> None:
+        """That joints mimic others that turn or slide, and no circle of them."""
+        joints = {one.name: one for one in self.groups.joints if one.type in TURNS_OR_SLIDES}
+        for joint in self.groups.joints:
+            followed, one = {joint.name}, joint
+            while one.mimic is not None:
+                other = joints.get(one.mimic.joint)
+                if other is None or other.name in followed:
+                    item = f"{self.file}: joint '{joint.name}'"
+                    refuse(
+                        item, f"mimics '{one.mimic.joint}', which is no other joint that turns or slides", "name one"
+                    )
+                followed.add(other.name)
+                one = other
 
     def _floating(self) -> dict[str, RobotJoint]:
         """Links that float by a joint of that type, which must be the root's."""
@@ -337,13 +497,12 @@ class _RobotScene:
         shapes = []
         for link in self.groups.members[group]:
             own, pose = self.robot.links[link], self.groups.seats[link].pose
-            shapes += shapes_of(own, pose, self.folders, self.meshes, self.builder.dropped)
+            shapes += shapes_of(own, pose, self.folders, self.options.meshes, self.builder.dropped)
         look = {"shape": shapes} if shapes else {}
         if group == self.on_ground:
             self.builder.ground(markers=markers, **look)
             return
-        inertia = inertia_of(self.robot, self.groups, group)
-        self._check(group, inertia)
+        inertia = self.inertias[group]
         I = inertia.tensor  # noqa: E741
         self.builder.rigid(
             self.links[group],
@@ -353,25 +512,17 @@ class _RobotScene:
             center_of_mass=inertia.center,
             free=self._is_free(group),
             markers=markers,
+            **({"as_given": True} if impossible(inertia) else {}),
             **look,
         )
 
-    def _check(self, group: str, inertia: Inertia) -> None:
-        """That the body could be: it has a mass, and moments of inertia that a mass distribution can have."""
-        item, members = f"{self.file}: link '{group}'", self.groups.members[group]
-        of_all = f" with {', '.join(members[1:4])} fixed to it" if len(members) > 1 else ""
-        if not inertia.mass > 0:
-            refuse(item, f"moves and has no mass{of_all}", "give it an inertial, or fix its joint")
-        principal = np.linalg.eigvalsh(inertia.tensor)
-        slack = 1e-9 * abs(principal).max()
-        if principal[0] < -slack or principal[2] > principal[0] + principal[1] + slack:
-            shown = ", ".join(f"{value:.4g}" for value in principal)
-            refuse(item, f"no body has its moments of inertia {shown}{of_all}", "mend its inertia: none may exceed the "
-                   "sum of the two others")  # fmt: skip
-
     def _add_flexible(self, link: FlexibleLink) -> None:
         own, builder = self.robot.links[link.link], self.builder
-        lost = {"inertial": own.inertia.mass > 0, "visual": own.visuals, "collision": own.collisions}
+        lost = {
+            "inertial": own.inertia is not None and own.inertia.mass > 0,
+            "visual": own.visuals,
+            "collision": own.collisions,
+        }
         builder.dropped += [Dropped(what, own.name, "a flexible body is in its place") for what in lost if lost[what]]
         kind = builder.beam if link.entry["type"] == "beam" else builder.flexible
         standing = self.robot.root == link.link and not self.free
@@ -391,40 +542,56 @@ class _RobotScene:
         for joint in self.groups.joints:
             name, child = self.joints[joint.name], self.links[joint.child]
             if joint.type == "floating":
+                if self.options.kinematics:
+                    refuse(f"{self.file}: joint '{joint.name}'", "floats, which no input drives", "read the dynamics")
                 start = self.groups.seats[joint.parent].pose.then(joint.pose)
                 self._float(child, start)
                 continue
             parent = self.groups.seats[joint.parent].group
             a = f"{'ground' if parent == self.on_ground else self.links[parent]}.{name}"
-            kind = TYPES.get(joint.type, joint.type)
-            damping = {"damping": joint.damping} if joint.damping else {}
-            self.builder.joint(kind, name, a, f"{child}.{name}", **damping)
-            self._add_efforts(joint, name, kind)
+            kind, laws = TYPES.get(joint.type, joint.type), self.options.laws
+            b = f"{child}.{name}"
+            self.builder.joint(kind, name, a, b, **laws.fields(joint, self.builder.dropped))
+            self._name_coordinates(joint, name, kind)
+            if self.options.kinematics:
+                self._add_drive(joint, name, a, b)
+            elif joint.mimic is None:  # what drives the others is the motor of the one that they follow
+                self._add_efforts(joint, name, kind)
         for joint in self.groups.joints:
             if joint.mimic is not None:
                 self._add_mimic(joint, joint.mimic)
 
     def _add_mimic(self, joint: RobotJoint, mimic: Mimic) -> None:
-        leaders = [one for one in self.groups.joints if one.name == mimic.joint and one.type in TURNS_OR_SLIDES]
-        if not leaders or leaders[0] is joint:
-            item = f"{self.file}: joint '{joint.name}'"
-            refuse(item, f"mimics '{mimic.joint}', which is no other joint that turns or slides", "name one")
-        own, other = (self.builder.coordinates[one.name][0] for one in (joint, leaders[0]))
+        own, other = (self.builder.coordinates[name][0] for name in (joint.name, mimic.joint))
         if mimic.offset:
             self.builder.initial({own: mimic.offset})
         ratio = {"multiplier": mimic.multiplier, "offset": mimic.offset}
         self.builder.mimic(f"mimic_{self.joints[joint.name]}", own, other, **ratio)
 
+    def _name_coordinates(self, joint: RobotJoint, name: str, kind: str) -> None:
+        self.builder.coordinates[joint.name] = [f"{name}.{motion.name}" for motion in JOINTS[kind].motions or ()]
+        self.builder.efforts[joint.name] = []
+
+    def _add_drive(self, joint: RobotJoint, name: str, a: str, b: str) -> None:
+        """The coordinate follows an input."""
+        if joint.type not in TURNS_OR_SLIDES:
+            refuse(f"{self.file}: joint '{joint.name}'", f"is {joint.type}, which no input drives", "read the dynamics")
+        if joint.mimic is not None:
+            return
+        slides = joint.type == "prismatic"
+        self.builder.input(f"q_{name}", unit="m" if slides else "rad", rates=True)
+        self.builder.joint(
+            f"prescribed_{'displacement' if slides else 'angle'}", f"drive_{name}", a, b, motion=f"q_{name}"
+        )
+        self.builder.drives[joint.name] = f"q_{name}"
+
     def _add_efforts(self, joint: RobotJoint, name: str, kind: str) -> None:
         motions = JOINTS[kind].motions or ()
-        self.builder.coordinates[joint.name] = [f"{name}.{motion.name}" for motion in motions]
-        self.builder.efforts[joint.name] = []
-        if joint.mimic is not None:  # what drives it is the motor of the one that it follows
-            return
         for motion in motions:
             suffix = name if len(motions) == 1 else f"{name}_{motion.name}"
             self.builder.input(f"tau_{suffix}", unit="N m" if isinstance(motion, Turn) else "N")
-            self.builder.effort(f"motor_{suffix}", f"{name}.{motion.name}", f"tau_{suffix}")
+            value = self.options.laws.effort_of(joint, f"tau_{suffix}", self.builder.dropped)
+            self.builder.effort(f"motor_{suffix}", f"{name}.{motion.name}", value)
             self.builder.efforts[joint.name].append(f"tau_{suffix}")
 
     def _float(self, body: str, start: Pose) -> None:

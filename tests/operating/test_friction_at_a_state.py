@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from runtime import Model, simulate
+from runtime.contract.errors import ModelError
 from runtime.operating.dynamics import Dynamics
 from runtime.operating.equilibrium import NoEquilibrium
 from symgen.scene import Scene, SceneRecord
@@ -73,3 +74,65 @@ def test_inverse_dynamics_adds_friction_by_the_sign_of_the_rate(model_of: Build)
     for moment, accelerates in ((upper[0] - 0.1, 0), (upper[0] + 0.1, 1), (lower[0] - 0.1, -1)):
         found = dynamics.forward_dynamics([0.0, -np.pi / 2], [0.0, 0.0], [moment, 0.0])[0]
         assert found == pytest.approx(accelerates * 0.1 / 0.55, abs=1e-12)
+
+
+def test_a_rigid_stop_is_open_within_and_pushes_what_rests_on_it(model_of: Build) -> None:
+    """2 kg on a vertical rail over a stop at zero: m (a + g) above it; on it the weight rests; beyond it is refused."""
+    builder = Scene("lift").gravity(0.0, -9.81).ground(markers={"up": {"angle": np.pi / 2}})
+    builder.rigid("block", mass=2.0, inertia=1.0, markers={"up": {"angle": np.pi / 2}})
+    limits = {"lower": 0.0, "upper": 3.0, "restitution": 0.2}
+    builder.prismatic("rail", "ground.up", "block.up", limits=limits).initial({"block.y": 1.0})
+    builder.input("lift", unit="N").force("pull", "block.origin", 0.0, "min(max(lift, -60), 60)")
+    model = model_of(builder.build())
+    (name,) = model.q_i
+    assert name == "block.y" and model.mass_matrix([0.5]) == pytest.approx(2.0)
+    assert model.gravity([0.5]) == pytest.approx(2 * 9.81) == model.gravity([0.0])
+    assert model.inverse_dynamics([0.5], [0.3], [1.5]) == pytest.approx(2 * (9.81 + 1.5))
+    assert model.inverse_dynamics([0.5], [0.3], [1.5], motors=["lift"]) == pytest.approx(2 * (9.81 + 1.5))
+    assert model.forward_dynamics([0.5], [0.0]) == pytest.approx(-9.81)
+    assert model.forward_dynamics([0.0], [0.0]) == pytest.approx(0.0, abs=1e-12)
+    assert model.forward_dynamics([0.0], [0.0], [2 * 9.81 + 1.0]) == pytest.approx(0.5)
+    assert model.forward_dynamics([3.0], [0.0], [2 * 9.81 + 1.0]) == pytest.approx(0.0, abs=1e-12)
+    assert model.forward_dynamics([3.0], [0.0]) == pytest.approx(-9.81)
+    for asked in (lambda q: model.inverse_dynamics(q, [0.0], [0.0]), lambda q: model.forward_dynamics(q, [0.0])):
+        with pytest.raises(ModelError, match=r"rail\.limits\.lower .*q is 0\.1 beyond it"):
+            asked([-0.1])
+    with pytest.raises(ModelError, match="too few or at their limits"):
+        model.inverse_dynamics([0.5], [0.3], [30.0], motors=["lift"])
+
+
+def test_a_motor_with_a_small_limit_is_solved_for(model_of: Build) -> None:
+    """It gives 0.2 N m at most, less than a unit, and 0.05 are needed."""
+    builder = (
+        Scene("small").ground().rigid("rotor", mass=1.0, inertia=0.1).revolute("axle", "ground.origin", "rotor.origin")
+    )
+    builder.input("tau").torque("motor", "rotor.origin", "min(max(tau, -0.2), 0.2)")
+    model = model_of(builder.build())
+    assert model.inverse_dynamics([0.0], [0.0], [0.5], motors=["tau"]) == pytest.approx(0.05, rel=1e-9)
+
+
+@pytest.mark.parametrize("rate", [1.5, -1.5])
+def test_friction_by_the_joints_own_force_is_in_inverse_dynamics(model_of: Build, rate: float) -> None:
+    """A slide under m g: m a + mu m g; a hinge: |m (a_c - g)| mu r, a_c of the centre at l. At rest none."""
+    sign, a = np.sign(rate), 0.7
+    slide = Scene("slide").gravity(0.0, -9.81).rigid("block", mass=2.0, inertia=1.0)
+    model = model_of(slide.prismatic("rail", "ground.origin", "block.origin", friction={"mu": 0.3}).build())
+    assert model.inverse_dynamics([0.2], [rate], [a]) == pytest.approx(2 * a + sign * 0.3 * 2 * 9.81, rel=1e-12)
+    assert model.inverse_dynamics([0.2], [0.0], [a]) == pytest.approx(2 * a, rel=1e-12)
+    with pytest.raises(ModelError, match="forward dynamics at a state do not solve for"):
+        model.forward_dynamics([0.2], [rate])
+    m, L, J, q = 3.0, 0.4, 0.2, 0.6
+    for space in ("planar", "spatial"):
+        weight = (0.0, -9.81) if space == "planar" else (0.0, -9.81, 0.0)
+        arm = Scene(f"{space}_arm", space=space).gravity(*weight)
+        arm.rigid("arm", mass=m, inertia=J if space == "planar" else [J, J, J], center_of_mass=[L, 0.0][: len(weight)]
+                  if space == "planar" else [L, 0.0, 0.0])  # fmt: skip
+        arm.revolute("pin", "ground.origin", "arm.origin", friction={"mu": 0.1, "radius": 0.05})
+        model = model_of(arm.build())
+        along, across = np.array([np.cos(q), np.sin(q)]), np.array([-np.sin(q), np.cos(q)])
+        R = m * np.linalg.norm(-L * rate**2 * along + L * a * across + [0.0, 9.81])
+        expected = (J + m * L**2) * a + m * 9.81 * L * np.cos(q) + sign * 0.1 * 0.05 * R
+        assert model.inverse_dynamics([q], [rate], [a]) == pytest.approx(expected, rel=1e-12)
+        assert model.gravity([q]) == pytest.approx(m * 9.81 * L * np.cos(q), rel=1e-12)
+        with pytest.raises(ModelError, match="depends on accelerations"):
+            model.coriolis([q], [rate])

@@ -481,13 +481,6 @@ def test_an_impact_on_a_driven_cart_tells_apart_what_the_stop_took(model_of: Bui
     assert run.balance.largest < 1e-8
 
 
-def test_what_cannot_cross_an_impact_says_so(model_of: Build) -> None:
-    model = model_of(ball(0.8).build())
-    does = r"rail\.limits\.lower of model ball: opens and closes, which "
-    with pytest.raises(ModelError, match=does + "is open at a state by itself"):
-        model.mass_matrix([0.5])
-
-
 @pytest.mark.parametrize(
     ("limits", "item", "says"),
     [

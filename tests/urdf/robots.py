@@ -38,6 +38,7 @@ def robot(*parts: str) -> str:
 PENDULUM = robot(
     '<link name="world"/>',
     link("rod", 2.0, at="0 0 -0.4", moments="0.3 0.35 0.1"),
-    joint("pivot", "revolute", "world", "rod", at="0 0 1", axis="0 2 0", more='<limit lower="-1" effort="3"/>'
+    joint("pivot", "revolute", "world", "rod", at="0 0 1", axis="0 2 0",
+          more='<limit lower="-1" effort="3" velocity="2"/>'
           '<dynamics damping="0.7" friction="0.1"/>'),
 )  # fmt: skip

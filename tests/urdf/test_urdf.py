@@ -28,11 +28,11 @@ def reading(folder: Path, text: str | bytes, **options: object) -> RobotBuilder:
 
 
 def test_a_pendulum_by_hand(tmp_path: Path) -> None:
-    """(I_yy + m l^2) a = -m g l sin q - d v + tau, about y, of any length."""
+    """(I_yy + m l^2) a = -m g l sin q - d v - friction + tau, about y, of any length."""
     model = model_of(reading(tmp_path, PENDULUM).build())
     q, v, tau = 0.7, 1.3, 2.0
     J = 0.35 + 2.0 * 0.4**2
-    expected = (-2.0 * G * 0.4 * math.sin(q) - 0.7 * v + tau) / J
+    expected = (-2.0 * G * 0.4 * math.sin(q) - 0.7 * v - 0.1 + tau) / J
     assert model.q_i == ["pivot.angle"]
     assert model.forward_dynamics([q], [v], parameters={"tau_pivot": tau}) == pytest.approx(expected, rel=1e-13)
     assert model.forward_dynamics([q], [v], [tau]) == pytest.approx(expected, rel=1e-13)
@@ -40,7 +40,13 @@ def test_a_pendulum_by_hand(tmp_path: Path) -> None:
 
 def test_names_frames_and_what_is_dropped(tmp_path: Path) -> None:
     builder = reading(tmp_path, PENDULUM)
-    assert [str(one) for one in builder.dropped] == ["limit of pivot: lower -1, effort 3", "friction of pivot: 0.1"]
+    assert [str(one) for one in builder.dropped] == ["velocity limit of pivot: 2"]
+    assert builder.limits == {"pivot": (-1.0, None, 3.0, 2.0)}
+    bare = reading(tmp_path, PENDULUM, damping=False, friction=False, limits=False, effort=False)
+    assert [str(one) for one in bare.dropped] == [
+        "damping of pivot: 0.7", "friction of pivot: 0.1", "limit of pivot: lower -1", "velocity limit of pivot: 2",
+        "effort limit of pivot: 3",
+    ]  # fmt: skip
     assert builder.frames == {"world": "ground.origin", "rod": "rod.origin"}
     assert builder.coordinates == {"pivot": ["pivot.angle"]} and builder.efforts == {"pivot": ["tau_pivot"]}
     assert builder.build().name == "test_robot"
@@ -382,8 +388,12 @@ def test_the_command_writes_a_scene_and_lists_what_is_not_in_it(
     path.write_text(PENDULUM, encoding="utf-8")
     assert main(["import", str(path), "--out", str(out)]) == 0
     said = capsys.readouterr().out
-    assert "limit: pivot" in said and "friction: pivot" in said
+    assert "velocity limit: pivot" in said and "Assumed" not in said
     assert SceneRecord.from_toml(out) == read(path).build()
+    assert main(["import", str(path), "--out", str(out), "--force", "--no-friction", "--no-limits"]) == 0
+    said = capsys.readouterr().out
+    assert "limit: pivot" in said and "friction: pivot" in said
+    assert SceneRecord.from_toml(out) == read(path, friction=False, limits=False).build()
     assert main(["import", str(path), "--out", str(out)]) == 2
     assert main(["import", str(path), "--out", str(out), "--force", "--base", "free"]) == 2  # the root has no mass
     assert "link 'world'" in capsys.readouterr().err
