@@ -17,6 +17,7 @@ from runtime.results.samples import Samples
 
 if TYPE_CHECKING:
     from runtime.results.body_motion import body_motion as _body_motion
+    from runtime.results.dataset import to_xarray as _to_xarray
     from runtime.results.deflections import deflections as _deflections
     from runtime.results.export import columns as _columns
     from runtime.results.export import export as _export
@@ -90,6 +91,7 @@ class Solution(Samples):
         save = _write_npz
         export = _export
         columns = _columns
+        to_xarray = _to_xarray
     else:
 
         @LazyMethod
@@ -175,6 +177,12 @@ class Solution(Samples):
             from runtime.results.export import columns
 
             return columns
+
+        @LazyMethod
+        def to_xarray():
+            from runtime.results.dataset import to_xarray
+
+            return to_xarray
 
     @arguments()
     def __getitem__(self, name: str) -> np.ndarray:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import casadi as ca
@@ -295,6 +297,50 @@ def test_parquet_files_hold_columns_and_units(tmp_path) -> None:
     assert found.schema.metadata[b"model"] == solution.model.name.encode()
     for name, column in solution.columns().items():
         assert np.array_equal(found[name].to_numpy(), column)
+
+
+def test_a_dataset_has_columns_with_units_and_how_the_run_ended() -> None:
+    pytest.importorskip("xarray")
+    solution = rod_solution(status=Status("not_finite", 1.5, "rod.q1", "a | b", "smaller dt"))
+    found = solution.to_xarray()
+    assert found["time"].attrs == {"units": "s", "long_name": "time"} and np.array_equal(found["time"], solution.t)
+    assert set(found.data_vars) == set(solution.columns()) - {"t"}
+    for name, column in solution.columns().items():
+        assert name == "t" or np.array_equal(found[name], column)
+    assert found["rod.theta_dot"].attrs == {"units": "rad/s", "long_name": "rate of angle rod.theta"}
+    assert found["energy.kinetic"].attrs == {"units": "J", "long_name": "kinetic energy"}
+    assert found.attrs["status"] == "not_finite" and "smaller dt" in found.attrs["status_text"]
+    assert np.isnan(found.attrs["error"]) and "not asked for" in found.attrs["error_text"]
+    assert found.attrs["scheme"] == solution.scheme and found.attrs["dt"] == 0.01
+
+
+@pytest.mark.parametrize("library", ["netCDF4", "zarr"])
+def test_a_dataset_is_read_back_from_files_as_it_was(tmp_path: Path, library: str) -> None:
+    xarray = pytest.importorskip("xarray")
+    pytest.importorskip(library)
+    found = rod_solution().to_xarray()
+    if library == "netCDF4":
+        found.to_netcdf(tmp_path / "run.nc", engine="netcdf4")
+        with xarray.open_dataset(tmp_path / "run.nc", engine="netcdf4") as read:
+            assert read.load().identical(found)
+    else:
+        found.to_zarr(tmp_path / "run.zarr", consolidated=False)
+        assert xarray.open_zarr(tmp_path / "run.zarr", consolidated=False).identical(found)
+
+
+@pytest.mark.parametrize("name", ["flexible_slider_crank_torque", "heavy_top"])
+def test_every_column_of_a_dataset_says_what_it_is(name: str) -> None:
+    """Inputs, forces and angular velocities too; only what the scene gives no unit has none."""
+    pytest.importorskip("xarray")
+    found = load_model(generated_folder(name)).simulate(t_end=0.01, error="off").to_xarray()
+    for column, variable in found.data_vars.items():
+        assert variable.attrs["long_name"] != column and variable.attrs["units"]
+
+
+def test_without_xarray_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "xarray", None)
+    with pytest.raises(ImportError, match=r"symgen\[xarray\]"):
+        rod_solution().to_xarray()
 
 
 def test_report() -> None:

@@ -318,3 +318,21 @@ def test_width_follows_the_processor(built_in: Load) -> None:
     features = set(host().features.split(","))
     expected = 16 if "+avx512f" in features else 4 if "+avx" in features else 2
     assert LanePrograms(asked).width == expected
+
+
+def test_variables_say_their_unit_and_what_they_are(built_in: Load) -> None:
+    """Of what is varied, of samples and of reductions, those of the run's own Dataset."""
+    pytest.importorskip("xarray")
+    model = built_in("slider_crank")
+    settings: dict[str, Any] = {**cases_of(model), "scheme": "rk4", "t_end": 40e-5, "dt": 2e-5, "outputs": OUTPUTS}
+    sampled, reduced = ensemble(model, **settings), ensemble(model, **settings, reduce={"C.force_x": "peak"})
+    run = simulate(model, scheme="rk4", t_end=40e-5, dt=2e-5).to_xarray()
+    for name in OUTPUTS:
+        assert sampled[name].attrs == run["energy.kinetic" if name == "kinetic" else name].attrs and sampled[name].units
+    force = run["C.force_x"].attrs
+    assert reduced["C.force_x_peak"].attrs == {"units": "N", "long_name": f"peak of {force['long_name']}"}
+    assert reduced["initial.crank.theta_dot"].attrs == {
+        "units": "rad/s",
+        "long_name": "initial rate of angle crank.theta",
+    }
+    assert reduced["rod.tip.x"].units == "m" and reduced["time_reached"].units == "s"

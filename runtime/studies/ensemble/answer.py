@@ -11,7 +11,7 @@ import numpy as np
 
 from runtime.contract.escapes import csv_row
 from runtime.contract.files import write_text
-from runtime.results.export import column_units
+from runtime.results.dataset import described
 from runtime.studies.ensemble.lane_runs import LaneResults
 from runtime.studies.ensemble.question import Question
 
@@ -32,26 +32,32 @@ def dataset(question: Question, table: np.ndarray, results: LaneResults) -> Any:
 def columns(
     question: Question, table: np.ndarray, results: LaneResults
 ) -> dict[str, tuple[tuple[str, ...], np.ndarray, dict[str, str]]]:
-    """{name: (dimensions, values, {"units": unit})}."""
+    """{name: (dimensions, values, {"units": unit, "long_name": meaning})}."""
     model, values = question.model, results.values
-    units = {**column_units(model), **{parameter.name: parameter.unit for parameter in model.parameters}}
-    found: dict[str, Any] = {"case": (("case",), np.arange(len(table)), {})}
+    told = described(model, [*question.initial, *question.outputs])
+    found: dict[str, Any] = {"case": (("case",), np.arange(len(table)), {"long_name": "case"})}
 
-    def keep(name: str, dimensions: tuple[str, ...], column: np.ndarray, of: str = "") -> None:
-        unit = "s" if name in ("time", "time_reached") else units.get(of, "")
-        found[name] = (dimensions, column, {"units": unit} if unit else {})
+    def keep(name: str, dimensions: tuple[str, ...], column: np.ndarray, meaning: str, unit: str = "") -> None:
+        found[name] = (dimensions, column, ({"units": unit} if unit else {}) | {"long_name": meaning})
 
+    def keep_output(name: str, dimensions: tuple[str, ...], column: np.ndarray, of: str, how: str = "") -> None:
+        keep(name, dimensions, column, how + told[of]["long_name"], told[of].get("units", ""))
+
+    parameters = {one.name: one for one in model.parameters}
     for name, column in zip([*question.parameters, *question.initial], table.T, strict=True):
-        keep(name if name in question.parameters else f"initial.{name}", ("case",), column, name)
-    keep("status", ("case",), results.status)
-    keep("time_reached", ("case",), results.time)
+        if name in question.parameters:
+            keep(name, ("case",), column, parameters[name].meaning or name, parameters[name].unit)
+        else:
+            keep_output(f"initial.{name}", ("case",), column, name, "initial ")
+    keep("status", ("case",), results.status, "how the run ended")
+    keep("time_reached", ("case",), results.time, "time at which it ended", "s")
     for k, (output, reduction) in enumerate(question.reduced):
-        keep(f"{output}_{reduction}", ("case",), values[:, k], output)
+        keep_output(f"{output}_{reduction}", ("case",), values[:, k], output, f"{reduction} of ")
     if not question.reduced:
         marks = np.array(question.marks)
-        keep("time", ("time",), question.plan.times(marks))
+        keep("time", ("time",), question.plan.times(marks), "time", "s")
         for output, part in zip(question.outputs, np.split(values, len(question.outputs), axis=1), strict=True):
-            keep(output, ("case", "time"), part, output)
+            keep_output(output, ("case", "time"), part, output)
     return found
 
 
