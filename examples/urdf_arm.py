@@ -44,7 +44,7 @@ def main(picture: Path | None = None) -> None:
     """At rest the torques are those by hand: g (m1 c1 sin a + m2 (l sin a + c2 sin(a + b))) and g m2 c2 sin(a + b)."""
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "arm.urdf").write_text(URDF)
-        model = read(Path(folder) / "arm.urdf", base="fixed").gravity(0, 0, -9.81).model()
+        model = read(Path(folder) / "arm.urdf", limits=False, effort=False).gravity(0, 0, -9.81).model()
     a, b = 0.3, 0.4
     elbow = -9.81 * 2 * 0.15 * np.sin(a + b)
     hand = [elbow - 9.81 * (3 * 0.2 + 2 * 0.4) * np.sin(a), elbow]

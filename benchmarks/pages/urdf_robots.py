@@ -141,7 +141,8 @@ def twin(path: Path, base: Any) -> Twin:
     """Raises SceneError where the robot is refused."""
     import pinocchio as pin  # extra `benchmark`
 
-    builder = read(path, base=base, meshes=False)
+    # friction, ends and limits of motors are none of what is compared
+    builder = read(path, base=base, meshes=False, friction=False, limits=False, effort=False)
     model = model_of(builder.build())
     free = "" if base == "fixed" else next(iter(builder.frames.values())).partition(".")[0]
     there = pin.buildModelFromUrdf(str(path), pin.JointModelFreeFlyer()) if free else pin.buildModelFromUrdf(str(path))
