@@ -45,6 +45,19 @@ def xml_attribute(text: str) -> str:
     return quoteattr(_NOT_IN_XML.sub("\ufffd", text))
 
 
+def words(names: Iterable[str], longest: int | None = None, taken: Iterable[str] = ()) -> list[str]:
+    """Names with _ for what is no letter, digit or _, cut to `longest` signs; numbers at the end keep them apart."""
+    found, used = list[str](), set(taken)
+    for name in names:
+        plain, k = re.sub(r"\W", "_", name)[:longest], 2
+        own = plain
+        while own in used:
+            own, k = f"{plain}_{k}", k + 1
+        found.append(own)
+        used.add(own)
+    return found
+
+
 def csv_row(cells: Iterable[str]) -> str:
     """Cells on a line, in quotes where they hold commas or quotes; without the line's end."""
     text = io.StringIO()

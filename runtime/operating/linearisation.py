@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from runtime.contract.errors import ModelError, NoResult
+from runtime.contract.escapes import words
 from runtime.contract.model import EmittedModel
 from runtime.operating.mode_solver import State
 
 if TYPE_CHECKING:
+    from control import StateSpace as ControlStateSpace
     from scipy.signal import StateSpace
 
 COUPLED = 1e-7  # relative change of a frequency without an assumed mode that is more than rounding
@@ -189,6 +191,32 @@ class Linearisation:
         from scipy.signal import StateSpace
 
         return StateSpace(self.A_state, self.B_state, self.C_state, self.D_state)
+
+    def to_control(self) -> ControlStateSpace:
+        """Make a python-control system of the first-order form, with the names of states, inputs and outputs.
+
+        Returns
+        -------
+        control.StateSpace
+            Continuous, SI units. Its signals have our names with _ for what is no letter or digit, as python-control
+            takes no dots: `crank.theta_dot` is `crank_theta_dot`, and a number at the end keeps equal ones apart. An
+            input that is a coordinate is a force or torque on it.
+
+        Raises
+        ------
+        ImportError
+            If python-control is not installed (extra `control`).
+        """
+        try:
+            from control import StateSpace
+        except ImportError as error:
+            raise ImportError(
+                "python-control is not installed; install it with: pip install 'symgen[control]'"
+            ) from error
+        signals = {"states": self.state_names, "inputs": self.input_names, "outputs": self.output_names}
+        named = {kind: words(names) for kind, names in signals.items()}
+        (name,) = words([self.model.name])
+        return StateSpace(self.A_state, self.B_state, self.C_state, self.D_state, name=name, **named)
 
     def output(self, name: str) -> int:
         """Row of an output. Raises ModelError for an unknown name."""

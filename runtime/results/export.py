@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import asdict
 from pathlib import Path
@@ -15,7 +14,7 @@ import numpy as np
 from runtime.contract.arguments import arguments
 from runtime.contract.coordinates import OMEGA, angular_velocities, euler_angles, parameter_columns
 from runtime.contract.errors import ModelError
-from runtime.contract.escapes import csv_row
+from runtime.contract.escapes import csv_row, words
 from runtime.contract.files import OutputError, replacing
 from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import angle_motion, angle_names
@@ -258,13 +257,7 @@ def to_mat(solution: Samples, path: str | Path) -> None:
     from scipy.io import savemat
 
     columns, units = _columns(solution)
-    variables: dict[str, str] = {}
-    for name in columns:
-        plain, k = re.sub(r"\W", "_", name)[:LONGEST_VARIABLE], 2
-        own = plain
-        while own in variables or own in MAT_CELLS:
-            own, k = f"{plain}_{k}", k + 1
-        variables[own] = name
+    variables = dict(zip(words(columns, LONGEST_VARIABLE, MAT_CELLS), columns, strict=True))
     cells = (list(variables), list(variables.values()), units)
     content: dict[str, Any] = {key: np.array(cell, dtype=object) for key, cell in zip(MAT_CELLS, cells, strict=True)}
     content |= {own: columns[name] for own, name in variables.items()}

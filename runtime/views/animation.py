@@ -1,8 +1,9 @@
-"""The mechanism in motion as a GIF: the lines of a film, drawn with Agg."""
+"""The mechanism in motion as a GIF or an MP4: the lines of a film, drawn with Agg."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -45,27 +46,79 @@ def animate(
     fps: float = 20.0,
     exaggeration: float | None = None,
 ) -> Film:
-    """Write a GIF that repeats of bodies, ghosts of the undeformed ones, springs, joints, ground, time.
+    """Write a film of bodies, ghosts of the undeformed ones, springs, joints, ground and time.
 
-    Returns what was drawn. Raises ModelError (nothing to draw), ValueError (frames, fps), OutputError (place not
-    writable, another ending).
+    Parameters
+    ----------
+    path : path
+        Its ending says the format: `.gif` repeats, `.mp4` is H.264 (extra `film`).
+    frames : int
+        How many, at even times of the run.
+    fps : float
+        Frames a second, 0.1 to 50, which is what GIF players show.
+    exaggeration : float, optional
+        Factor of the deformation; by default one that makes the largest visible.
+
+    Returns
+    -------
+    Film
+        What was drawn.
+
+    Raises
+    ------
+    ModelError
+        If there is nothing to draw.
+    ArgumentError
+        If frames or fps are out of range.
+    OutputError
+        If the place is not writable, or the name has another ending.
+    ImportError
+        If imageio-ffmpeg is not installed and an MP4 is asked for.
     """
     require(PLACE, path=path)
     require(WHOLE, frames=frames)
     require(NUMBER, fps=fps)
     require(NUMBER, or_none=True, exaggeration=exaggeration)
-    if Path(path).suffix.lower() != ".gif":
-        raise OutputError(f"{path}: a film's name must end in .gif; the page of `run.view` records a video")
+    suffix = Path(path).suffix.lower()
+    if suffix not in (".gif", ".mp4"):
+        raise OutputError(
+            f"{path}: a film's name must end in .gif or .mp4; the page of `run.view` records a video, too"
+        )
     if not 0.1 <= fps <= 50.0:
         raise ArgumentError(f"fps must be between 0.1 and 50 (what GIF players show), not {fps}")
+    save = _save_gif if suffix == ".gif" else _mp4_writer()
     shown = film(solution, frames, exaggeration)
     images = _images(solution, shown)
     with replacing(path) as temporary:
-        _save_gif(list(images), temporary, fps)
+        save(images, temporary, fps)
     return shown
 
 
-def _save_gif(images: list[Image.Image], path: Path, fps: float) -> None:
+def _mp4_writer() -> Callable[[Iterator[Image.Image], Path, float], None]:
+    try:
+        from imageio_ffmpeg import count_frames_and_secs, write_frames
+    except ImportError as error:
+        raise ImportError("imageio-ffmpeg is not installed; install it with: pip install 'symgen[film]'") from error
+
+    def save(images: Iterator[Image.Image], path: Path, fps: float) -> None:
+        place, first, sent = str(path.absolute()), next(images), 0  # no name that ffmpeg takes for an option
+        width, height = (2 * (length // 2) for length in first.size)  # colours have half the resolution: even
+        writer = write_frames(place, (width, height), fps=fps, codec="libx264", macro_block_size=2)
+        writer.send(None)
+        try:
+            for image in chain([first], images):
+                writer.send(image.crop((0, 0, width, height)).tobytes())
+                sent += 1
+        finally:
+            writer.close()
+        if count_frames_and_secs(place)[0] != sent:  # the encoder's exit status is not told
+            raise OSError("the encoder did not write all frames")
+
+    return save
+
+
+def _save_gif(drawn: Iterator[Image.Image], path: Path, fps: float) -> None:
+    images = list(drawn)
     palette = images[len(images) // 2].quantize(colors=64, method=Image.Quantize.MEDIANCUT)
     indexed = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
     indexed[0].save(

@@ -83,7 +83,7 @@ def compare(arguments: argparse.Namespace) -> Outcome:
 
 
 def animate(arguments: argparse.Namespace) -> Outcome:
-    """Write a film of the moving mechanism: a GIF that repeats.
+    """Write a film of the moving mechanism: a GIF that repeats, or an MP4.
 
     RESULTS is a folder left by `simulate --out` or `demo`; a SCENE is simulated first.
     """

@@ -329,7 +329,7 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
         pictures.animate,
         (
             *RESULTS_OR_SCENE,
-            opt("--out FILE", "the .gif to write (default: RESULTS/motion.gif or SCENE.gif)"),
+            opt("--out FILE", "the .gif or .mp4 to write (default: RESULTS/motion.gif or SCENE.gif)"),
             opt("--frames COUNT", "number of frames (default: %(default)s)", int, default=60),
             opt("--fps RATE", "frames a second (default: %(default)s)", number, default=20.0),
             opt("--exaggeration FACTOR", "of the deformation (default: the largest becomes 5 %% of the size)", number),

@@ -100,6 +100,20 @@ def test_state_space_forms(model_of: Build) -> None:
     np.testing.assert_allclose(found, exact, rtol=1e-12)
 
 
+def test_python_control_has_the_names_and_the_response(model_of: Build) -> None:
+    """Its response by names is the hand-derived one."""
+    control = pytest.importorskip("control")
+    system = linearise(model_of(oscillator()), inputs=["F"], outputs=["out", "mass.x_dot"])
+    form = system.to_control()
+    assert form.state_labels == ["mass_x", "mass_x_dot"] and form.input_labels == ["F"] and form.isctime()
+    assert form.output_labels == ["out", "mass_x_dot"]
+    w = np.array([0.7, 5.0, 9.0])
+    exact = 1 / (40 - 1.5 * w**2 + 0.6j * w)
+    outputs = [f"{form.name}.{name}" for name in ("mass_x_dot", "out")]
+    both = control.interconnect([form], inplist=[f"{form.name}.F"], outlist=outputs)
+    np.testing.assert_allclose(both(1j * w)[:, 0], [1j * w * exact, exact], rtol=1e-12)
+
+
 def test_outputs_and_inputs_through_loops(built_in: Load) -> None:
     """Law: C are central differences of the slider's place; its force acts by virtual work, B = C^T."""
     model, at, h = built_in("slider_crank"), {"crank.theta": 0.7}, 1e-5

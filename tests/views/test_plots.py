@@ -239,8 +239,28 @@ def test_what_cannot_be_animated_is_refused(tmp_path) -> None:
         film(solution, exaggeration=float("nan"))
     with pytest.raises(ValueError, match="fps"):
         animate(solution, tmp_path / "a.gif", fps=1000)
-    with pytest.raises(OutputError, match="gif"):
+    with pytest.raises(OutputError, match="gif or .mp4"):
         animate(solution, tmp_path / "a.avi")
+
+
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # the library leaves pipes open
+def test_mp4_has_all_frames_of_the_film(tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Also in a folder whose name the encoder could take for an option; and what moves, moves."""
+    ffmpeg = pytest.importorskip("imageio_ffmpeg")
+    monkeypatch.chdir(tmp_path)
+    animate(rod_solution(), "-y/motion.mp4", frames=12, fps=25)
+    found = ffmpeg.read_frames("./-y/motion.mp4")
+    about = next(found)
+    frames = [np.frombuffer(one, dtype=np.uint8).astype(int) for one in found]
+    assert about["codec"] == "h264" and about["fps"] == 25 and len(frames) == 12
+    assert np.abs(frames[6] - frames[0]).max() > 50
+    assert [path.name for path in (tmp_path / "-y").iterdir()] == ["motion.mp4"]
+
+
+def test_without_an_encoder_the_extra_is_named(tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
+    with pytest.raises(ImportError, match=r"symgen\[film\]"):
+        animate(rod_solution(), tmp_path / "motion.mp4")
 
 
 def test_snapshots_are_the_film_at_their_times_with_paths(built_in, tmp_path) -> None:
