@@ -72,7 +72,7 @@ class PrintedOptions(CentralDifferenceOptions):
 
 
 def coupled_by_stiffness(model: EmittedModel) -> bool:
-    """Is this a linear structure (3) whose M_hat is diagonal?"""
+    """Is this a linear structure whose M_hat is diagonal?"""
     if any(coordinate.owner for coordinate in model.description.coordinates):
         return False
     kernel = model.kernel("condensed")

@@ -149,7 +149,22 @@ class Scene:
     ) -> StructureScene: ...
     @overload
     def structure(self, **fields: Any) -> Self: ...
-    def structure(self, **fields: Any) -> Self | StructureScene:
+    def structure(
+        self,
+        *,
+        mass: Any = None,
+        stiffness: Any = None,
+        damping: Any = None,
+        body: Any = None,
+        fixed: Any = None,
+        lump: Any = None,
+        force: Any = None,
+        coordinates: Any = None,
+        width: Any = None,
+        points: Any = None,
+        cells: Any = None,
+        **more: Any,
+    ) -> Self | StructureScene:
         """Describe M x'' + D x' + K x = F(t) instead of bodies (Eqs. 3-14).
 
         Parameters
@@ -159,18 +174,32 @@ class Scene:
             MatrixMarket files are data: nothing is written out, and groups of nodes step as often as each needs. A
             mass (n,) is lumped; damping may be ``{"mass": a, "stiffness": b}`` (Rayleigh) [1/s, s].
         body : FlexibleBody or FEStructure, optional
-            K and M of a body of solid elements of `symgen.fe`; fixed: interfaces and ids of nodes that are held.
+            K and M of a body of solid elements of `symgen.fe`.
+        fixed : list of str or int, optional
+            Interfaces and ids of nodes of the body that are held.
         lump : bool or "row_sum", optional
             Make a consistent mass diagonal: explicit steps need that.
-        force
-            By coordinate, ``{"n3.x": "1e3 * sin(t)"}``; one a coordinate; or pairs (pattern (n,), expression of t) [N].
-        coordinates : n names; width : coordinates of a node; points (nodes, 2 or 3) [m], cells : for pictures.
+        force : mapping, list or list of pairs [N], optional
+            By coordinate, ``{"n3.x": "1e3 * sin(t)"}``; one a coordinate; or pairs (pattern (n,), expression of t).
+        coordinates : list of str, optional
+            n names.
+        width : int, optional
+            Coordinates of a node, side by side.
+        points : (nodes, 2 or 3) [m], optional
+            For pictures.
+        cells : (cells, corners), optional
+            For pictures.
 
         Returns
         -------
         Scene or StructureScene
             The latter for data; its `model()` is a `StructureModel`.
         """
+        given = {
+            "mass": mass, "stiffness": stiffness, "damping": damping, "body": body, "fixed": fixed, "lump": lump,
+            "force": force, "coordinates": coordinates, "width": width, "points": points, "cells": cells,
+        }  # fmt: skip
+        fields = {name: value for name, value in given.items() if value is not None} | more
         if "body" in fields or any(_is_data(fields.get(name)) for name in ("mass", "stiffness", "damping")):
             from symgen.scene.structures import StructureScene
 

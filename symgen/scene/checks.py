@@ -333,12 +333,12 @@ class _QuantityCheck:
 
 
 def damping_errors(scene: SceneParts) -> Iterator[SceneError]:
-    """A damping ratio of 1 or more for all modes: 2 is taken for 2 % by some, and is above critical."""
+    """A damping ratio above 1, which is critical, for all modes: 2 is taken for 2 % by some."""
     for index, body in enumerate(scene.bodies):
         ratio = getattr(body, "damping_ratio", 0.0)
         if isinstance(ratio, str):
             ratio = scene.parameter_defaults().get(ratio.strip(), 0.0)
-        if ratio >= 1 and getattr(body, "damping_frequency", None) is None:
+        if ratio > 1 and getattr(body, "damping_frequency", None) is None:
             yield SceneError(
                 f"{item_path('bodies', index, body.name)}.damping_ratio",
                 f"is {ratio:g}, of which 1 is critical: no mode would vibrate",

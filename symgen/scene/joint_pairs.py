@@ -1,4 +1,4 @@
-"""Joints between the same two markers: one joint twice, and two that together leave nothing free."""
+"""Joints between the same two markers that together leave nothing free; one joint twice is redundant, not wrong."""
 
 from __future__ import annotations
 
@@ -12,28 +12,18 @@ from symgen.schema.errors import SceneError
 
 
 def joint_pair_errors(scene: SceneParts) -> Iterator[SceneError]:
-    """A joint that stands there already, whichever way round; two whose free motions have none in common."""
+    """Two whose free motions have none in common."""
     between: dict[frozenset[str], list[tuple[int, Joint]]] = {}
     for index, joint in enumerate(scene.joints):
         between.setdefault(frozenset((joint.marker_a, joint.marker_b)), []).append((index, joint))
     for joints in between.values():
         for (_, first), (index, second) in combinations(joints, 2):
             path = item_path("joints", index, second.name)
-            if _same(first, second):
-                yield SceneError(path, f"is '{first.name}' again: the same joint of the same markers", "remove one")
-            elif _nothing_left(first, second):
+            if _nothing_left(first, second):
                 what = f"a {second.type} joint and the {first.type} joint '{first.name}' of the same markers"
                 yield SceneError(
                     path, f"{what} leave nothing free", "remove one of them, or take one weld if that is meant"
                 )
-
-
-def _same(first: Joint, second: Joint) -> bool:
-    """The same rows; two drives of one angle are told apart by what they prescribe, when the scene is derived."""
-    if first.type != second.type or first.drives:
-        return False
-    keys = [*first.row_quantities(), *(motion.lead for motion in first.motions or () if motion.lead)]
-    return all(getattr(first, key) == getattr(second, key) for key in keys)
 
 
 def _nothing_left(first: Joint, second: Joint) -> bool:

@@ -41,8 +41,6 @@ REFUSED: dict[str, tuple[Callable[[], Scene], str, str]] = {
     "damping in per cent": (lambda: beam(2), "bodies[0] 'b'.damping_ratio", "0.02 for 2 %"),
     "the same by a parameter": (lambda: beam("zeta"), "bodies[0] 'b'.damping_ratio", "0.02 for 2 %"),
     "lead of zero": (lambda: spatial().screw("h", G, B, lead=0.0), "joints[0] 'h'.lead", "revolute"),
-    "a hinge twice": (lambda: planar().revolute("h", G, B).revolute("i", G, B), "joints[1] 'i'", "'h' again"),
-    "and the other way": (lambda: planar().revolute("h", G, B).revolute("i", B, G), "joints[1] 'i'", "'h' again"),
     "nothing free": (lambda: planar().revolute("h", G, B).prismatic("p", G, B), "joints[1] 'p'", "nothing free"),
     "nothing free in space": (
         lambda: spatial().screw("h", G, B, lead=0.1).revolute("p", G, B), "joints[1] 'p'", "nothing free"

@@ -98,7 +98,7 @@ def test_universal_joint_frees_the_axis_of_its_own_fork() -> None:
     ("fields", "problem"),
     [
         ({"lateral": {"modes": 1}}, r"'b'.lateral.modes.*both ends carry moments, which takes 2 shapes, not 1"),
-        ({"elements": 10}, r"'b'.elements: unknown key 'elements'"),
+        ({"elements": 10}, r"'b'.elements: belongs to a mesh; give mesh = .lumped., or leave it out"),
     ],
 )
 def test_sets_that_cannot_be(fields: dict[str, object], problem: str) -> None:
