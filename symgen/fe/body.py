@@ -281,7 +281,7 @@ class FlexibleBody:
         origin : str or array_like, shape (3,)
             Of the body's frame: an interface or a place.
         rho_psi, psi_psi : array_like, shapes (n, 3, 3) and (n, n, 3, 3), optional
-            [a][i][j] = int rho_i psi_a,j dm about the origin and [a][b][i][j] = int psi_a,i psi_b,j dm of the reduced
+            [a, i, j] = int rho_i psi_a,j dm about the origin and [a, b, i, j] = int psi_a,i psi_b,j dm of the reduced
             shapes psi, which K and M do not say; without them a warning says what is left out.
         units : {"SI", "mm-t-s", "mm-kg-s"}
             Of everything here.

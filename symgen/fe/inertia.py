@@ -38,8 +38,8 @@ class InertiaIntegrals:
     """rho0: place in the undeformed body from the frame's origin [m]; phi_a: shape of mode a (unit of q_f: any).
 
     mass [kg].  first_moment (3,): int rho0 dm [kg m].  moments (3, 3): int rho0_i rho0_j dm [kg m^2].
-    M_ff (nf, nf), phi_integral (3, nf): int phi_a dm.  rho_phi (nf, 3, 3): [a][i][j] = int rho0_i phi_a,j dm.
-    phi_phi (nf, nf, 3, 3): [a][b][i][j] = int phi_a,i phi_b,j dm; its trace over i = j is M_ff.
+    M_ff (nf, nf), phi_integral (3, nf): int phi_a dm.  rho_phi (nf, 3, 3): [a, i, j] = int rho0_i phi_a,j dm.
+    phi_phi (nf, nf, 3, 3): [a, b, i, j] = int phi_a,i phi_b,j dm; its trace over i = j is M_ff.
     """
 
     mass: float
@@ -215,7 +215,7 @@ def lumped(body: FEStructure) -> FEStructure:
 class StressStiffening:
     """Displacements of second order -q^T H_i q / 2 along axis i, mass-orthonormal shapes [1/m per kg].
 
-    H (3, nf, nf): int H_i dm.  xH (3, 3, nf, nf): [i][j] = int x_i H_j dm.  at: (3, nf, nf) at each interface, by name.
+    H (3, nf, nf): int H_i dm.  xH (3, 3, nf, nf): [i, j] = int x_i H_j dm.  at: (3, nf, nf) at each interface, by name.
     """
 
     H: Array

@@ -311,7 +311,7 @@ class FlexibleMarker(MarkerDirections):
 
 
 class FlexibleStiffening(StrictModel):
-    """Second-order displacement -1/2 q_f^T H_i q_f along axis i: H[i] = int H_i dm, xH[i][j] = int x_i H_j dm, nf x nf.
+    """Second-order displacement -1/2 q_f^T H_i q_f along axis i: H[i] = int H_i dm, xH[i, j] = int x_i H_j dm, nf x nf.
 
     They give centrifugal and other geometric stiffness.
     """
@@ -324,8 +324,8 @@ class SpatialModalBody(StrictModel):
     """A flexible body in space: modal mass, stiffness, damping and shape integrals over the undeformed position rho0.
 
     mass [kg]; first_moment: int rho0 dm [kg m]; inertia_moments: int rho0_i rho0_j dm [kg m^2], 3 x 3 about the frame
-    origin; M_ff, K_ff, D_ff: nf x nf; phi_integral: int Phi dm, 3 x nf; rho_phi[a][i][j] = int rho0_i Phi_ja dm;
-    phi_phi[a][b][i][j] = int Phi_ia Phi_jb dm (left out: no terms of second order in q_f in the inertia); surface: for
+    origin; M_ff, K_ff, D_ff: nf x nf; phi_integral: int Phi dm, 3 x nf; rho_phi[a, i, j] = int rho0_i Phi_ja dm;
+    phi_phi[a, b, i, j] = int Phi_ia Phi_jb dm (left out: no terms of second order in q_f in the inertia); surface: for
     pictures; gauges: where stresses are known; struts: between which markers it buckles.
     """
 
