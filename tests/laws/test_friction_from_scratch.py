@@ -105,7 +105,8 @@ def test_a_four_bar_with_four_frictions_holds_to_the_last_bit(model_of: Build) -
     By hand: virtual work of the weight is that of the four moments, which stand in the ratio of the joints' rates.
     """
     run = simulate(model_of(four_bar_scene({"coulomb": 2.0}, None, t_end=100.0, dt=0.05)))
-    assert run.status.ok and not run.events
+    assert run.status.ok
+    assert {one.kind for one in run.events} <= {"start_changed"}  # the angles that are given close the loop nearly
     angles, rates = seen(run, 3, 4)
     assert not np.ptp(angles, axis=0).any() and not rates.any()
     links = Links([LOOP] * 4, (), LENGTHS, (0.0, 0.0, 0.0), (), GRAVITY, SPAN)

@@ -109,5 +109,9 @@ def moving_rates(problem: Problem, motion: Solution | None) -> np.ndarray:
     entries = {entry.name: entry for entry in model.description.coordinates}
     size, speed = np.std(q, axis=0), np.sqrt(np.mean(rates**2, axis=0))
     found = np.divide(speed, size, out=np.zeros_like(speed), where=size > 0)
-    turns = np.array([entries[name].unit == "rad" and not entries[name].elastic for name in model.q_i])
+    angles = {name for name, entry in entries.items() if entry.unit == "rad" and not entry.elastic}
+    angles |= {
+        name for record in model.description.orientations for name in record.turns
+    }  # no coordinates of their own
+    turns = np.array([name in angles for name in model.q_i])
     return np.asarray(np.where(turns, np.maximum(found, speed), found))
