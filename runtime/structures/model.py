@@ -12,6 +12,16 @@ import scipy.sparse as sp
 import scipy.sparse.linalg as spl
 from numpy.typing import NDArray
 
+from runtime.contract.arguments import (
+    ANY,
+    BY_NAME,
+    COUNTS,
+    PLACE,
+    WHOLE,
+    Kind,
+    arguments,
+)
+from runtime.contract.errors import is_finite_number
 from runtime.structures.regions import Regions, choose_regions, named_regions, one_group
 from runtime.structures.report import StructureReport, report
 from runtime.structures.run import ErrorWish, StructureRun, simulate
@@ -20,6 +30,31 @@ from runtime.structures.structure import Array, LinearStructure, StructureError
 
 Scheme = Literal["printed", "single_rate", "generalized_alpha"]
 ASSEMBLED_AT_MOST = 5e5  # coordinates for which modes are looked for
+GROUPS = Kind(
+    lambda value: BY_NAME.holds(value) and all(map(_is_group, value.values())),
+    'give a dictionary from slow to fast, such as {"slow": [], "fast": ["x7", "x8"]}',
+)
+RATIOS = Kind(lambda value: WHOLE.holds(value) or COUNTS.holds(value), "give a whole number, or a list of them")
+VALUES = Kind(
+    lambda value: BY_NAME.holds(value) and all(map(_is_number, value.values())) or _is_vector(value),
+    'give a dictionary, such as {"x7": 0.1}, or a number for each coordinate',
+)
+FUNCTION = Kind(callable, "give a function")
+
+
+def _is_number(value: Any) -> bool:
+    return is_finite_number(value) or isinstance(value, float)
+
+
+def _is_vector(value: Any) -> bool:
+    return isinstance(value, Sequence | np.ndarray) and np.asarray(value).dtype.kind in "iuf"
+
+
+def _is_group(members: Any) -> bool:
+    """Names, or numbers of nodes."""
+    if isinstance(members, str) or not isinstance(members, Sequence | np.ndarray):
+        return False
+    return all(isinstance(one, str) for one in members) or all(map(WHOLE.holds, members))
 
 
 class StructureModel:
@@ -72,6 +107,7 @@ class StructureModel:
             raise StructureError(what, "explicit steps need a diagonal mass matrix", remedy)
         return self.structure
 
+    @arguments()
     def lumped(self, by: str = "row_sum") -> StructureModel:
         """The same structure with a diagonal mass matrix: each row summed, or by="diagonal", the diagonal scaled.
 
@@ -79,6 +115,7 @@ class StructureModel:
         """
         return StructureModel(self.structure.lumped(by))
 
+    @arguments(groups=GROUPS, m=RATIOS)
     def regions(
         self,
         groups: Mapping[str, Sequence[str] | NDArray[np.int64]] | None = None,
@@ -116,6 +153,7 @@ class StructureModel:
                 self._chosen[key] = choose_regions(structure, None if ratios is None else ratios[::-1])
             return self._chosen[key]
         nodes = [self._nodes(name, members) for name, members in groups.items()]
+        self._require_apart(dict(zip(groups, nodes, strict=True)))
         if len(nodes) < 2:
             raise StructureError("groups", "needs a slow and a fast group", 'such as {"slow": [], "fast": [...]}')
         return named_regions(structure, nodes[::-1], (ratios or [2] * (len(nodes) - 1))[::-1])
@@ -125,10 +163,21 @@ class StructureModel:
         if len(members) and isinstance(members[0], str):
             return np.unique([self.structure.place(str(name)) // self.structure.width for name in members])
         nodes = np.asarray(members, dtype=np.int64)
-        if len(nodes) and (nodes.min() < 0 or nodes.max() >= count):
-            raise StructureError(f"groups {group!r}", f"node {nodes.max()} of {count}", "count nodes from 0")
+        outside = nodes[(nodes < 0) | (nodes >= count)]
+        if len(outside):
+            raise StructureError(f"groups {group!r}", f"node {outside[0]} of {count}", "count nodes from 0")
         return nodes
 
+    def _require_apart(self, groups: Mapping[str, NDArray[np.int64]]) -> None:
+        """No node is named in two groups."""
+        owner: dict[int, str] = {}
+        for group, nodes in groups.items():
+            for node in nodes.tolist():
+                if owner.setdefault(node, group) != group:
+                    name = self.names[node * self.structure.width]
+                    raise StructureError("groups", f"{name} is in {owner[node]!r} and in {group!r}", "name it in one")
+
+    @arguments(t_end=ANY, m=RATIOS, groups=GROUPS, initial=VALUES, rates=VALUES, progress=FUNCTION)
     def simulate(
         self,
         t_end: float,
@@ -194,6 +243,7 @@ class StructureModel:
             outputs=outputs, samples=samples, fields=fields, error=error, rho_inf=rho_inf, progress=progress,
         )  # fmt: skip
 
+    @arguments(m=RATIOS, groups=GROUPS)
     def stability(
         self,
         dt: float | None = None,
@@ -211,6 +261,7 @@ class StructureModel:
         found = self.regions(groups, m)
         return growth(self.structure, found if dt is None else found.with_step(dt / found.fastest[-1]))
 
+    @arguments(folder=PLACE, note=FUNCTION)
     def report(
         self,
         t_end: float,
@@ -225,6 +276,7 @@ class StructureModel:
         """
         return report(self, t_end, folder, note, **motion)
 
+    @arguments()
     def modes(self, count: int = 6) -> tuple[Array, Array]:
         """The lowest frequencies w (count,) [rad/s] and shapes (n, count), M-orthonormal, by shift and invert."""
         s = self.structure
@@ -242,6 +294,7 @@ class StructureModel:
         order = np.argsort(values)
         return np.sqrt(np.maximum(values[order], 0.0)), shapes[:, order]
 
+    @arguments(force=VALUES)
     def static(self, force: Mapping[str, float] | Array) -> Array:
         """Displacements (n,) [m] under a constant force by name or (n,) [N]. Raises StructureError where K is
         singular.

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from runtime.contract.escapes import markdown
 from runtime.contract.files import replacing
 from runtime.structures.pictures import error_time_picture
 
@@ -116,7 +117,7 @@ def _error(run: StructureRun, right: StructureRun) -> float:
 def _write(found: StructureReport, folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     with replacing(folder / "methods.md") as temporary:
-        temporary.write_text(f"# {found.title}: methods\n\n{found}\n", encoding="utf-8")
+        temporary.write_text(f"# {markdown(found.title)}: methods\n\n{found}\n", encoding="utf-8")
     with replacing(folder / "methods.csv") as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(Row._fields)

@@ -13,6 +13,8 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from runtime.contract.arguments import NAMES, NUMBERS, PLACE, WHOLE, arguments
+from runtime.contract.errors import is_finite_number, shown_value
 from runtime.contract.files import replacing
 from runtime.contract.status import Status
 from runtime.structures.central_difference import CentralDifference
@@ -30,6 +32,8 @@ KEPT_BYTES = 20e6  # all coordinates are outputs below this
 SOME = 20  # outputs that nobody named
 ENERGIES = 200  # about so many times at which the energy is taken
 MOST_LEVELS = 12
+MOST_FIELDS = 10_000
+MOST_STEPS = 10**9  # major steps: hours for the smallest structure
 ORDER = 2  # of all three methods
 INACCURATE = 0.1
 TINY = 1e-300
@@ -138,24 +142,29 @@ class StructureRun:
         ratios = ", ".join(map(str, self.stats.get("m", [])))
         return f"{self.scheme}, {self.stats['dt']:.3g} s{f', m = {ratios}' if ratios else ''}"
 
+    @arguments(path=PLACE, names=NAMES)
     def plot(self, path: str | Path | None = None, names: Sequence[str] | None = None) -> Figure:
         """Displacements of `names` over time, and the energy; by default those that move most."""
         return motion_picture(self, names, path)
 
+    @arguments(path=PLACE, times=NUMBERS)
     def plot_fields(self, path: str | Path | None = None, times: Sequence[float] | None = None) -> Figure:
         """The deformed mesh at some times [s]; four by default."""
         return field_picture(self, times, path)
 
+    @arguments(path=PLACE)
     def plot_regions(self, path: str | Path | None = None) -> Figure:
         """The mesh coloured by how often its nodes step."""
         if self.regions is None:
             raise StructureError("plot_regions", f"{self.scheme} has one step for all", 'take scheme="printed"')
         return regions_picture(self.model.structure, self.regions, path)
 
+    @arguments()
     def to_vtk(self, path: str | Path) -> Path:
         """The kept fields as a time series for ParaView (XDMF), by meshio (extra `files`)."""
         return write_vtk(self, path)
 
+    @arguments()
     def save(self, path: str | Path) -> Path:
         """Times, outputs, fields and energies as an .npz file, which `numpy.load` reads."""
         with replacing(path) as temporary:
@@ -231,7 +240,12 @@ def simulate(
         checked_step(dt, min(*limits, model.step_limit) * regions.fastest[-1], "dt")
     else:
         checked_step(dt, np.inf, "dt")
+    if t_end / (dt or longest) > MOST_STEPS:
+        raise StructureError(
+            "t_end", f"{t_end:g} s are more than {MOST_STEPS:.0e} steps of {dt or longest:.3g} s", "lower it"
+        )
     first = ceil(t_end / (dt or longest) * (1 - 1e-12))
+    samples = min(samples, first)  # they are taken at steps
     plan = _planned(t_end, first, samples, fields, _chosen_outputs(model, outputs, samples))
 
     def level(refined: int, share: tuple[float, float]) -> _Level:
@@ -270,8 +284,8 @@ def _check_options(
 ) -> None:
     if scheme not in SCHEMES:
         raise StructureError("scheme", f"{scheme!r} does not step a structure", f"give one of {', '.join(SCHEMES)}")
-    if not (isinstance(t_end, int | float) and np.isfinite(t_end) and t_end > 0):
-        raise StructureError("t_end", f"{t_end!r} s", "give a positive time")
+    if not is_finite_number(t_end) or t_end <= 0:
+        raise StructureError("t_end", f"{shown_value(t_end)} s", "give a positive time")
     if tolerance is not None and not (np.isfinite(tolerance) and tolerance > 0):
         raise StructureError("tolerance", f"{tolerance!r}", "give a positive number, such as 1e-3")
     if error not in ("measured", "off"):
@@ -279,8 +293,10 @@ def _check_options(
     if error == "off" and tolerance is not None:
         raise StructureError("error", "a tolerance needs a measured error", 'leave error out, or give a step "dt"')
     for item, count, least in (("samples", samples, 1), ("fields", fields, 2)):
-        if not isinstance(count, int) or count < least:
-            raise StructureError(item, f"{count!r}", f"give a whole number from {least}")
+        if not WHOLE.holds(count) or count < least:
+            raise StructureError(item, shown_value(count), f"give a whole number from {least}")
+    if fields > MOST_FIELDS:
+        raise StructureError("fields", f"{fields} would take all memory", f"give at most {MOST_FIELDS}")
     if scheme != "printed" and (m is not None or groups is not None):
         raise StructureError("m and groups", f"{scheme} has one step for all", 'take scheme="printed"')
 

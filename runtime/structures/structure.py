@@ -12,7 +12,8 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from runtime.contract.errors import SymgenError
+from runtime.contract.arguments import NAMES, WHOLE
+from runtime.contract.errors import SymgenError, is_finite_number, shown_value
 
 Array: TypeAlias = NDArray[np.float64]
 Laws: TypeAlias = Callable[[Array], Array]  # times (k,) [s] to values (k, number of laws)
@@ -81,16 +82,12 @@ class LinearStructure:
     def __post_init__(self) -> None:
         K = _sparse(self.stiffness, "stiffness")
         n = K.shape[0]
-        names = [str(name) for name in self.coordinates] or [f"x{k}" for k in range(n)]
-        if len(names) != n:
-            raise StructureError("coordinates", f"{len(names)} names for {n} rows of K", "give one name a row")
-        if len(set(names)) < n:
-            twice = next(name for name in names if names.count(name) > 1)
-            raise StructureError("coordinates", f"'{twice}' is there twice", "rename one of them")
+        names = _checked_names(self.coordinates, n)
         object.__setattr__(self, "_names", names)
-        if self.width not in (1, 2, 3) or n % self.width:
-            problem = f"{self.width} coordinates a node do not divide {n} rows"
+        if not WHOLE.holds(self.width) or self.width not in (1, 2, 3) or n % self.width:
+            problem = f"{shown_value(self.width)} coordinates a node do not divide {n} rows"
             raise StructureError("width", problem, "give 1, 2 or 3, with all coordinates of a node side by side")
+        self._check_mesh(n // self.width)
         _check(K, "stiffness", names)
         if (where := np.flatnonzero(K.diagonal() < 0)).size:
             problem = f"the diagonal of {names[where[0]]} is {K.diagonal()[where[0]]:g}"
@@ -102,11 +99,31 @@ class LinearStructure:
             _sized(D.shape, (n, n), "damping")
             _check(D, "damping", names)
             object.__setattr__(self, "damping", D if D.nnz else None)
-        if not (np.isfinite(self.mass_damping) and self.mass_damping >= 0):
-            raise StructureError("mass_damping", f"{self.mass_damping!r} [1/s]", "give a number from 0")
+        if not is_finite_number(self.mass_damping) or self.mass_damping < 0:
+            raise StructureError("mass_damping", f"{shown_value(self.mass_damping)} [1/s]", "give a number from 0")
+
+    def _check_mesh(self, nodes: int) -> None:
+        """Points and cells of the pictures belong to the nodes."""
+        if self.points is not None:
+            points = _real(self.points, "points")
+            if points.ndim != 2 or points.shape[0] != nodes or points.shape[1] not in (2, 3):
+                raise StructureError("points", f"have shape {points.shape}", f"give ({nodes}, 2 or 3), a row a node")
+            if not np.all(np.isfinite(points)):
+                raise StructureError("points", "hold a number that is not finite", "check them")
+            object.__setattr__(self, "points", points)
+        if self.cells is not None:
+            cells = _real(self.cells, "cells")
+            if cells.ndim != 2 or cells.shape[1] < 2:
+                raise StructureError("cells", f"have shape {cells.shape}", "give the nodes of each cell in a row")
+            wrong = np.argwhere(~((cells >= 0) & (cells < nodes) & (cells == np.floor(cells))))
+            if len(wrong):
+                row, corner = wrong[0]
+                problem = f"cell {row} has node {cells[row, corner]:g} of {nodes}"
+                raise StructureError("cells", problem, "give whole numbers of nodes, counted from 0")
+            object.__setattr__(self, "cells", cells.astype(np.int64))
 
     def _checked_mass(self, n: int, names: list[str]) -> Any:
-        mass = self.mass if sp.issparse(self.mass) else np.asarray(self.mass, dtype=float)
+        mass = self.mass if sp.issparse(self.mass) else _real(self.mass, "mass")
         if not sp.issparse(mass) and mass.ndim == 1:
             _sized(mass.shape, (n,), "mass")
             lumped = mass
@@ -197,12 +214,41 @@ class LinearStructure:
         return values
 
 
+def _checked_names(given: Sequence[str], n: int) -> list[str]:
+    """What n coordinates are called, x0, x1, ... where nothing was given."""
+    if isinstance(given, str) or not NAMES.holds(names := list(given) if np.iterable(given) else given):
+        raise StructureError("coordinates", f"cannot be {shown_value(given)}", NAMES.wanted)
+    names = names or [f"x{k}" for k in range(n)]
+    if len(names) != n:
+        raise StructureError("coordinates", f"{len(names)} names for {n} rows of K", "give one name a row")
+    if len(set(names)) < n:
+        twice = next(name for name in names if names.count(name) > 1)
+        raise StructureError("coordinates", f"'{twice}' is there twice", "rename one of them")
+    return names
+
+
+def _real(numbers: Any, label: str) -> Array:
+    """An array of real numbers; raises StructureError for text, objects, truth values and complex numbers."""
+    try:
+        found = np.asarray(numbers)
+    except ValueError as error:  # rows of different lengths
+        raise StructureError(label, f"cannot be read: {error}", "give an array of numbers") from error
+    _require_real(found.dtype, label)
+    return found.astype(float)
+
+
+def _require_real(kind: np.dtype[Any], label: str) -> None:
+    if kind.kind not in "iuf":
+        raise StructureError(label, f"has entries of type {kind}", "give real numbers")
+
+
 def _sparse(matrix: Any, label: str) -> sp.csr_matrix:
     if not sp.issparse(matrix):
-        dense = np.asarray(matrix, dtype=float)
+        dense = _real(matrix, label)
         if dense.ndim != 2:
             raise StructureError(label, f"has shape {dense.shape}", "give a matrix, sparse or dense")
         matrix = dense
+    _require_real(matrix.dtype, label)
     found = sp.csr_matrix(matrix, dtype=float)
     if found.shape[0] != found.shape[1] or not found.shape[0]:
         raise StructureError(label, f"has shape {found.shape}", "give a square matrix")

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from symgen.schema.errors import SceneError, show
 from symgen.schema.expressions import parse_expression
+from symgen.schema.texts import refused_character
 
 if TYPE_CHECKING:
     from runtime.structures import StructureModel
@@ -52,6 +53,11 @@ class StructureScene:
         for key in self._fields:
             if key not in known:
                 raise SceneError(f"structure.{key}", "is not known", f"give some of {', '.join(known)}")
+        _require_line("name", name)
+        _require_line("title", title)
+        named = self._fields.get("coordinates", ())
+        for number, one in enumerate(named if isinstance(named, Sequence) and not isinstance(named, str) else ()):
+            _require_line(f"structure.coordinates[{number}]", one)
 
     def model(self) -> StructureModel:
         """The structure, ready to be simulated.
@@ -72,6 +78,12 @@ class StructureScene:
         data = dict(self._fields)
         lump = data.pop("lump", False)
         body, fixed = data.pop("body", None), data.pop("fixed", ())
+        if isinstance(fixed, str) or not isinstance(fixed, Sequence | np.ndarray):
+            raise SceneError(
+                "structure.fixed", f"cannot be {show(fixed)}", "give a list of interfaces and ids of nodes"
+            )
+        if body is None and len(fixed):
+            raise SceneError("structure.fixed", "belongs to a body", "leave out the rows that are held, or give a body")
         if body is not None:
             data = {**_of_body(body, fixed), **data}
         for needed in ("mass", "stiffness"):
@@ -81,11 +93,13 @@ class StructureScene:
             data.pop("damping", None), stiffness := _matrix(data["stiffness"], "stiffness")
         )
         structure = LinearStructure(
-            stiffness, _matrix(data["mass"], "mass"), damping, mass_damping, tuple(data.get("coordinates", ())),
+            stiffness, _matrix(data["mass"], "mass"), damping, mass_damping, data.get("coordinates", ()),
             width=data.get("width", 1), points=data.get("points"), cells=data.get("cells"), name=self.name,
             title=self._title,
         )  # fmt: skip
         loads, texts, laws = self._loads(data.get("force"), structure.names)
+        if not isinstance(lump, bool | str):
+            raise SceneError("structure.lump", f"cannot be {show(lump)}", 'give True, "row_sum" or "diagonal"')
         if lump and not structure.is_lumped:
             structure = structure.lumped("diagonal" if lump is True else lump)
         return StructureModel(structure.with_loads(loads, texts, laws))
@@ -118,6 +132,14 @@ class StructureScene:
         return loads, tuple(by_text), laws
 
 
+def _require_line(item: str, text: Any) -> None:
+    """Raises SceneError for what is no text of one line: it stands in pictures, reports and files."""
+    if not isinstance(text, str):
+        raise SceneError(item, f"cannot be {show(text)}", "give text")
+    if found := refused_character(text):
+        raise SceneError(item, *found)
+
+
 def _number(text: str) -> str | float:
     try:
         return float(text)
@@ -142,7 +164,12 @@ def _entries(force: Any, names: Sequence[str]) -> list[tuple[str, Array, Any]]:
     if len(force) and isinstance(force[0], tuple) and len(force[0]) == 2:
         found = []
         for number, (pattern, text) in enumerate(force):
-            shape = np.asarray(pattern, dtype=float)
+            try:
+                shape = np.asarray(pattern, dtype=float)
+            except (TypeError, ValueError) as error:
+                raise SceneError(
+                    f"structure.force[{number}]", f"the pattern is {show(pattern)}", f"give {n} numbers"
+                ) from error
             if shape.shape != (n,) or not np.all(np.isfinite(shape)):
                 raise SceneError(
                     f"structure.force[{number}]", f"the pattern has shape {shape.shape}", f"give {n} numbers"
@@ -162,7 +189,7 @@ def _matrix(source: Any, item: str) -> Any:
         return source
     try:
         return scipy.io.mmread(source)
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, OverflowError) as error:
         raise SceneError(
             f"structure.{item}", f"{source} cannot be read: {error}", "give a MatrixMarket file"
         ) from error
@@ -194,7 +221,7 @@ def _of_body(given: FlexibleBody | FEStructure, fixed: Sequence[str | int]) -> d
     for one in fixed:
         if isinstance(one, str) and one in interfaces:
             held[interfaces[one].places] = True
-        elif not isinstance(one, str) and int(one) in place:
+        elif isinstance(one, int | np.integer) and int(one) in place:
             held[place[int(one)]] = True
         else:
             remedy = f"give ids of nodes, or some of {', '.join(interfaces) or 'no interfaces'}"

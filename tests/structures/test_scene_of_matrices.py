@@ -9,6 +9,7 @@ import pytest
 import scipy.io
 import scipy.sparse as sp
 
+from runtime.contract.errors import ArgumentError
 from runtime.structures import StructureError, StructureModel
 from symgen import Scene, SceneError
 from symgen.scenes.plate import FORCE, PULSE, plate
@@ -165,3 +166,73 @@ def test_a_structure_of_matrices_has_no_bodies() -> None:
 def test_a_load_outside_its_domain_is_named_with_its_time() -> None:
     with pytest.raises(StructureError, match=r"load 'sqrt\(1 - t\)': is nan at t = 1\.\d+ s"):
         driven_bar(force={"n20": "sqrt(1 - t)"}).simulate(2.0)
+
+
+@pytest.mark.parametrize(
+    ("fields", "says"),
+    [
+        ({"mass": np.full(20, 1.0 + 1j)}, "mass: has entries of type complex128; give real numbers"),
+        ({"mass": np.full(20, True)}, "mass: has entries of type bool"),
+        ({"mass": object()}, "mass: has entries of type object"),
+        ({"stiffness": 1j * sp.eye(20, format="csr")}, "stiffness: has entries of type complex128"),
+        ({"points": np.zeros((3, 2))}, "points: have shape (3, 2); give (20, 2 or 3), a row a node"),
+        ({"points": np.full((20, 2), np.nan)}, "points: hold a number that is not finite"),
+        ({"cells": [[0, 1, 20]]}, "cells: cell 0 has node 20 of 20"),
+        ({"cells": [[0, 1, 2], [0, -1, 2]]}, "cells: cell 1 has node -1 of 20"),
+        ({"cells": [[0, 0.5, 2]]}, "cells: cell 0 has node 0.5 of 20"),
+        ({"cells": [[0, 1, 2], [0, 1]]}, "cells: cannot be read"),
+        ({"coordinates": list(range(20))}, "structure.coordinates[0]: cannot be 0; give text"),
+        ({"coordinates": ["a\nb", *map(str, range(19))]}, "structure.coordinates[0]: its character 2, U+000A"),
+        ({"coordinates": 3}, "coordinates: cannot be 3"),
+        ({"width": True}, "width: True coordinates a node"),
+        ({"lump": 3}, "structure.lump: cannot be 3"),
+        ({"fixed": [1]}, "structure.fixed: belongs to a body"),
+        ({"force": [("a", "1")]}, "structure.force[0]: the pattern is 'a'"),
+    ],
+)
+def test_data_of_a_wrong_kind_is_named(fields: dict, says: str) -> None:
+    K, M = bar(np.ones(20))
+    with pytest.raises((SceneError, StructureError)) as error:
+        Scene("bar").structure(**{"mass": M, "stiffness": K, **fields}).model()
+    assert says in str(error.value)
+
+
+def test_a_title_of_two_lines_is_refused_and_one_of_markdown_is_data(tmp_path) -> None:
+    K, M = bar(np.ones(4))
+    with pytest.raises(SceneError, match=r"title: its character 2, U\+000A"):
+        Scene("bar", title="a\nb").structure(mass=M, stiffness=K)
+    Scene("bar", title="<script>[x](y)").structure(mass=M, stiffness=K, force={"x3": "sin(t)"}).model().report(
+        0.5, tmp_path
+    )
+    assert "<script>" not in (tmp_path / "methods.md").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("call", "says"),
+    [
+        (lambda m: m.simulate(1.0, dt="x"), "dt: cannot be 'x'; give a finite number"),
+        (lambda m: m.simulate(1.0, dt=1e-300), "more than 1e+09 steps"),
+        (lambda m: m.simulate(10**400), "t_end: "),
+        (lambda m: m.simulate(1.0, m=2.5), "m: cannot be 2.5"),
+        (lambda m: m.simulate(1.0, groups=3), "groups: cannot be 3"),
+        (lambda m: m.simulate(1.0, groups={"a": ["n3"], "b": ["n3"]}), "groups: n3 is in 'a' and in 'b'"),
+        (lambda m: m.simulate(1.0, tolerance="x"), "tolerance: cannot be 'x'"),
+        (lambda m: m.simulate(1.0, fields=10**9), "fields: 1000000000 would take all memory; give at most 10000"),
+        (lambda m: m.simulate(1.0, initial={"n1": "a"}), "initial: cannot be {'n1': 'a'}"),
+        (lambda m: m.simulate(1.0, tend=1.0), "tend: simulate has no such argument; did you mean t_end?"),
+        (lambda m: m.simulate(1.0, scheme="generalized_alpha", rho_inf="x"), "rho_inf: cannot be 'x'"),
+        (lambda m: m.modes("x"), "count: cannot be 'x'"),
+        (lambda m: m.static(3), "force: cannot be 3"),
+        (lambda m: m.stability(points=-1), "points: stability has no such argument"),
+        (lambda m: m.simulate(1.0).save(3), "path: cannot be 3"),
+    ],
+)
+def test_arguments_of_a_wrong_kind_are_named(call, says: str) -> None:
+    with pytest.raises((ArgumentError, StructureError)) as error:
+        call(driven_bar())
+    assert says in str(error.value)
+
+
+def test_more_samples_than_steps_are_those_of_all_steps() -> None:
+    run = driven_bar().simulate(1.0, samples=10**12, error="off")
+    assert len(run.t) == run.stats["steps"] + 1
