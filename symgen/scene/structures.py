@@ -208,7 +208,7 @@ def _damping(given: Any, stiffness: Any) -> tuple[float, Any]:
     return float(given.get("mass", 0.0)), b * sp.csr_matrix(stiffness) if b else None
 
 
-def _of_body(given: FlexibleBody | FEStructure, fixed: Sequence[str | int]) -> dict[str, Any]:
+def _of_body(given: FlexibleBody | FEStructure, fixed: Sequence[str | int] | NDArray[np.int64]) -> dict[str, Any]:
     """Matrices and names of a solid body of symgen.fe without the nodes that are held: interfaces and ids."""
     body: Any = getattr(given, "structure", given)
     interfaces = getattr(given, "interfaces", {})
