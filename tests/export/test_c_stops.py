@@ -86,6 +86,15 @@ def travelling() -> Scene:
     return builder.prescribed_displacement("drive", "ground.origin", "cart.origin", motion="table('move', t)")
 
 
+def starting() -> Scene:
+    """A hook whose velocity begins from zero where its motion is switched on: nothing gives it an impulse."""
+    builder = Scene("starting").rigid("cart", mass=5.0, inertia=0.1).gravity(0, -9.81)
+    builder.rigid("load", mass=2.0, inertia=0.1, markers={"top": {"position": [0.0, 1.0]}})
+    builder.prismatic("rail", "ground.origin", "cart.origin").revolute("hinge", "cart.origin", "load.top")
+    motion = "where(t < 0.25, 0, (t - 0.25) * (t - 0.25))"
+    return builder.prescribed_displacement("drive", "ground.origin", "cart.origin", motion=motion)
+
+
 CASES = [  # scene, scheme, step, steps, how it ends
     (jumping, "rk4", 1e-3, 1500, 0),
     (jumping, "single_rate", 1e-3, 1500, 0),
@@ -95,6 +104,7 @@ CASES = [  # scene, scheme, step, steps, how it ends
     (between, "rk4", 0.05, 60, 0),
     (before_a_kink, "rk4", 0.3, 8, 0),
     (travelling, "rk4", 3e-3, 600, 0),
+    (starting, "rk4", 3e-3, 300, 0),
     (between, "single_rate", 0.05, 60, 0),
     (chattering, "rk4", 0.01, 100, 2),
     (humming, "single_rate", 0.01, 500, 0),

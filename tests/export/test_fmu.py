@@ -362,6 +362,12 @@ def test_descriptions_name_each_variable_once_with_a_known_unit(built_in: Load) 
         for key in ("name", "valueReference"):
             assert len({v.get(key) for v in variables}) == len(variables)
         units = {unit.get("name") for unit in root.iter("Unit")}
+        if fmi == 3:  # what others build it from: all of its sources, by the name that its library has
+            build = ElementTree.fromstring(fmu.fmu_texts(one, fmi)["sources/buildDescription.xml"])
+            named = {f"sources/{source.get('name')}" for source in build.iter("SourceFile")}
+            assert named == {name for name in fmu.fmu_texts(one, fmi) if name.endswith(".c")}
+            (whole,) = (own.get("modelIdentifier") for own in build.iter("BuildConfiguration"))
+            assert {own.get("modelIdentifier") for own in root.iter() if own.get("modelIdentifier")} == {whole}
         used = {e.get("unit") for e in root.iter() if e.get("unit")}
         assert used and used == units
         starts = {v.get("name"): v for v in variables if v.get("initial") == "exact"}

@@ -235,6 +235,25 @@ def test_gradients_of_what_repeats_are_those_of_differences(model_of: Build, duf
         assert slopes[name] == pytest.approx((values[0] - values[1]) / (2 * step), rel=1e-6)
 
 
+def test_a_gradient_is_of_the_motion_under_its_inputs(model_of: Build) -> None:
+    """x = u / k + X cos(2 t + phase), X^2 = 1 / ((k - 4)^2 + 4 c^2): the integral of x^2 over pi, and its slope."""
+    builder = Scene("pushed").parameter("k", 3.0, "N/m").parameter("c", 0.4, "N s/m").input("u", 0.0, "N")
+    builder.rigid("mass", mass=1.0, inertia=1.0).prismatic("rail", "ground.origin", "mass.origin")
+    builder.measure("x", "x", "mass.origin").force("f", "mass.origin", "u - k*x - c*x_dot + cos(2*t)", 0.0)
+    model = model_of(builder.simulation(t_end=10.0, dt=1e-2, scheme="single_rate").build())
+    found = periodic(model, period=np.pi, inputs={"u": 0.7}, steps=200, scheme="dop853")
+    slope, own = found.gradient(Integral("x", squared=True), ["k"]), (3.0 - 4.0) ** 2 + 4 * 0.4**2
+    assert slope.value == pytest.approx(np.pi * (0.49 / 9.0 + 0.5 / own), rel=1e-6)
+    assert slope["k"] == pytest.approx(np.pi * (-2 * 0.49 / 27.0 + 1.0 / own**2), rel=1e-6)
+
+
+def test_an_unstable_motion_is_known_as_well_as_a_stable_one(model_of: Build) -> None:
+    """x'' = 16 x + cos(2 t) has x = -cos(2 t) / 20; what is beside it grows by exp(4 pi) in a period."""
+    found = periodic(model_of(oscillator("falling", "16*x+cos(2*t)")), period=np.pi, tolerance=1e-9, scheme="dop853")
+    assert found.x == pytest.approx([-1 / 20, 0.0], abs=1e-10) and found.error.largest < 1e-9
+    assert found.floquet.largest == pytest.approx(np.exp(4 * np.pi), rel=1e-6) and found.stability == "unstable"
+
+
 def test_multiple_shooting_finds_what_single_shooting_finds(van_der_pol: Model) -> None:
     one = periodic(van_der_pol, period="free", steps=240, scheme="dop853")
     many = periodic(van_der_pol, period="free", steps=240, scheme="dop853", parts=4)

@@ -140,6 +140,17 @@ def test_friction_whose_coefficient_is_zero_holds_nothing(model_of: Build, angle
     assert (slides.mode[moving] == np.sign(slides.velocity[moving])).all() and not slides.force.any()
 
 
+@pytest.mark.parametrize("less", [1e-3, 1e-6, 1e-8])
+def test_what_comes_to_rest_under_nearly_its_bound_is_held(model_of: Build, less: float) -> None:
+    """From -4 m/s against 3 N and a pull of nearly 3 N: at rest after 2/3 s and 4/3 m, where friction can hold it."""
+    builder = Scene("nearly").ground().rigid("block", mass=1.0, inertia=0.1).rates({"block.x": -4.0})
+    builder.prismatic("rail", "ground.origin", "block.origin", friction={"coulomb": 3.0})
+    builder.force("pull", "block.origin", 3.0 - less, 0.0)
+    run = simulate(model_of(builder.simulation(t_end=50.0, dt=0.05, scheme="rk4").build()))
+    assert [event.time for event in run.events] == pytest.approx([4 / (6 - less)], abs=1e-9)
+    assert run["block.x"][-1] == pytest.approx(-8 / (6 - less), abs=1e-9) and run["block.x_dot"][-1] == 0.0
+
+
 @pytest.mark.parametrize("pull", [2.0, -2.0])
 def test_what_nothing_rubs_sets_out_without_a_change_of_mode(model_of: Build, pull: float) -> None:
     """1 kg pulled by 2 N from rest over a coefficient of zero: x = t^2, from the start in the mode of its way."""

@@ -175,6 +175,24 @@ def test_a_rod_upon_a_stop(model_of: Build, space: str) -> None:
     assert run.balance.largest < 1e-6 and run.error.largest < 1e-6
 
 
+@pytest.mark.parametrize("inertia, centre", [(0.1, 0.5), (0.37, 0.31), (1.3, 0.31)])
+def test_an_arm_upon_a_plastic_stop_does_the_same_at_any_speed(model_of: Build, inertia: float, centre: float) -> None:
+    """Without weight the way does not depend on the speed, and rounding at 1e6 rad/s is no motion of what rests."""
+    scene = Scene("whip").rigid("rod", mass=1.0, inertia=inertia, center_of_mass=(centre, 0.0),
+                                markers={"tip": {"position": (1.0, 0.0)}})  # fmt: skip
+    scene.rigid("arm", mass=0.7, inertia=0.1, center_of_mass=(centre, 0.1)).revolute("elbow", "rod.tip", "arm.origin")
+    scene.revolute("pin", "ground.origin", "rod.origin", limits={"lower": -1.0, "restitution": 0.0})
+    model, ends, told = model_of(scene.simulation(t_end=1.5, dt=0.01, scheme="rk4").build()), [], []
+    for w in (1.0, 1e4, 1e6):
+        start = {"rod.theta_dot": -w, "arm.theta_dot": -2.0 * w}
+        run = simulate(model, initial=start, t_end=1.5 / w, dt=0.01 / w, error="off")
+        told.append([(one.kind, round(one.time * w, 6)) for one in run.events])
+        ends.append(run.q[-1])
+        assert run.status.ok
+    assert told[0] == told[1] == told[2] and told[0][0][0] == "impact"
+    assert ends[1] == pytest.approx(ends[0], abs=1e-7) and ends[2] == pytest.approx(ends[0], abs=1e-7)
+
+
 def test_the_order_of_a_scheme_is_kept_across_impacts(model_of: Build) -> None:
     model = model_of(rod("planar", 0.6).build())
     ends = [simulate(model, t_end=1.2, dt=dt, error="off")["rod.theta"][-1] for dt in (0.02, 0.01, 0.005, 0.00125)]
