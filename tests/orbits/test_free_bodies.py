@@ -88,6 +88,29 @@ def test_an_engine_on_its_mount_repeats_as_the_end_of_a_long_run(shaken: Model) 
     assert np.abs(parts.floquet.multipliers) == pytest.approx(np.abs(found.floquet.multipliers), abs=1e-9)
 
 
+def test_a_body_far_from_upright_is_found_from_its_start_and_after_a_transient(model_of: Build) -> None:
+    """A block whose mount is turned by 2.5 rad: rotation vectors come near half a turn, whatever the phase."""
+    builder = Scene("turned", space="spatial").parameter("omega", 12.0, "rad/s")
+    mount = {"axis": [0.0, 0.0, 1.0], "x_axis": [float(np.cos(2.5)), float(np.sin(2.5)), 0.0]}
+    builder.ground(markers={"mount": mount})
+    foot = {"position": (0.1, 0.05, -0.2), "axis": [0.0, 0.0, 1.0], "x_axis": [1.0, 0.0, 0.0]}
+    markers = {"foot": foot, "side": {"axis": [1.0, 0.5, 0.2]}}
+    builder.rigid("block", mass=3.0, inertia=[0.2, 0.3, 0.4], free=True, markers=markers)
+    builder.bushing(
+        "mount", "ground.mount", "block.foot", stiffness=[2e3, 3e3, 4e3], damping=[30.0, 20.0, 10.0],
+        rotational_stiffness=[50.0, 60.0, 70.0], rotational_damping=[1.0, 2.0, 3.0],
+    )  # fmt: skip
+    builder.force("shake", "block.origin", "90*cos(omega*t)", 0.0, "5*sin(omega*t)")
+    builder.torque("twist", "block.side", "8*cos(omega*t)")
+    builder.initial({"block.e0": float(np.cos(1.25)), "block.e3": float(np.sin(1.25))})
+    model = model_of(builder.simulation(t_end=1.0, dt=1e-2, scheme="rk4").build())
+    for phase in range(4):
+        how = {"speed": "omega", "steps": 120, "scheme": "rk4", "t0": phase * np.pi / 24}
+        found = periodic(model, **how)
+        assert 2.0 < found.x[5] < np.pi
+        assert periodic(model, **how, settle=3).x == pytest.approx(found.x, abs=1e-9)
+
+
 def test_gradients_and_branches_of_free_bodies(shaken: Model) -> None:
     how = {"speed": "omega", "steps": 240, "scheme": "rk4"}
     found, of = periodic(shaken, **how), Integral("block.e3", squared=True)

@@ -42,6 +42,17 @@ def test_a_dip_between_the_places_of_a_long_step_is_told(model_of: Build) -> Non
         assert [event.time for event in run.events] == pytest.approx([middle - half, middle + half], rel=0, abs=1e-9)
 
 
+def test_steps_are_short_beside_what_events_look_at(model_of: Build) -> None:
+    """A mass at 1 m/s, which steps of any length follow: sin(60 x) passes zero every pi / 60 s, and none is longer."""
+    scene = Scene("passing").rigid("m", mass=1.0, inertia=0.1).prismatic("rail", "ground.origin", "m.origin")
+    scene.measure("x", "x", "m.origin").event("tick", "sin(60 * x)").rates({"m.x": 1.0})
+    model = model_of(scene.simulation(t_end=1.0, dt=0.01, scheme="dopri5").build())
+    how = {"scheme": "dopri5", "tolerance": 1e-6, "options": {"error_of": "step"}, "error": "off"}
+    run = simulate(model, **how, seen_every=0.01)
+    assert [event.time for event in run.events] == pytest.approx(np.arange(1, 20) * np.pi / 60, rel=0, abs=1e-9)
+    assert float(run.stats["largest_step"]) < np.pi / 60
+
+
 @pytest.mark.parametrize("scheme", ["rk4", "exponential", "dopri5"])
 def test_an_event_that_is_over_before_a_load_kinks_in_the_same_step(model_of: Build, scheme: str) -> None:
     """cos(20 t + 1.2) falls and rises again before a wall is met, in one step: a raw ValueError. The event is at
