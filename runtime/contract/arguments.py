@@ -144,7 +144,12 @@ def arguments(**kinds: Kind) -> Callable[[Callable[P, R]], Callable[P, R]]:
                 if name not in named:
                     what = known[name].wanted if name in known else f"{title} wants {', '.join(wanted[1:] or wanted)}"
                     raise ArgumentError(name, f"is missing in {title}", what)
-            return function(*values, **named)
+            try:
+                return function(*values, **named)
+            except OverflowError as error:  # Python's integers know no bound
+                raise ArgumentError(
+                    title, f"was given a number that is too large: {error}", "give smaller ones"
+                ) from error
 
         return called
 
