@@ -153,9 +153,10 @@ def test_a_coefficient_beyond_its_bound_is_refused_by_name(model_of: Build) -> N
 
 def test_what_knows_no_reactions_says_so(model_of: Build) -> None:
     model = model_of(pendulum("planar", 0.3).build())
-    for ask in (model.equilibrium, lambda: model.mass_matrix([0.5]), lambda: exported(model)):
+    for ask in (model.equilibrium, lambda: model.coriolis([0.5], [1.0]), lambda: exported(model)):
         with pytest.raises(ModelError, match=r"pin\.friction of model pendulum: follows from reactions by mu, which"):
             ask()
+    assert model.mass_matrix([0.5]) == pytest.approx(0.1 + 0.5**2, rel=1e-14)  # by hand: friction is no part of M
 
 
 @pytest.mark.parametrize(
