@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 import time
+from typing import Any
 
 from benchmarks.cases.hard_steps import MOST, TOLERANCE, reference_of
 from benchmarks.harness.fewest import Timed, fewest
@@ -116,7 +117,7 @@ LOADS = {"hub_square": "where(sin(w * t) > 0, torque, 0)", "hub_sine": "torque *
 
 def hub_under(name: str, load: str) -> SceneRecord:
     """The hub with a beam of the hard suite under another torque."""
-    section = {"area": 7.2968e-5, "second_moment": 8.2189e-9, "youngs_modulus": 6.8952e10}
+    section: dict[str, Any] = {"area": 7.2968e-5, "second_moment": 8.2189e-9, "youngs_modulus": 6.8952e10}
     shapes = {"ends": "clamped-free", "modes": 3}
     builder = Scene(name).parameter("torque", 10.0, "N m").parameter("w", WAVE, "rad/s")
     builder.rigid("hub", mass=1.0, inertia=10.0)

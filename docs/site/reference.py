@@ -3,9 +3,11 @@
 TOPICS: dict[str, list[str]] = {
     "Scenes and code": [
         "symgen.mechanism.builder.Scene",
+        "symgen.mechanism.entries.SceneEntries",
         "symgen.mechanism.scene.SceneRecord",
         "symgen.schema.errors.SceneError",
         "symgen.derivation.generate",
+        "symgen.urdf.scene.read",
         "symgen.fe.body.FlexibleBody",
         "symgen.fe.matrix_files.read_matrix",
         "symgen.fe.matrix_files.read_dof_map",

@@ -7,12 +7,12 @@ of joints are relative to the body that carries the joint, so that carriers whic
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from symgen.joints.backlash import Backlash
 from symgen.joints.joint import Surroundings
 from symgen.loads.effort import coordinate_faults
-from symgen.schema.fields import Fault, Name, StrictModel
+from symgen.schema.fields import Fault, Name, StrictModel, about
 
 Read = Callable[[str], Any]  # SX of a quantity of the coupling by its field
 
@@ -26,7 +26,9 @@ class Coupling(StrictModel):
     """
 
     name: Name
-    backlash: Backlash | None = None
+    backlash: Annotated[
+        Backlash | None, about("play between the two sides: no force within the gap, a spring and damper beyond")
+    ] = None
     if TYPE_CHECKING:
         type: Any  # of each file: its name in scenes
 

@@ -5,16 +5,16 @@ from __future__ import annotations
 from typing import Annotated, Any, Literal
 
 from symgen.couplings.coupling import Coupling, Read
-from symgen.schema.fields import Coordinate, Meaning, Quantity
+from symgen.schema.fields import Coordinate, Meaning, Quantity, about
 
 
 class Differential(Coupling):
     """A differential: input angle = ratio (angle a + angle b) / 2, with equal torques on a and b."""
 
     type: Literal["differential"] = "differential"
-    input: Coordinate
-    output_a: Coordinate
-    output_b: Coordinate
+    input: Annotated[Coordinate, about('angle of the input, `"joint.angle"`')]
+    output_a: Annotated[Coordinate, about('angle of output a, `"joint.angle"`')]
+    output_b: Annotated[Coordinate, about('angle of output b, `"joint.angle"`')]
     ratio: Annotated[Quantity, Meaning("turns of the input for a turn of both outputs")] = 1.0
 
     coordinates = ("input", "output_a", "output_b")

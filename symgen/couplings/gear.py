@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Any, Literal
 
 from symgen.couplings.coupling import Coupling, Read
-from symgen.schema.fields import Coordinate, Meaning, Quantity
+from symgen.schema.fields import Coordinate, Meaning, Quantity, about
 
 
 class Gear(Coupling):
@@ -15,8 +15,8 @@ class Gear(Coupling):
     """
 
     type: Literal["gear"] = "gear"
-    coordinate_a: Coordinate
-    coordinate_b: Coordinate
+    coordinate_a: Annotated[Coordinate, about('angle of wheel a, `"joint.angle"`')]
+    coordinate_b: Annotated[Coordinate, about('angle of wheel b, `"joint.angle"`')]
     ratio: Annotated[Quantity, Meaning("turns of a for a turn of b")]
 
     kinds = {"coordinate_a": "angle", "coordinate_b": "angle"}

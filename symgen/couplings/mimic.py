@@ -5,15 +5,15 @@ from __future__ import annotations
 from typing import Annotated, Any, Literal
 
 from symgen.couplings.coupling import Coupling, Read
-from symgen.schema.fields import Coordinate, Meaning, Quantity
+from symgen.schema.fields import Coordinate, Meaning, Quantity, about
 
 
 class Mimic(Coupling):
     """Ties a coordinate to another one: coordinate = multiplier times that + offset [rad or m]."""
 
     type: Literal["mimic"] = "mimic"
-    coordinate: Coordinate
-    follows: Coordinate
+    coordinate: Annotated[Coordinate, about('coordinate that is tied, `"joint.angle"` or `"joint.travel"`')]
+    follows: Annotated[Coordinate, about("coordinate of the same kind that it follows")]
     multiplier: Annotated[Quantity, Meaning("what the coordinate does for a unit of the one that it follows")] = 1.0
     offset: Annotated[Quantity, Meaning("value where the one that it follows is zero", "rad or m")] = 0.0
 

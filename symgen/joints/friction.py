@@ -18,6 +18,10 @@ class Friction(StrictModel):
     given, in place of mu; what falls is the coefficient.
     """
 
+    references = (
+        "B. Armstrong-Helouvry, P. Dupont, C. Canudas de Wit, A survey of models, analysis tools and compensation "
+        "methods for the control of machines with friction, Automatica 30 (1994) 1083-1138.",
+    )
     example: ClassVar[str] = "friction = {coulomb = 40}"
 
     coulomb: Annotated[Quantity | None, Meaning("friction of fast sliding", FORCE, Bound.NON_NEGATIVE)] = None

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple,
 from runtime.contract.records import ConstraintKind, CoordinateKind, JointDrawing
 from symgen.joints.friction import Friction
 from symgen.schema.errors import did_you_mean
-from symgen.schema.fields import SPATIAL, Bound, Fault, MarkerRef, Meaning, Name, Quantity, StrictModel
+from symgen.schema.fields import SPATIAL, Bound, Fault, MarkerRef, Meaning, Name, Quantity, StrictModel, about
 
 X, Y, Z = 0, 1, 2
 
@@ -150,8 +150,8 @@ class Joint(StrictModel):
     """
 
     name: Name
-    marker_a: MarkerRef
-    marker_b: MarkerRef
+    marker_a: Annotated[MarkerRef, about('marker a, `"body.marker"`')]
+    marker_b: Annotated[MarkerRef, about('marker b, `"body.marker"`')]
     if TYPE_CHECKING:
         type: Any  # of each file: its name in scenes
 

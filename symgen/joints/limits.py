@@ -19,6 +19,10 @@ class Limits(StrictModel):
     pulls; stiffness k [N/m^n or N m/rad^n], damping D [s/m or s/rad], exponent n, from 1 to 5, 1 unless given.
     """
 
+    references = (
+        "K. H. Hunt, F. R. E. Crossley, Coefficient of restitution interpreted as damping in vibroimpact, "
+        "J. Appl. Mech. 42 (1975) 440-445.",
+    )
     example: ClassVar[str] = "limits = {lower = -0.3, upper = 0.3, restitution = 0.5}"
 
     lower: Annotated[Quantity | None, Meaning("lower end of the way", "m or rad")] = None

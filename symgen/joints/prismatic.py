@@ -8,7 +8,7 @@ from symgen.joints.backlash import Backlash
 from symgen.joints.friction import Friction
 from symgen.joints.joint import ALIGNED, Equation, InPlane, Joint, Motor, Slide, Z
 from symgen.joints.limits import Limits
-from symgen.schema.fields import Bound, Meaning, Quantity
+from symgen.schema.fields import Bound, Meaning, Quantity, about
 
 
 class PrismaticJoint(Joint):
@@ -16,10 +16,14 @@ class PrismaticJoint(Joint):
 
     type: Literal["prismatic"] = "prismatic"
     damping: Annotated[Quantity, Meaning("damping of the sliding", "N s/m", Bound.NON_NEGATIVE)] = 0.0
-    motor: Motor | None = None
-    limits: Limits | None = None
-    backlash: Backlash | None = None
-    friction: Friction | None = None
+    motor: Annotated[Motor | None, about("rotor that the joint carries on the body of marker a, about its axis")] = None
+    limits: Annotated[Limits | None, about("stops at the ends of the free motion, rigid or compliant")] = None
+    backlash: Annotated[
+        Backlash | None, about("play of the free motion: no force within the gap, a spring and damper beyond")
+    ] = None
+    friction: Annotated[
+        Friction | None, about("friction of the free motion (Coulomb, Stribeck, viscous), which sticks at rest")
+    ] = None
 
     equation = "n_a . (r_b - r_a) = 0, phi_b - phi_a = 0"
     points = "on_axis"

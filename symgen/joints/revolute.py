@@ -8,7 +8,7 @@ from symgen.joints.backlash import Backlash
 from symgen.joints.friction import Friction
 from symgen.joints.joint import PARALLEL, Equation, InPlane, Joint, Motor, Turn, Z
 from symgen.joints.limits import Limits
-from symgen.schema.fields import Bound, Meaning, Quantity
+from symgen.schema.fields import Bound, Meaning, Quantity, about
 
 
 class RevoluteJoint(Joint):
@@ -19,10 +19,14 @@ class RevoluteJoint(Joint):
 
     type: Literal["revolute"] = "revolute"
     damping: Annotated[Quantity, Meaning("damping of the rotation", "N m s/rad", Bound.NON_NEGATIVE)] = 0.0
-    motor: Motor | None = None
-    limits: Limits | None = None
-    backlash: Backlash | None = None
-    friction: Friction | None = None
+    motor: Annotated[Motor | None, about("rotor that the joint carries on the body of marker a, about its axis")] = None
+    limits: Annotated[Limits | None, about("stops at the ends of the free motion, rigid or compliant")] = None
+    backlash: Annotated[
+        Backlash | None, about("play of the free motion: no force within the gap, a spring and damper beyond")
+    ] = None
+    friction: Annotated[
+        Friction | None, about("friction of the free motion (Coulomb, Stribeck, viscous), which sticks at rest")
+    ] = None
 
     equation = "r_b - r_a = 0"
     points = "together"

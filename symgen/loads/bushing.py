@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 
 from symgen.joints.joint import Surroundings
 from symgen.loads.load import Acting, Load, LoadEffect
-from symgen.schema.fields import Bound, Fault, MarkerRef, Meaning, Quantity
+from symgen.schema.fields import Bound, Fault, MarkerRef, Meaning, Quantity, about
 
 TRIPLES = ("stiffness", "damping", "rotational_stiffness", "rotational_damping")
 
@@ -19,8 +19,8 @@ class Bushing(Load):
     """
 
     type: Literal["bushing"] = "bushing"
-    marker_a: MarkerRef
-    marker_b: MarkerRef
+    marker_a: Annotated[MarkerRef, about('marker a, `"body.marker"`; its axes are those of the bushing')]
+    marker_b: Annotated[MarkerRef, about('marker b, `"body.marker"`')]
     stiffness: Annotated[
         tuple[Quantity, ...], Meaning("stiffness along x, y, z", "N/m", Bound.NON_NEGATIVE)
     ] = (0.0, 0.0, 0.0)  # fmt: skip

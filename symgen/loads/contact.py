@@ -9,7 +9,7 @@ from pydantic import Field
 
 from symgen.joints.joint import Surroundings
 from symgen.loads.load import Acting, Load, LoadEffect, Vector
-from symgen.schema.fields import Bound, Fault, MarkerRef, Meaning, Number, Quantity
+from symgen.schema.fields import Bound, Fault, MarkerRef, Meaning, Number, Quantity, about
 
 SMALLEST = 1e-24  # m2: centres nearer than that push nowhere
 
@@ -22,15 +22,21 @@ class Contact(Load):
     -friction N v_t / sqrt(v_t^2 + slip_speed^2) of the points that touch: it is smooth and creeps, and holds nothing.
     """
 
+    references = (
+        "K. H. Hunt, F. R. E. Crossley, Coefficient of restitution interpreted as damping in vibroimpact, "
+        "J. Appl. Mech. 42 (1975) 440-445.",
+    )
     type: Literal["contact"] = "contact"
-    marker: MarkerRef
+    marker: Annotated[MarkerRef, about('centre of the ball, `"body.marker"`')]
     radius: Annotated[Quantity, Meaning("radius of the ball", "m", Bound.NON_NEGATIVE)]
-    plane: MarkerRef | None = None
-    other: MarkerRef | None = None
+    plane: Annotated[MarkerRef | None, about("marker of the plane that the ball meets; this or `other`")] = None
+    other: Annotated[MarkerRef | None, about("centre of another ball that it meets; this or `plane`")] = None
     other_radius: Annotated[Quantity, Meaning("radius of the other ball", "m", Bound.NON_NEGATIVE)] = 0.0
     stiffness: Annotated[Quantity, Meaning("stiffness of the contact", "N/m^n", Bound.POSITIVE)]
     damping: Annotated[Quantity, Meaning("damping of the contact", "s/m", Bound.NON_NEGATIVE)] = 0.0
-    exponent: Annotated[Number, Field(ge=1, le=5)] = 1.0
+    exponent: Annotated[
+        Number, Field(ge=1, le=5), about("exponent n of the force [1], from 1 (linear) to 5; 1.5 of Hertz")
+    ] = 1.0
     friction: Annotated[Quantity, Meaning("coefficient of friction", "1", Bound.NON_NEGATIVE)] = 0.0
     slip_speed: Annotated[Quantity, Meaning("speed at which friction is 0.7 of its value", "m/s", Bound.POSITIVE)] = (
         1e-3

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 
 from symgen.joints.joint import Surroundings, beam_faults
 from symgen.loads.load import Acting, Load, LoadEffect, Row
-from symgen.schema.fields import Fault, Meaning, Name, Number, Quantity, Scope, components_fault
+from symgen.schema.fields import Fault, Meaning, Name, Number, Quantity, Scope, about, components_fault
 
 
 class Distributed(Load):
@@ -18,11 +18,14 @@ class Distributed(Load):
     """
 
     type: Literal["distributed"] = "distributed"
-    beam: Name
+    beam: Annotated[Name, about("name of the beam")]
     components: Annotated[tuple[Quantity, ...], Meaning("force per length", "N/m", scope=Scope.PLACE)]
-    frame: Literal["world", "body", "section"] = "world"
-    start: Number = 0.0
-    end: Number = 1.0
+    frame: Annotated[
+        Literal["world", "body", "section"],
+        about("axes of the components: the world's, the beam's frame, or those of each section, as a pressure has"),
+    ] = "world"
+    start: Annotated[Number, about("where it begins, as a fraction of the length [1]")] = 0.0
+    end: Annotated[Number, about("where it ends, as a fraction of the length [1]")] = 1.0
 
     carries = "force"
 

@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 from symgen.joints.joint import Surroundings, Turn
 from symgen.loads.load import Acting, Load, LoadEffect, on
 from symgen.schema.errors import did_you_mean
-from symgen.schema.fields import Coordinate, Fault, Meaning, Quantity, Scope
+from symgen.schema.fields import Coordinate, Fault, Meaning, Quantity, Scope, about
 
 
 class Effort(Load):
@@ -19,7 +19,9 @@ class Effort(Load):
     """
 
     type: Literal["effort"] = "effort"
-    coordinate: Coordinate
+    coordinate: Annotated[
+        Coordinate, about('coordinate of a joint that it drives, `"joint.angle"` or `"joint.travel"`')
+    ]
     value: Annotated[Quantity, Meaning("torque or force", "N m or N", scope=Scope.MEASURES)]
 
     def effect(self, m: Acting) -> LoadEffect:

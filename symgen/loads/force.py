@@ -7,16 +7,16 @@ from typing import Annotated, Literal
 
 from symgen.joints.joint import Surroundings
 from symgen.loads.load import Acting, Load, LoadEffect
-from symgen.schema.fields import Fault, MarkerRef, Meaning, Quantity, Scope, components_fault
+from symgen.schema.fields import Fault, MarkerRef, Meaning, Quantity, Scope, about, components_fault
 
 
 class Force(Load):
     """A force at a marker; components [N] along the world's axes or the body's."""
 
     type: Literal["force"] = "force"
-    marker: MarkerRef
+    marker: Annotated[MarkerRef, about('marker where it acts, `"body.marker"`')]
     components: Annotated[tuple[Quantity, ...], Meaning("force, (x, y) or (x, y, z)", "N", scope=Scope.MEASURES)]
-    frame: Literal["world", "body"] = "world"
+    frame: Annotated[Literal["world", "body"], about("axes of the components: the world's or the body's")] = "world"
 
     carries = "force"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Literal
 
 from symgen.loads.load import Acting, Load, LoadEffect
-from symgen.schema.fields import MarkerRef, Meaning, Quantity, Scope
+from symgen.schema.fields import MarkerRef, Meaning, Quantity, Scope, about
 
 SMALLEST = 1e-24  # m2: points nearer than that have met, and pull nowhere
 
@@ -17,8 +17,8 @@ class Line(Load):
     """
 
     type: Literal["line"] = "line"
-    marker_a: MarkerRef
-    marker_b: MarkerRef
+    marker_a: Annotated[MarkerRef, about('marker a, `"body.marker"`')]
+    marker_b: Annotated[MarkerRef, about('marker b, `"body.marker"`')]
     value: Annotated[Quantity, Meaning("force that pulls the markers together", "N", scope=Scope.LINE)]
 
     carries = "force"

@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 from symgen.joints.joint import Surroundings, beam_faults
 from symgen.loads.load import Acting, Load, LoadEffect
-from symgen.schema.fields import Fault, Meaning, Name, Quantity, Scope, components_fault
+from symgen.schema.fields import Fault, Meaning, Name, Quantity, Scope, about, components_fault
 
 
 class MovingForce(Load):
@@ -17,10 +17,12 @@ class MovingForce(Load):
     """
 
     type: Literal["moving_force"] = "moving_force"
-    beam: Name
+    beam: Annotated[Name, about("name of the beam")]
     place: Annotated[Quantity, Meaning("place on the beam, from its start", "m", scope=Scope.MEASURES)]
     components: Annotated[tuple[Quantity, ...], Meaning("force, (x, y) or (x, y, z)", "N", scope=Scope.MEASURES)]
-    frame: Literal["world", "section"] = "world"
+    frame: Annotated[
+        Literal["world", "section"], about("axes of the components: the world's, or those of the section where it is")
+    ] = "world"
 
     carries = "force"
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Annotated, Literal
 
 from symgen.loads.load import Acting, LinearSpring, Load, LoadEffect, on
-from symgen.schema.fields import Bound, MarkerRef, Meaning, Quantity
+from symgen.schema.fields import Bound, MarkerRef, Meaning, Quantity, about
 
 
 class RotationalSpringDamper(Load):
@@ -16,8 +16,8 @@ class RotationalSpringDamper(Load):
     """
 
     type: Literal["rotational_spring_damper"] = "rotational_spring_damper"
-    marker_a: MarkerRef
-    marker_b: MarkerRef
+    marker_a: Annotated[MarkerRef, about('marker a, `"body.marker"`')]
+    marker_b: Annotated[MarkerRef, about('marker b, `"body.marker"`')]
     stiffness: Annotated[Quantity, Meaning("stiffness", "N m/rad", Bound.NON_NEGATIVE)]
     damping: Annotated[Quantity, Meaning("damping", "N m s/rad", Bound.NON_NEGATIVE)] = 0.0
     free_angle: Annotated[Quantity, Meaning("angle without torque", "rad")] = 0.0

@@ -5,15 +5,15 @@ from __future__ import annotations
 from typing import Annotated, Literal
 
 from symgen.loads.load import Acting, Load, LoadEffect
-from symgen.schema.fields import Bound, MarkerRef, Meaning, Quantity
+from symgen.schema.fields import Bound, MarkerRef, Meaning, Quantity, about
 
 
 class SpringDamper(Load):
     """A spring and damper along the line between two markers."""
 
     type: Literal["spring_damper"] = "spring_damper"
-    marker_a: MarkerRef
-    marker_b: MarkerRef
+    marker_a: Annotated[MarkerRef, about('marker a, `"body.marker"`')]
+    marker_b: Annotated[MarkerRef, about('marker b, `"body.marker"`')]
     stiffness: Annotated[Quantity, Meaning("stiffness", "N/m", Bound.NON_NEGATIVE)]
     damping: Annotated[Quantity, Meaning("damping", "N s/m", Bound.NON_NEGATIVE)] = 0.0
     free_length: Annotated[Quantity, Meaning("length without force", "m", Bound.NON_NEGATIVE)] = 0.0

@@ -5,16 +5,16 @@ from __future__ import annotations
 from typing import Annotated, Literal
 
 from symgen.loads.load import Acting, Load, LoadEffect
-from symgen.schema.fields import MarkerRef, Meaning, Quantity, Scope
+from symgen.schema.fields import MarkerRef, Meaning, Quantity, Scope, about
 
 
 class Torque(Load):
     """A torque [N m] about a marker's z-axis, counter-clockwise; its opposite acts at ``reaction`` if given."""
 
     type: Literal["torque"] = "torque"
-    marker: MarkerRef
+    marker: Annotated[MarkerRef, about('marker about whose z-axis it acts, `"body.marker"`')]
     value: Annotated[Quantity, Meaning("torque", "N m", scope=Scope.MEASURES)]
-    reaction: MarkerRef | None = None
+    reaction: Annotated[MarkerRef | None, about("marker at which the opposite torque acts")] = None
 
     carries = "moment"
 

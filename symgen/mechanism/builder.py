@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from inspect import Parameter, Signature, cleandoc
+from functools import cache, partial
+from inspect import Parameter, Signature
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self, get_args, overload
 
 import numpy as np
 
 from runtime.contract.arguments import PLACE
+from runtime.contract.lazy_method import LazyMethod
 from symgen.couplings import COUPLINGS
 from symgen.joints import JOINTS
 from symgen.loads import LOADS
+from symgen.mechanism.entry_docs import entry_doc
 from symgen.mechanism.scene import SceneRecord
 from symgen.scene.bodies import BeamBody, GroundBody, RigidBody
 from symgen.scene.flexible import ModalBody, SpatialModalBody, Structure
@@ -23,57 +26,151 @@ from symgen.scene.surfaces import SurfaceTable
 from symgen.scene.tables import CurveTable, read_points
 from symgen.scene.translate import item_path
 from symgen.schema.errors import SceneError, did_you_mean, show
-from symgen.schema.fields import Meaning, StrictModel
+from symgen.schema.fields import StrictModel
 
 if TYPE_CHECKING:
     from runtime.model import Model
     from symgen.fe import FEStructure, FlexibleBody
+    from symgen.mechanism.entries import SceneEntries
     from symgen.scene.structures import MatrixData, StructureScene
+else:
+    SceneEntries = object
 
 MAX_NESTING = 20
 SYMBOLIC_AT_MOST = 60  # coordinates of a structure of dense numbers that is still written out as equations
 
 
-class Scene:
+class Scene(SceneEntries):
     """A mechanism to be written down: each method adds an entry and returns the scene; `model()` derives it.
 
         Scene("arm").rigid("rod", mass=1.0, inertia=0.1).revolute("hinge", "ground.origin", "rod.origin").model()
 
-    Each type of body, joint, coupling and load has a method of its name; `help(Scene.revolute)` lists its fields.
+    Each type of body, joint, coupling and load has a method of its name; `help(Scene.revolute)` lists its parameters.
     Values are in SI units: numbers, expressions in quotes, lists or NumPy arrays. A wrong keyword, type or name raises
     SceneError at the call; values are checked by `build`, which `model` calls: it raises SceneError with the item, the
     problem and the remedy.
     """
 
     def __init__(self, name: str, **fields: Any) -> None:
-        """An empty scene. fields: title, description, space ("planar" by default, or "spatial")."""
+        """Begin an empty scene.
+
+        Parameters
+        ----------
+        name : str
+            Name of the scene and of its model: letters, digits and underscores.
+        **fields
+            title, description : str, for pages; space : {"planar", "spatial"}, "planar" if left out.
+
+        Raises
+        ------
+        SceneError
+            For an unknown keyword; in `build` for wrong values.
+        """
         _require_known("scene", SceneRecord, fields)
         self._data: dict[str, Any] = {"name": name, **_plain(fields, "scene")}
 
     @classmethod
     def from_toml(cls, path: str | Path) -> Scene:
-        """Read a scene from a TOML file; entries can be added. Raises SceneError."""
+        """Read a scene from a TOML file; entries can be added.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file; matrices, tables and meshes that it names are read from beside it.
+
+        Returns
+        -------
+        Scene
+            A builder that holds the entries of the file.
+
+        Raises
+        ------
+        SceneError
+            For a file that cannot be read, and for what is wrong in it.
+        """
         _require_path(path)
         found = cls("")
         found._data = SceneRecord.from_toml(path).to_dict()
         return found
 
     def parameter(self, name: str, default: float, unit: str = "", description: str = "") -> Self:
-        """Declare a number that runs can change by name, without a new derivation; expressions may use it."""
+        """Declare a number that runs can change by name, without a new derivation; expressions may use it.
+
+        Parameters
+        ----------
+        name : str
+            Name by which expressions, results and messages refer to it.
+        default : float
+            Its value [unit] where a run gives none.
+        unit : str, optional
+            Its unit, for pages and reports.
+        description : str, optional
+            What it is, for pages and reports.
+
+        Returns
+        -------
+        Scene
+            The scene itself, so that calls can follow one another.
+
+        Raises
+        ------
+        SceneError
+            For a name that is no text or declared twice, or an unknown keyword; in `build` for wrong values.
+        """
         return self._declare("parameters", name, {"default": default, "unit": unit, "description": description})
 
     def input(self, name: str, default: float = 0.0, unit: str = "", description: str = "", **fields: Any) -> Self:
         """Declare a value that comes from outside during a run.
 
-        rates: it comes with `<name>_dot` and `<name>_ddot`; filter [rad/s]: the name stands for the filtered value.
+        Parameters
+        ----------
+        name : str
+            Name by which expressions, results and messages refer to it.
+        default : float
+            Its value [unit] where a run gives none.
+        unit : str, optional
+            Its unit, for pages and reports.
+        description : str, optional
+            What it is, for pages and reports.
+        **fields
+            rates : bool, whether it comes with `<name>_dot` and `<name>_ddot`, as prescribed motions need; filter :
+            float [rad/s], bandwidth of a filter of second order, for whose value and rates the name then stands.
+
+        Returns
+        -------
+        Scene
+            The scene itself, so that calls can follow one another.
+
+        Raises
+        ------
+        SceneError
+            For a name that is no text or declared twice, or an unknown keyword; in `build` for wrong values.
         """
         return self._declare("inputs", name, {"default": default, "unit": unit, "description": description, **fields})
 
     def table(self, name: str, **fields: Any) -> Self:
-        """Declare a table for expressions: a curve through x and y (n,), a surface z over a grid, or a CSV file.
+        """Declare a table for expressions, `name(x)` or `name(x, y)`: a curve, a surface over a grid, or a CSV file.
 
-        interpolation: "linear", "cubic", "monotone"; outside: "hold", "extend"; integrated: 1 or 2; file, columns: of a
-        CSV, which is read now. Raises SceneError for a file that cannot be read.
+        Parameters
+        ----------
+        name : str
+            Name by which expressions, results and messages refer to it.
+        **fields
+            x, y : array_like, shape (n,), points of a curve; of a surface x (n,), y (k,) and z (n, k).
+            interpolation : {"linear", "cubic", "monotone"}; outside : {"hold", "extend"}, beyond the ends;
+            integrated : {0, 1, 2}, how often the curve is integrated; file : path of a CSV file, which is read now;
+            columns : its two columns, (0, 1) if left out; description : str.
+
+        Returns
+        -------
+        Scene
+            The scene itself, so that calls can follow one another.
+
+        Raises
+        ------
+        SceneError
+            For a file that cannot be read, a name that is no text or declared twice, an unknown keyword; in
+            `build` for wrong values.
         """
         if "file" in fields:
             path, columns = fields.pop("file"), fields.pop("columns", (0, 1))
@@ -81,51 +178,219 @@ class Scene:
         return self._declare("tables", name, fields)
 
     def event(self, name: str, when: float | str, **fields: Any) -> Self:
-        """Declare an event where the expression `when` passes zero.
+        """Declare an event where the expression `when` passes zero; runs find its time.
 
-        direction: "rising", "falling", "either"; terminal: the run ends; action: new values of inputs and parameters;
-        cool_down [s]: not looked for again.
+        Parameters
+        ----------
+        name : str
+            Name by which expressions, results and messages refer to it.
+        when : float or expression
+            An expression of parameters, inputs, t, measures, their rates and states.
+        **fields
+            direction : {"rising", "falling", "either"}, the way through zero that counts, "either" if left out;
+            terminal : bool, whether the run ends there; action : mapping of inputs and parameters to their new
+            values, numbers or expressions; cool_down : float [s], for how long it is not looked for again;
+            description : str.
+
+        Returns
+        -------
+        Scene
+            The scene itself, so that calls can follow one another.
+
+        Raises
+        ------
+        SceneError
+            For a name that is no text or declared twice, or an unknown keyword; in `build` for wrong values.
         """
         return self._declare("events", name, {"when": when, **fields})
 
     def state(self, name: str, rate: float | str, initial: float = 0.0, unit: str = "", description: str = "") -> Self:
-        """Declare a state with s' = rate [unit/s], of a controller, a filter or an actuator."""
+        """Declare a state with s' = rate, of a controller, a filter or an actuator.
+
+        Parameters
+        ----------
+        name : str
+            Name by which expressions, results and messages refer to it.
+        rate : float or expression
+            Its rate [unit/s], of parameters, inputs, t, measures, their rates and states.
+        initial : float
+            Its value [unit] at the start.
+        unit : str, optional
+            Its unit, for pages and reports.
+        description : str, optional
+            What it is, for pages and reports.
+
+        Returns
+        -------
+        Scene
+            The scene itself, so that calls can follow one another.
+
+        Raises
+        ------
+        SceneError
+            For a name that is no text or declared twice, or an unknown keyword; in `build` for wrong values.
+        """
         fields = {"rate": rate, "initial": initial, "unit": unit, "description": description}
         return self._declare("states", name, fields)
 
     def gravity(self, *components: float | str) -> Self:
-        """Set the acceleration of gravity [m/s^2] in world axes: x, y and, in a spatial scene, z."""
+        """Set the acceleration of gravity in world axes.
+
+        Parameters
+        ----------
+        *components : float or expression
+            x, y and, in a spatial scene, z [m/s^2]; a z left out is zero.
+
+        Returns
+        -------
+        Scene
+            The scene itself, so that calls can follow one another.
+
+        Raises
+        ------
+        SceneError
+            In `build` for a wrong number of components and for what is no quantity.
+        """
         return self._set("gravity", list(components))
 
     def ground(self, **fields: Any) -> Self:
-        """Add markers to the ground: markers={"name": {"position": [x, y], "angle": ...}} [m, rad]."""
+        """Add markers to the ground, which is there without being added.
+
+        Parameters
+        ----------
+        **fields
+            markers : mapping, ``{"name": {"position": [x, y], "angle": phi}}`` [m, rad], in space with axis and
+            x_axis in place of the angle; shape : how pictures show the ground.
+
+        Returns
+        -------
+        Scene
+            The scene itself, so that calls can follow one another.
+
+        Raises
+        ------
+        SceneError
+            At the call for an unknown keyword, type or name; in `build` and `model` for wrong values.
+        """
         return self._add("bodies", "ground", "ground", fields)
 
     def joint(self, type: str, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
-        """Add a joint of the type with this name; each type has a method of its name, too."""
+        """Add a joint of the type with this name; each type has a method of its name, too.
+
+        Parameters
+        ----------
+        type : str
+            Such as "revolute".
+        name : str
+            Name of the joint.
+        marker_a, marker_b : str
+            The markers that it joins, `"body.marker"`.
+        **fields
+            Those of the method of the type's name, such as `Scene.revolute`.
+
+        Returns
+        -------
+        Scene
+            The scene itself, so that calls can follow one another.
+
+        Raises
+        ------
+        SceneError
+            At the call for an unknown keyword, type or name; in `build` and `model` for wrong values.
+
+        Notes
+        -----
+        Its rows are part of C(q, t) = 0 (Eq. 21).
+        """
         return self._add("joints", type, name, {"marker_a": marker_a, "marker_b": marker_b, **fields})
 
-    def __getattr__(self, type: str) -> Callable[..., Self]:
-        """A method for each type of body, joint, coupling and load, see below; another name is told what is near."""
-        if type.startswith("_"):
-            raise AttributeError(type)
-        methods = [name for name in dir(Scene) if not name.startswith("_")]
-        raise AttributeError(f"a scene has no method {show(type)}; {did_you_mean(type, methods)}")
+    if not TYPE_CHECKING:  # checkers know all methods, and refuse others
+
+        def __getattr__(self, type: str) -> Callable[..., Self]:
+            """Raise AttributeError for a name that no method has, with the nearest one that is there."""
+            if type.startswith("_"):
+                raise AttributeError(type)
+            methods = [name for name in dir(Scene) if not name.startswith("_")]
+            raise AttributeError(f"a scene has no method {show(type)}; {did_you_mean(type, methods)}")
 
     def force(self, name: str, marker: str, *components: float | str, **fields: Any) -> Self:
-        """Add a force at a marker: components x, y (and z) [N], numbers or expressions; frame: "world" or "body"."""
+        """Add a force at a marker.
+
+        Parameters
+        ----------
+        name : str
+            Name of the load.
+        marker : str
+            Where it acts, `"body.marker"`.
+        *components : float or expression
+            x, y and, in a spatial scene, z [N]; of parameters, inputs, t, measures, states and their rates.
+        **fields
+            frame : {"world", "body"}, the axes of the components, "world" if left out.
+
+        Returns
+        -------
+        Scene
+            The scene itself, so that calls can follow one another.
+
+        Raises
+        ------
+        SceneError
+            At the call for an unknown keyword, type or name; in `build` and `model` for wrong values.
+        """
         return self._add("loads", "force", name, {"marker": marker, "components": list(components), **fields})
 
     def load(self, type: str, name: str, **fields: Any) -> Self:
-        """Add a load of the type with this name; each type has a method of its name, too."""
+        """Add a load of the type with this name; each type has a method of its name, too.
+
+        Parameters
+        ----------
+        type : str
+            Such as "spring_damper".
+        name : str
+            Name of the load.
+        **fields
+            Those of the method of the type's name, such as `Scene.spring_damper`.
+
+        Returns
+        -------
+        Scene
+            The scene itself, so that calls can follow one another.
+
+        Raises
+        ------
+        SceneError
+            At the call for an unknown keyword, type or name; in `build` and `model` for wrong values.
+        """
         return self._add("loads", type, name, fields)
 
     def measure(self, name: str, type: str, of: str, relative_to: str = "ground.origin", **fields: Any) -> Self:
         """Add a measure, which results have by its name, and expressions with its rate `<name>_dot`.
 
-        type: angle [rad], distance, x, y or z [m] of a marker relative to another one; coordinate; normal_force,
-        shear_force [N], bending_moment [N m], ... at a marker of a beam; stress [Pa] at a marker of a beam or at
-        `body.gauge` of a finite-element body, with its component.
+        Parameters
+        ----------
+        name : str
+            Name by which expressions, results and messages refer to it.
+        type : str
+            "angle" [rad], "distance", "x", "y" or "z" [m] of a marker relative to another one; "coordinate" [m,
+            rad]; "normal_force", "shear_force", "shear_force_z" [N], "bending_moment", "bending_moment_y",
+            "torsion_moment" [N m] at a marker of a beam; "stress" [Pa].
+        of : str
+            What is measured: `"body.marker"`, a coordinate, or for a stress also `"body.gauge"` of a finite-element
+            body and `"body.all"`, the largest.
+        relative_to : str
+            The marker against which a marker is measured.
+        **fields
+            component : {"von_mises", "xx", "yy", "zz", "yz", "xz", "xy", "mesh_error"}, of a stress.
+
+        Returns
+        -------
+        Scene
+            The scene itself, so that calls can follow one another.
+
+        Raises
+        ------
+        SceneError
+            At the call for an unknown keyword, type or name; in `build` and `model` for wrong values.
         """
         usual = isinstance(relative_to, str) and relative_to == "ground.origin"
         base = {} if usual else {"relative_to": relative_to}
@@ -194,6 +459,11 @@ class Scene:
         -------
         Scene or StructureScene
             The latter for data; its `model()` is a `StructureModel`.
+
+        Raises
+        ------
+        SceneError
+            For an unknown keyword, for data beside entries that do not go with it; in `build` for wrong values.
         """
         given = {
             "mass": mass, "stiffness": stiffness, "damping": damping, "body": body, "fixed": fixed, "lump": lump,
@@ -211,37 +481,173 @@ class Scene:
         return self._set("structure", fields)
 
     def independent(self, *coordinates: str) -> Self:
-        """Choose the independent coordinates, by name; left out, they are found."""
+        """Choose the independent coordinates q_i; left out, they are found.
+
+        Parameters
+        ----------
+        *coordinates : str
+            Names such as `"crank.theta"`, one for each degree of freedom.
+
+        Returns
+        -------
+        Scene
+            The scene itself, so that calls can follow one another.
+
+        Raises
+        ------
+        SceneError
+            In `build` and `model` for names and choices that cannot be used.
+
+        Notes
+        -----
+        The rest are dependent: q_d follows from C(q, t) = 0 (Eqs. 29-38).
+        """
         return self._merge("partition", {"independent": list(coordinates)})
 
     def groups(self, **groups: Any) -> Self:
-        """Name groups of coordinates, slow to fast, for schemes with sub-steps: lists of names or patterns."""
+        """Name groups of coordinates, slow to fast, for schemes with sub-steps.
+
+        Parameters
+        ----------
+        **groups : sequence of str
+            Name of the group to names or patterns of its coordinates, such as ``fast=["rod.q_f*"]``.
+
+        Returns
+        -------
+        Scene
+            The scene itself, so that calls can follow one another.
+
+        Raises
+        ------
+        SceneError
+            In `build` for coordinates that are not there, or in two groups.
+
+        Notes
+        -----
+        Each group takes m of its steps in one of the group before (Eqs. 39, 72).
+        """
         entries = [{"name": name, "coordinates": coordinates} for name, coordinates in groups.items()]
         return self._merge("partition", {"groups": entries})
 
     def stiff(self, *names: str) -> Self:
-        """Choose the stiff deflections: elastic coordinates and rotational springs, names or patterns."""
+        """Choose the stiff deflections, which the exponential schemes solve exactly.
+
+        Parameters
+        ----------
+        *names : str
+            Names or patterns of elastic coordinates and of rotational springs.
+
+        Returns
+        -------
+        Scene
+            The scene itself, so that calls can follow one another.
+
+        Raises
+        ------
+        SceneError
+            In `build` and `model` for what is no stiff deflection.
+        """
         return self._merge("partition", {"stiff": list(names)})
 
     def initial(self, coordinates: dict[str, Any]) -> Self:
-        """Set starting coordinates [m, rad] by name: numbers or {"value": ..., "fixed": ...}; calls add up."""
+        """Set starting coordinates by name; calls add up.
+
+        Parameters
+        ----------
+        coordinates : mapping
+            Name to a number [m, rad] or to ``{"value": ..., "fixed": True}``, which the search for a closed
+            configuration may not move.
+
+        Returns
+        -------
+        Scene
+            The scene itself, so that calls can follow one another.
+
+        Raises
+        ------
+        SceneError
+            For what is no mapping with names; in `build` for unknown names.
+        """
         return self._start("coordinates", coordinates)
 
     def rates(self, rates: dict[str, Any]) -> Self:
-        """Set starting rates [m/s, rad/s] by name: numbers or {"value": ..., "fixed": ...}; calls add up."""
+        """Set starting rates by name; calls add up.
+
+        Parameters
+        ----------
+        rates : mapping
+            Name of the coordinate to a number [m/s, rad/s] or to ``{"value": ..., "fixed": True}``.
+
+        Returns
+        -------
+        Scene
+            The scene itself, so that calls can follow one another.
+
+        Raises
+        ------
+        SceneError
+            For what is no mapping with names; in `build` for unknown names.
+        """
         return self._start("rates", rates)
 
     def simulation(self, **fields: Any) -> Self:
-        """Set what runs use by default: t_end [s], scheme, tolerance, dt [s], m, seen_every [s], start."""
+        """Set what runs use by default; `simulate` has the same arguments.
+
+        Parameters
+        ----------
+        **fields
+            t_end : float [s]; scheme : str; tolerance : float [1]; dt : float [s]; m : list of int, sub-steps of
+            each group; seen_every : float [s], time between samples; start : {"given", "quasi_static",
+            "quasi_static_unstable", "equilibrium"}.
+
+        Returns
+        -------
+        Scene
+            The scene itself, so that calls can follow one another.
+
+        Raises
+        ------
+        SceneError
+            At the call for an unknown keyword; in `build` for wrong values.
+        """
         _require_known("simulation", Simulation, fields)
         return self._set("simulation", fields)
 
     def build(self) -> SceneRecord:
-        """Check the scene and freeze it. Raises SceneError with the item, the problem and the remedy."""
+        """Check the scene and freeze it.
+
+        Returns
+        -------
+        SceneRecord
+            The checked scene.
+
+        Raises
+        ------
+        SceneError
+            With the item, the problem and the remedy, for anything that is wrong.
+        """
         return SceneRecord.from_dict(self._data)
 
     def to_toml(self, path: str | Path | None = None) -> str:
-        """The scene as TOML text, for `from_toml` and the command line; written where a path is given (OutputError)."""
+        """Write the scene as TOML text, for `from_toml` and the command line.
+
+        Parameters
+        ----------
+        path : str or Path, optional
+            File that the text is written to.
+
+        Returns
+        -------
+        str
+            The text.
+
+        Raises
+        ------
+        SceneError
+            For a scene that `build` refuses, and for what is no path.
+        OutputError
+            For a place that cannot be written.
+        """
         if path is not None:
             _require_path(path)
         text = self.build().to_toml()
@@ -252,9 +658,27 @@ class Scene:
         return text
 
     def model(self) -> Model:
-        """Derive the equations, ready to run; the generated code is kept in the cache. Raises SceneError.
+        """Derive the equations, ready to run; the generated code is kept in the cache.
 
-        `symgen.generate.generate(scene.build(), folder)` keeps it in a folder of your own.
+        Returns
+        -------
+        Model
+            The mechanism with all that can be asked of it: `simulate`, `equilibrium`, `modes` and so on.
+
+        Raises
+        ------
+        SceneError
+            For a scene that `build` refuses, and for one whose equations cannot be derived.
+
+        Notes
+        -----
+        The equations of motion (Eqs. 15-28) are condensed to M_hat q_i'' = Q_hat (Eqs. 29-38).
+        `symgen.generate.generate(scene.build(), folder)` keeps the code in a folder of your own.
+
+        References
+        ----------
+        J. C. Miao, P. Zhu, G. L. Shi, G. L. Chen, Study on sub-cycling algorithm for flexible multi-body system:
+        integral theory and implementation flow chart, Comput. Mech. 41 (2008) 257-268.
         """
         return self.build().model()
 
@@ -365,20 +789,9 @@ def _method(section: str, type: str, record: type[StrictModel]) -> Callable[...,
     known = [Parameter(key, either) for key in ("self", "name", *needed)]
     defaults = {key: None if own[key].default_factory else own[key].default for key in free}
     optional = [Parameter(key, named, default=default) for key, default in defaults.items()]
-    add.__name__, add.__doc__ = type, _described(record)
+    add.__name__, add.__qualname__, add.__doc__ = type, f"Scene.{type}", entry_doc(section, type, record)
     add.__signature__ = Signature([*known, *optional])  # type: ignore[attr-defined]
     return add
-
-
-def _described(record: type[StrictModel]) -> str:
-    """The docstring of a record, and below it its quantities with their units."""
-    found = [
-        f"- {key} [{one.unit}]: {one.description}"
-        for key, field in record.model_fields.items()
-        for one in field.metadata
-        if isinstance(one, Meaning)
-    ]
-    return "\n".join([cleandoc(record.__doc__ or "").rstrip(), *(["", *found] if found else [])])
 
 
 BODIES: dict[str, type[StrictModel]]
@@ -402,7 +815,11 @@ DECLARED: dict[str, type[StrictModel] | Sequence[type[StrictModel]]] = {
     "tables": (CurveTable, SurfaceTable),
 }
 
-for _section, _records in (("bodies", BODIES), ("joints", JOINTS), ("couplings", COUPLINGS), ("loads", LOADS)):
+ENTRIES: dict[str, Mapping[str, type[StrictModel]]]
+ENTRIES = {"bodies": BODIES, "joints": JOINTS, "couplings": COUPLINGS, "loads": LOADS}
+for _section, _records in ENTRIES.items():
     for _type, _record in _records.items():
         if not hasattr(Scene, _type):
-            setattr(Scene, _type, _method(_section, _type, _record))
+            setattr(
+                Scene, _type, LazyMethod(cache(partial(_method, _section, _type, _record)))
+            )  # its docstring takes time

@@ -21,6 +21,7 @@ from symgen.schema.fields import (
     Number,
     Quantity,
     StrictModel,
+    about,
     components_fault,
 )
 
@@ -32,6 +33,7 @@ AXIAL_ENDS = Literal["fixed-free", "free-free", "fixed-fixed", "free-fixed", "fi
 LIGHT = "its modes need inertia: give a small density (1e-6 does no harm), or a link that is a rigid body with mass = 0"
 ALONG = 1.0 - 1e-9  # an axis this much along the body's x-axis takes the body's z-axis for its x-axis
 Modes = Annotated[int, Strict(), Field(ge=1, le=500)]
+Elements = Annotated[int, Strict(), Field(ge=1, le=1000)]
 Position = Annotated[tuple[Quantity, ...], Meaning("position in the body frame, (x, y) or (x, y, z)", "m")]
 Products = Annotated[tuple[Quantity, ...], Meaning("entries xy, xz, yz of the inertia tensor", "kg m^2")]
 Direction = tuple[Number, Number, Number]
@@ -39,9 +41,13 @@ TWISTING = {
     "shear_modulus": "give the shear modulus, E / (2 (1 + nu)) of an isotropic material",
     "torsion_constant": "give the torsion constant of the section",
 }
-Orientation = Literal[
-    "euler_parameters", "xyz", "xzy", "yxz", "yzx", "zxy", "zyx", "xyx", "xzx", "yxy", "yzy", "zxz", "zyz"
+Orientation = Annotated[
+    Literal["euler_parameters", "xyz", "xzy", "yxz", "yzx", "zxy", "zyx", "xyx", "xzx", "yxy", "yzy", "zxz", "zyz"],
+    about("spatial: a sequence of axes if the body's Euler angles are wanted as input and output"),
 ]
+Free = Annotated[Flag, about("whether it stands without a joint on purpose, so that none is asked for")]
+MARKERS = 'points by name, which joints, loads and measures refer to as `"body.marker"`'
+PICTURED = about("how pictures show it, instead of rods between its markers: boxes, cylinders, spheres, meshes")
 
 
 class MarkerDirections(StrictModel):
@@ -122,8 +128,10 @@ class GroundBody(StrictModel):
 
     type: Literal["ground"] = "ground"
     name: Literal["ground"] = "ground"
-    markers: dict[Name, RigidMarker] = Field(default_factory=dict)
-    shape: Shapes = ()
+    markers: Annotated[
+        dict[Name, RigidMarker], about(f"{MARKERS}; each has a position [m] and an angle [rad], or axes in space")
+    ] = Field(default_factory=dict)
+    shape: Annotated[Shapes, PICTURED] = ()
 
     @property
     def nf(self) -> int:
@@ -152,10 +160,12 @@ class RigidBody(StrictModel):
     products: Products = (0.0, 0.0, 0.0)
     center_of_mass: Position = (0.0, 0.0)
     orientation: Orientation = "euler_parameters"
-    free: Flag = False
-    as_given: Flag = False
-    markers: dict[Name, RigidMarker] = Field(default_factory=dict)
-    shape: Shapes = ()
+    free: Free = False
+    as_given: Annotated[Flag, about("whether moments of inertia that no mass distribution has are taken")] = False
+    markers: Annotated[
+        dict[Name, RigidMarker], about(f"{MARKERS}; each has a position [m] and an angle [rad], or axes in space")
+    ] = Field(default_factory=dict)
+    shape: Annotated[Shapes, PICTURED] = ()
 
     def faults(self, scene: Any) -> Iterator[Fault]:
         """Moments of inertia and components of the other space."""
@@ -243,6 +253,11 @@ class BeamBody(StrictModel):
     plane "lumped", the paper's mesh of so many `elements` with masses at its nodes (Eqs. 15-20), a modal body then.
     """
 
+    references = (
+        "A. A. Shabana, Dynamics of Multibody Systems, 5th ed., Cambridge University Press, 2020, chapter 5.",
+        "T. R. Kane, R. R. Ryan, A. K. Banerjee, Dynamics of a cantilever beam attached to a moving base, "
+        "J. Guid. Control Dyn. 10 (1987) 139-151.",
+    )
     type: Literal["beam"] = "beam"
     name: Name
     length: Annotated[Quantity, Meaning("length", "m", Bound.POSITIVE)]
@@ -250,12 +265,12 @@ class BeamBody(StrictModel):
     area: Annotated[Quantity, Meaning("area of the cross-section", "m^2", Bound.POSITIVE)]
     second_moment: Annotated[Quantity, Meaning("second moment of area", "m^4", Bound.POSITIVE)]
     youngs_modulus: Annotated[Quantity, Meaning("Young's modulus", "Pa", Bound.POSITIVE)]
-    lateral: LateralModes | None = None
+    lateral: Annotated[LateralModes | None, about("bending modes, in a spatial scene of the xy-plane")] = None
     second_moment_z: Annotated[
         Quantity, Meaning("second moment of area for the xz-plane", "m^4", Bound.NON_NEGATIVE)
     ] = 0.0
-    lateral_z: LateralModes | None = None
-    axial: AxialModes | None = None
+    lateral_z: Annotated[LateralModes | None, about("bending modes of the xz-plane (spatial)")] = None
+    axial: Annotated[AxialModes | None, about("stretching modes")] = None
     shear_modulus: Annotated[Quantity, Meaning("shear modulus", "Pa", Bound.NON_NEGATIVE)] = 0.0
     torsion_constant: Annotated[Quantity, Meaning("torsion constant of the section", "m^4", Bound.NON_NEGATIVE)] = 0.0
     section_modulus: Annotated[Quantity | None, Meaning("section modulus", "m^3", Bound.POSITIVE)] = None
@@ -266,17 +281,21 @@ class BeamBody(StrictModel):
     shear_factor: Annotated[
         Quantity, Meaning("largest shear stress over its mean in the section", "1", Bound.NON_NEGATIVE)
     ] = 1.5
-    torsion: TorsionModes | None = None
-    stiffening: Flag = False
+    torsion: Annotated[TorsionModes | None, about("torsion modes (spatial)")] = None
+    stiffening: Annotated[Flag, about("whether to keep the foreshortening terms (geometric stiffening)")] = False
     damping_ratio: Annotated[Quantity, Meaning("damping ratio of all modes", "1", Bound.NON_NEGATIVE)] = 0.0
     damping_frequency: Annotated[
         Quantity | None, Meaning("frequency at which the damping ratio holds", "rad/s", Bound.POSITIVE)
     ] = None
-    mesh: Literal["exact", "lumped"] = "exact"
-    elements: Annotated[int, Strict(), Field(ge=1, le=1000)] | None = None
+    mesh: Annotated[
+        Literal["exact", "lumped"], about("shapes in closed form, or the paper's lumped mesh (planar, Eqs. 15-20)")
+    ] = "exact"
+    elements: Annotated[Elements | None, about("number of elements of a lumped mesh")] = None
     orientation: Orientation = "euler_parameters"
-    free: Flag = False
-    markers: dict[Name, BeamMarker] = Field(default_factory=dict)
+    free: Free = False
+    markers: Annotated[
+        dict[Name, BeamMarker], about(f"{MARKERS}; `at` is a fraction of the length; `start` and `end` are there")
+    ] = Field(default_factory=dict)
 
     def faults(self, scene: Any) -> Iterator[Fault]:
         """Modes that are none or too many, and shapes of the other space."""

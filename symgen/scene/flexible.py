@@ -22,13 +22,12 @@ from pydantic import BeforeValidator, Field, ValidationInfo, field_validator
 
 from runtime.contract.records import packed, unpacked
 from symgen.scene.appearance import MOST_TRIANGLES
-from symgen.scene.bodies import MarkerDirections, Orientation, Position, orientation_fault
+from symgen.scene.bodies import MARKERS, Free, MarkerDirections, Orientation, Position, orientation_fault
 from symgen.schema.errors import did_you_mean
 from symgen.schema.fields import (
     MARKER_ANGLE,
     Bound,
     Fault,
-    Flag,
     Matrix,
     Meaning,
     N,
@@ -38,6 +37,7 @@ from symgen.schema.fields import (
     Scope,
     StrictModel,
     Vector,
+    about,
     components_fault,
     refuse,
     size,
@@ -101,6 +101,9 @@ class ModalBody(StrictModel):
     int (Phi_x,a Phi_y,b - Phi_y,a Phi_x,b) dm. Integrals left out are zero.
     """
 
+    references = (
+        "A. A. Shabana, Dynamics of Multibody Systems, 5th ed., Cambridge University Press, 2020, chapter 5.",
+    )
     type: Literal["modal"] = "modal"
     name: Name
     mass: Annotated[Quantity, Meaning("mass", "kg", Bound.POSITIVE)]
@@ -115,9 +118,11 @@ class ModalBody(StrictModel):
         0
     )
     phi_cross_phi: Annotated[Matrix, Meaning("int (Phi_x Phi_y - Phi_y Phi_x) dm, skew", "kg m^2"), SKEW] = _zeros(-1)
-    foreshortening: Foreshortening | None = None
-    free: Flag = False
-    markers: dict[Name, ModalMarker] = Field(default_factory=dict)
+    foreshortening: Annotated[Foreshortening | None, about("integrals of second order for geometric stiffening")] = None
+    free: Free = False
+    markers: Annotated[
+        dict[Name, ModalMarker], about(f"{MARKERS}; each has a position [m] and its shape functions")
+    ] = Field(default_factory=dict)
 
     def faults(self, scene: Any) -> Iterator[Fault]:
         """Sizes that do not fit its modes."""
@@ -329,6 +334,9 @@ class SpatialModalBody(StrictModel):
     pictures; gauges: where stresses are known; struts: between which markers it buckles.
     """
 
+    references = (
+        "A. A. Shabana, Dynamics of Multibody Systems, 5th ed., Cambridge University Press, 2020, chapter 5.",
+    )
     type: Literal["flexible"] = "flexible"
     name: Name
     mass: Annotated[Quantity, Meaning("mass", "kg", Bound.POSITIVE)]
@@ -338,15 +346,32 @@ class SpatialModalBody(StrictModel):
     K_ff: Annotated[Matrix, Meaning("modal stiffness matrix", "N m per unit of q_f^2"), SEMIDEFINITE]
     D_ff: Annotated[Matrix | None, Meaning("modal damping matrix", "N m s per unit of q_f^2"), SEMIDEFINITE] = None
     phi_integral: Annotated[Matrix, Meaning("int Phi dm, 3 x nf", "kg m per unit of q_f"), size(3, N)] = ()
-    rho_phi: Annotated[tuple[Block, ...], size(N)] = ()
-    phi_phi: Annotated[tuple[tuple[Block, ...], ...], size(N, N)] = ()
-    stiffening: FlexibleStiffening | None = None
+    rho_phi: Annotated[
+        tuple[Block, ...], size(N), about("int rho0_i Phi_ja dm as [a][i][j], nf x 3 x 3 [kg m^2 per unit of q_f]")
+    ] = ()
+    phi_phi: Annotated[
+        tuple[tuple[Block, ...], ...],
+        size(N, N),
+        about(
+            "int Phi_ia Phi_jb dm as [a][b][i][j], nf x nf x 3 x 3 [kg m^2 per unit of q_f^2]; "
+            "left out: no terms of second order in q_f in the inertia"
+        ),
+    ] = ()
+    stiffening: Annotated[FlexibleStiffening | None, about("integrals of second order for geometric stiffening")] = None
     orientation: Orientation = "euler_parameters"
-    free: Flag = False
-    surface: FlexibleSurface | None = None
-    gauges: dict[Name, StressGauge] = Field(default_factory=dict)
-    struts: tuple[FlexibleStrut, ...] = ()
-    markers: dict[Name, FlexibleMarker] = Field(default_factory=dict)
+    free: Free = False
+    surface: Annotated[
+        FlexibleSurface | None, about("triangles for pictures, as `FlexibleBody.surface` gives them")
+    ] = None
+    gauges: Annotated[
+        dict[Name, StressGauge], about("places where stresses are known, as `FlexibleBody.fields` gives them")
+    ] = Field(default_factory=dict)
+    struts: Annotated[
+        tuple[FlexibleStrut, ...], about("loads at which it buckles, as `FlexibleBody.fields` gives them")
+    ] = ()
+    markers: Annotated[
+        dict[Name, FlexibleMarker], about(f"{MARKERS}; each has a position [m] and its shape functions")
+    ] = Field(default_factory=dict)
 
     def faults(self, scene: Any) -> Iterator[Fault]:
         """Sizes that do not fit its modes, and struts between markers that it does not have."""

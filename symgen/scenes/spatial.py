@@ -9,9 +9,10 @@ from pathlib import Path
 
 from symgen.mechanism.builder import Scene
 from symgen.mechanism.scene import SceneRecord
+from symgen.scene.bodies import Orientation
 
 
-def heavy_top(orientation: str = "euler_parameters") -> SceneRecord:
+def heavy_top(orientation: Orientation = "euler_parameters") -> SceneRecord:
     """Spin 150 rad/s about the axis through its centre of mass, which starts level.
 
     orientation: Euler parameters, or Euler angles about three different axes, by which the start is given then.
@@ -144,7 +145,7 @@ def _governor(builder: Scene) -> None:
         )
 
 
-def spatial_chain(links: int = 3, modes: int = 0, orientation: str = "zyx") -> SceneRecord:
+def spatial_chain(links: int = 3, modes: int = 0, orientation: Orientation = "zyx") -> SceneRecord:
     """Links along their own x-axis, the first one starting level along x; Euler angles zyx by default."""
     length, side = 0.2, 0.008
     builder = Scene("spatial_chain", space="spatial", title=f"Chain of {links} links in space")

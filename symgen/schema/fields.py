@@ -44,6 +44,7 @@ class StrictModel(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
     example: ClassVar[str] = ""  # what one writes, where others are tempted to write a number or a list
+    references: ClassVar[tuple[str, ...]] = ()  # publications that its law or method follows
 
     @model_validator(mode="before")
     @classmethod
@@ -108,6 +109,11 @@ class Meaning:
         if self.bound is not Bound.ANY:
             schema["description"] += f"; {self.bound.value}"
         return schema
+
+
+def about(description: str) -> Any:
+    """What a field is that is no quantity: said by the JSON Schema and by the method of `Scene` that adds the entry."""
+    return Field(description=description)
 
 
 N = -1  # in a `Size`: as many as the flexible body has modes, or the structure coordinates

@@ -498,7 +498,7 @@ class _RobotScene:
         for link in self.groups.members[group]:
             own, pose = self.robot.links[link], self.groups.seats[link].pose
             shapes += shapes_of(own, pose, self.folders, self.options.meshes, self.builder.dropped)
-        look = {"shape": shapes} if shapes else {}
+        look: dict[str, Any] = {"shape": shapes} if shapes else {}
         if group == self.on_ground:
             self.builder.ground(markers=markers, **look)
             return
@@ -565,8 +565,8 @@ class _RobotScene:
         own, other = (self.builder.coordinates[name][0] for name in (joint.name, mimic.joint))
         if mimic.offset:
             self.builder.initial({own: mimic.offset})
-        ratio = {"multiplier": mimic.multiplier, "offset": mimic.offset}
-        self.builder.mimic(f"mimic_{self.joints[joint.name]}", own, other, **ratio)
+        name = f"mimic_{self.joints[joint.name]}"
+        self.builder.mimic(name, own, other, multiplier=mimic.multiplier, offset=mimic.offset)
 
     def _name_coordinates(self, joint: RobotJoint, name: str, kind: str) -> None:
         self.builder.coordinates[joint.name] = [f"{name}.{motion.name}" for motion in JOINTS[kind].motions or ()]

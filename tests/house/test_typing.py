@@ -35,6 +35,13 @@ reveal_type(model.with_inputs({"push": 1.0}))  # runtime.model.Model
 reveal_type(model.stepper(dt=1e-3))  # ModelStepper
 reveal_type(model.mass_matrix([0.0]))  # ndarray
 reveal_type(model.periodic(period=1.0))  # PeriodicMotion
+Scene("arm").revolute("hinge", "ground.origin", "rod.origin", damping=0.1, limits={"lower": 0.0})
+Scene("arm").rigid("rod", 1.0, "m * l**2", free=True).force("push", "rod.origin", 1.0, "sin(t)").stiff("rod.q")
+reveal_type(Scene("arm").rigid)  # inertia: float | str
+reveal_type(Scene("arm").weld("clamp", "ground.origin", "rod.origin"))  # Scene
+Scene("arm").rigid("rod", 1.0, 0.1, mas=2.0)  # error: Unexpected keyword argument "mas"
+Scene("arm").rigid("rod", 1.0)  # error: Missing positional argument "inertia"
+Scene("arm").revolut("hinge", "ground.origin", "rod.origin")  # error: "Scene" has no attribute "revolut"
 model.simulate(tend=5.0)  # error: Unexpected keyword argument "tend"
 model.simulate(t_end=5.0, tolerence=1e-3)  # error: Unexpected keyword argument "tolerence"
 model.simulate(t_end="5")  # error: Argument "t_end"
