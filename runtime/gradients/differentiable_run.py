@@ -86,13 +86,36 @@ class RunCode:
 
 
 class DifferentiableRun:
-    """A run of a model prepared once, as a function of the values x of `by`; `x0` holds those of the start.
+    """Prepare a run of a model once, as a function of the values x of `by`; `x0` holds those of the start.
 
-    Each method takes x, in the order of `by` or by name, and keeps nothing of it: `jacobian(x)` is the derivative of
-    `values(x)` whatever was asked before. outputs: names at the saved times (coordinates, rates, accelerations,
-    measures, energies, multipliers, joint forces). by: names of parameters, coordinates and rates (`_dot`, at the
-    start). The other arguments are those of `simulate`. Raises ModelError, SchemeError, InitialStateError,
-    ArgumentError for what cannot be used.
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    outputs : sequence of str
+        Names at the saved times: coordinates, rates, accelerations, measures, energies, multipliers, joint
+        forces.
+    by : sequence of str
+        Names of parameters, coordinates and rates (`_dot`, at the start) that it is differentiated by.
+    parameters, initial, t_end, dt, m, scheme, options, start, t0, inputs, seen_every, samples : optional
+        As of `simulate`.
+    wait : bool
+        Whether to wait until code is compiled; until then it is interpreted.
+
+    Raises
+    ------
+    ModelError, SchemeError, InitialStateError, ArgumentError
+        For what cannot be used, by name.
+
+    Notes
+    -----
+    Each method takes x, in the order of `by` or by name, and keeps nothing of it: `jacobian(x)` is the
+    derivative of `values(x)` whatever was asked before.
+
+    References
+    ----------
+    A. Griewank, A. Walther, Evaluating Derivatives: Principles and Techniques of Algorithmic Differentiation,
+    2nd ed., SIAM, 2008.
     """
 
     @arguments(parameters=BY_NAME, initial=BY_NAME, options=BY_NAME, inputs=BY_NAME)
@@ -157,10 +180,26 @@ class DifferentiableRun:
         every: int | None = None,
         parameters: Mapping[str, float] | None = None,
     ) -> DifferentiableRun:
-        """The same run from t0 over so long [s], with as many steps or with `steps`; what is compiled is shared.
+        """Prepare the same run over another time; what is compiled is shared.
 
-        every: with `steps`, how many of them lie between outputs (None: all, for outputs at its start and its end);
-        parameters: by name, besides those of the run.
+        Parameters
+        ----------
+        t0 : float
+            Where it begins [s].
+        length : float
+            How long it is [s].
+        steps : int, optional
+            How many steps it has; as many as before if left out.
+        every : int, optional
+            With `steps`, how many of them lie between outputs; if left out all, for outputs at its start and
+            its end.
+        parameters : dict of str to float, optional
+            By name, besides those of the run [SI units].
+
+        Returns
+        -------
+        DifferentiableRun
+            The other run.
         """
         other, count = copy(self), self.plan.steps if steps is None else steps
         other.__dict__.pop("_backward", None)

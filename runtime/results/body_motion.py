@@ -149,9 +149,24 @@ def poses_of(model: EmittedModel, q: np.ndarray) -> tuple[np.ndarray, np.ndarray
 
 @arguments()
 def body_motion(solution: Samples, body: str) -> BodyMotion:
-    """Motion of a flexible body in space and the forces at its markers, for `FlexibleBody.equilibrium_stresses()`.
+    """Collect the motion of a flexible body in space and the forces at its markers.
 
-    Raises ModelError for a body without modes or in the plane, and where one joint or load acts on it at two places.
+    Parameters
+    ----------
+    solution : Solution
+        N samples.
+    body : str
+        The body.
+
+    Returns
+    -------
+    BodyMotion
+        What `FlexibleBody.equilibrium_stresses()` and `section_forces()` take, at each sample.
+
+    Raises
+    ------
+    ModelError
+        For a body without modes or in the plane, and where one joint or load acts on it at two places.
     """
     model = solution.model
     frame, elastic = model.columns_of(body)

@@ -51,10 +51,35 @@ class Deflections:
 def deflections(
     solution: Samples, body: str, at: float | Sequence[float] | None = None, way: Way = "equilibrium"
 ) -> Deflections:
-    """Deflections [m] of the beam `body` at fractions `at` of its length; 33 places if left out.
+    """Recover the deflections of a beam.
 
-    way: "equilibrium" adds to the sum of the modes the static rest that they leave out, so that static answers are
-    exact with any shapes; "modes" is the sum alone, which measures have too. Raises the errors of `section_forces`.
+    Parameters
+    ----------
+    solution : Solution
+        N samples.
+    body : str
+        The beam.
+    at : float or sequence of float, optional
+        Fractions of its length from 0 to 1; 33 places if left out.
+    way : {"equilibrium", "modes"}
+        "equilibrium" adds to the sum of the modes the static rest that they leave out, so that static
+        answers are exact with any shapes; "modes" is the sum alone, which measures have too.
+
+    Returns
+    -------
+    Deflections
+        Deflections [m] at each sample and place.
+
+    Raises
+    ------
+    ModelError
+        As `section_forces`.
+    ArgumentError
+        For fractions outside [0, 1] and unknown ways.
+
+    Notes
+    -----
+    The modes are those of Eq. 19.
     """
     xi = sections_of(at, way)
     beam = beam_of(solution.model, body, solution.parameters)

@@ -47,7 +47,20 @@ POWERS = ("power_dissipated", "power_applied", "power_driven")
 
 @arguments()
 def write_npz(solution: Samples, path: str | Path) -> None:
-    """Everything in one .npz file of plain arrays (no pickle). Raises OutputError if it cannot be written."""
+    """Save everything in one .npz file of plain arrays (no pickle).
+
+    Parameters
+    ----------
+    solution : Solution
+        N samples.
+    path : str or Path
+        The file; `Solution.load` reads it.
+
+    Raises
+    ------
+    OutputError
+        For a place that cannot be written.
+    """
     header = {
         "format": FORMAT,
         **run_header(solution),
@@ -169,8 +182,18 @@ def read_angles(
 
 
 def columns(solution: Samples) -> dict[str, np.ndarray]:
-    """(N,) by name, as pandas.DataFrame takes them: t, coordinates, rates `_dot`, accelerations `_ddot`, `lam.row`,
-    joint forces, the rest.
+    """Collect all columns by name, as `pandas.DataFrame` takes them.
+
+    Parameters
+    ----------
+    solution : Solution
+        N samples.
+
+    Returns
+    -------
+    dict of str to np.ndarray, shape (N,)
+        t, coordinates, rates `_dot`, accelerations `_ddot`, `lam.row`, joint forces, loads, energies and
+        measures, in SI units.
     """
     model = solution.model
     found = {"t": solution.t}
@@ -221,9 +244,25 @@ def column_units(model: EmittedModel) -> dict[str, str]:
 
 @arguments()
 def export(solution: Samples, path: str | Path) -> None:
-    """One row a sample with names and units, as .csv, .mat (MATLAB) or .parquet by the name's end.
+    """Write a row for each sample, with names and units.
 
-    Of the outputs if only those were kept. Raises ModelError for another ending, or OutputError.
+    Parameters
+    ----------
+    solution : Solution
+        N samples.
+    path : str or Path
+        A name that ends in .csv, .mat (MATLAB) or .parquet.
+
+    Raises
+    ------
+    ModelError
+        For another ending.
+    OutputError
+        For a place that cannot be written.
+
+    Notes
+    -----
+    Of the outputs alone if only those were kept.
     """
     suffix = Path(path).suffix.lower()
     if suffix not in WRITERS:

@@ -54,7 +54,25 @@ class JointStop:
 
 @arguments()
 def joint_stop(solution: Samples, joint: str) -> JointStop:
-    """The rigid stops of a joint. Raises ModelError for a joint that has none."""
+    """Read what the rigid stops of a joint did off a run.
+
+    Parameters
+    ----------
+    solution : Solution
+        N samples.
+    joint : str
+        Name of the joint.
+
+    Returns
+    -------
+    JointStop
+        Its force [N or N m] at each sample, and its impacts.
+
+    Raises
+    ------
+    ModelError
+        For a joint that has none.
+    """
     rows = stopping(solution.model)
     solution.column_of(joint, list(rows), "joint with rigid stops")
     ends = [one for one in solution.model.mode_events if one.side and one.row == rows[joint]]
@@ -72,7 +90,25 @@ def joint_stop(solution: Samples, joint: str) -> JointStop:
 
 @arguments()
 def joint_friction(solution: Samples, joint: str) -> JointFriction:
-    """Friction of a joint. Raises ModelError for a joint that has none."""
+    """Read the friction of a joint off a run.
+
+    Parameters
+    ----------
+    solution : Solution
+        N samples.
+    joint : str
+        Name of the joint.
+
+    Returns
+    -------
+    JointFriction
+        Its force [N or N m], velocity, and where it sticks, at each sample.
+
+    Raises
+    ------
+    ModelError
+        For a joint that has none.
+    """
     rows = rubbing(solution.model)
     solution.column_of(joint, list(rows), "joint with friction")
     force, velocity = solution.frictions[:, rows[joint]].T

@@ -65,7 +65,18 @@ class WithLater:
         return {**vars(self), "_later": {}}
 
     def but(self, **changes: Any) -> Self:
-        """A copy with other values of some fields."""
+        """Copy it with other values of some fields.
+
+        Parameters
+        ----------
+        **changes
+            Fields by name with their new values.
+
+        Returns
+        -------
+        Self
+            The copy; what is not changed is shared.
+        """
         found = object.__new__(type(self))
         vars(found).update(vars(self))
         vars(found)["_later"] = {name: one for name, one in vars(self)["_later"].items() if name not in changes}
@@ -308,42 +319,161 @@ class Samples(WithLater):
         return ("", self.q), ("_dot", self.q_dot), ("_ddot", self.q_ddot)
 
     def is_sampled(self, name: str) -> bool:
-        """Is it a coordinate, a rate, an acceleration or a measure?"""
+        """Say whether a name is a coordinate, a rate, an acceleration or a measure.
+
+        Parameters
+        ----------
+        name : str
+            Such as `rod.theta`, `rod.theta_dot` or the name of a measure.
+
+        Returns
+        -------
+        bool
+            False for what other columns hold, or for no name at all.
+        """
         moving = (f"{coordinate}{suffix}" for suffix, _ in self._motion() for coordinate in self.model.coordinates)
         return name in self.model.measures or name in moving
 
     @arguments()
     def rate(self, name: str) -> np.ndarray:
-        """Velocity (N,) of a coordinate [m/s, rad/s]. Raises ModelError for an unknown name."""
+        """Return the velocity of a coordinate.
+
+        Parameters
+        ----------
+        name : str
+            The coordinate.
+
+        Returns
+        -------
+        np.ndarray, shape (N,)
+            Its rate [m/s, rad/s] at the saved times.
+
+        Raises
+        ------
+        ModelError
+            For an unknown name.
+        """
         return self.q_dot[:, self.column_of(name, self.model.coordinates, "coordinate")]
 
     @arguments()
     def acceleration(self, name: str) -> np.ndarray:
-        """Acceleration (N,) of a coordinate [m/s^2, rad/s^2]. Raises ModelError for an unknown name."""
+        """Return the acceleration of a coordinate.
+
+        Parameters
+        ----------
+        name : str
+            The coordinate.
+
+        Returns
+        -------
+        np.ndarray, shape (N,)
+            [m/s^2, rad/s^2] at the saved times.
+
+        Raises
+        ------
+        ModelError
+            For an unknown name.
+
+        Notes
+        -----
+        Dependent coordinates follow from the independent ones by Eq. 35.
+        """
         return self.q_ddot[:, self.column_of(name, self.model.coordinates, "coordinate")]
 
     @arguments()
     def multiplier(self, row: str) -> np.ndarray:
-        """Multiplier (N,) of a constraint row `joint.row` [N, N m]; the force on q is -C_q^T lam (Eq. 22)."""
+        """Return the multiplier of a constraint row.
+
+        Parameters
+        ----------
+        row : str
+            `joint.row`, one of `model.constraints`.
+
+        Returns
+        -------
+        np.ndarray, shape (N,)
+            lam [N, N m] at the saved times.
+
+        Raises
+        ------
+        ModelError
+            For an unknown name.
+
+        Notes
+        -----
+        Multipliers are those of Eq. 37; the force of a row on q is -C_q^T lam (Eq. 22).
+        """
         return self.lam[:, self.column_of(row, self.model.constraints, "constraint")]
 
     @arguments()
     def joint_force(self, joint: str) -> np.ndarray:
-        """Force [N] and moment [N m] (N, 3), in space (N, 6), of a joint on body b, at marker b, in world axes."""
+        """Return force and moment of a joint on its body b, at marker b, in world axes.
+
+        Parameters
+        ----------
+        joint : str
+            Name of the joint.
+
+        Returns
+        -------
+        np.ndarray, shape (N, 3), in space (N, 6)
+            Force x, y (z) [N], then moment [N m].
+
+        Raises
+        ------
+        ModelError
+            For an unknown joint.
+
+        Notes
+        -----
+        They follow from the multipliers (Eqs. 22, 37).
+        """
         return self.joint_forces[:, self.column_of(joint, self.model.joints, "joint")]
 
     @arguments()
     def load_force(self, load: str) -> np.ndarray:
-        """Force [N] and moment [N m] (N, 3), in space (N, 6), of a load on its marker (marker b), in world axes."""
+        """Return force and moment of a load on its marker, or on its marker b, in world axes.
+
+        Parameters
+        ----------
+        load : str
+            Name of the load.
+
+        Returns
+        -------
+        np.ndarray, shape (N, 3), in space (N, 6)
+            Force x, y (z) [N], then moment [N m].
+
+        Raises
+        ------
+        ModelError
+            For an unknown load.
+        """
         names = [record.name for record in self.model.description.loads]
         return self.load_forces[:, self.column_of(load, names, "load")]
 
     @arguments()
     def motor(self, name: str) -> np.ndarray:
-        """Torque [N m] or force [N] (N,) of a prescribed motion: what its drive puts on body b along the motion.
+        """Return what the drive of a prescribed motion puts on body b along the motion.
 
-        -lam of its row (Eq. 22), so that motor times prescribed rate is the power of the drive. Raises ModelError for a
-        joint that is not a prescribed motion.
+        Parameters
+        ----------
+        name : str
+            The joint that prescribes an angle or a displacement.
+
+        Returns
+        -------
+        np.ndarray, shape (N,)
+            Torque [N m] or force [N].
+
+        Raises
+        ------
+        ModelError
+            For a joint that is not a prescribed motion.
+
+        Notes
+        -----
+        It is -lam of the joint's row (Eq. 22), so that motor times prescribed rate is the power of the drive.
         """
         drives = [joint.name for joint in self.model.description.joints if joint.drawing == "drive"]
         if name not in drives:
@@ -354,7 +484,27 @@ class Samples(WithLater):
         return -self.lam[:, rows[0]]
 
     def column_of(self, name: str, names: Sequence[str], kind: str) -> int:
-        """Place of a name. Raises ModelError for an unknown one."""
+        """Find the place of a name among names.
+
+        Parameters
+        ----------
+        name : str
+            What is looked for.
+        names : sequence of str
+            Where.
+        kind : str
+            What the names are, for the message.
+
+        Returns
+        -------
+        int
+            The place.
+
+        Raises
+        ------
+        ModelError
+            For an unknown name.
+        """
         if name not in names:
             known = [*self.model.coordinates, *self.model.measures] if "measure" in kind else list(names)
             listed = ", ".join(known[:20]) + (", ..." if len(known) > 20 else "")
@@ -394,30 +544,83 @@ class Samples(WithLater):
         return energy_balance(self.t, self.energy, self.stops, self.powers)
 
     def work(self) -> np.ndarray:
-        """Work (N,) [J] done since the first sample by loads, drives and dampers, summed over the samples."""
+        """Sum the work of loads, drives and dampers over the samples.
+
+        Returns
+        -------
+        np.ndarray, shape (N,)
+            Work since the first sample [J].
+        """
         return self.balance.work
 
     def energy_balance(self) -> np.ndarray:
-        """(N,) total energy - initial energy - work [J]: zero for an exact solution sampled finely enough."""
+        """Compare the total energy with the initial energy and the work.
+
+        Returns
+        -------
+        np.ndarray, shape (N,)
+            Total energy - initial energy - work [J]: zero for an exact solution that is sampled finely enough.
+
+        Notes
+        -----
+        `balance` says how much of it the samples leave open.
+        """
         return self.balance.error
 
     @arguments()
     def initial_values(self, at: float | None = None) -> dict[str, float]:
-        """All coordinates and rates by name of the last sample, or of the one nearest to a time [s].
+        """Return all coordinates and rates by name, as another run takes them for `initial`.
 
-        A run that begins there takes it as `initial`; for the last one the solution itself does.
+        Parameters
+        ----------
+        at : float, optional
+            Time [s] whose nearest sample is taken; the last sample if left out.
+
+        Returns
+        -------
+        dict of str to float
+            Coordinates [m, rad] and, with `_dot`, rates [m/s, rad/s].
+
+        Notes
+        -----
+        To go on from the last sample, give the solution itself as `initial`.
         """
         k = -1 if at is None else int(np.abs(self.t - at).argmin())
         return named_values(self.model, self.q[k], self.q_dot[k])
 
     @arguments()
     def interpolate(self, t: float | np.ndarray, what: str = "q") -> np.ndarray:
-        """Values between the saved samples at time(s) t [s].
+        """Interpolate between the saved samples.
 
-        what: "q" and coordinate names by cubic Hermite polynomials through q and q_dot, "q_i" likewise, "q_dot"
-        through q_dot and q_ddot; "q_ddot", "lam", "measures", "constraint_error" and names of measures and energies
-        linearly. Shape: that of t, then of one sample. Raises ModelError for an unknown name and ValueError for a
-        time outside the saved ones.
+        Parameters
+        ----------
+        t : float or array_like
+            Times [s] within the saved ones.
+        what : str
+            "q", "q_i" or a coordinate (cubic Hermite polynomials through values and rates), "q_dot" (through
+            rates and accelerations); "q_ddot", "lam", "measures", "constraint_error", or a measure or an energy
+            (linearly).
+
+        Returns
+        -------
+        np.ndarray
+            Of the shape of t, then that of one sample.
+
+        Raises
+        ------
+        ModelError
+            For an unknown name.
+        ValueError
+            For a time outside the saved ones.
+
+        Notes
+        -----
+        Cubic Hermite polynomials have an error of fourth order in the time between samples.
+
+        References
+        ----------
+        E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., Springer, 1993,
+        section II.6.
         """
         times = np.asarray(t, dtype=float)
         dust = 64 * np.finfo(float).eps * max(abs(self.t[0]), abs(self.t[-1]))  # a sample at a jump is behind it

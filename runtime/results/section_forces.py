@@ -325,11 +325,35 @@ class SectionForces:
 def section_forces(
     solution: Samples, body: str, at: float | Sequence[float] | None = None, way: Way = "equilibrium"
 ) -> SectionForces:
-    """Normal and shear forces, torque and bending moments of the beam `body` at fractions `at` of its length.
+    """Recover normal and shear forces, torque and bending moments of a beam.
 
-    way: "equilibrium" of the part beyond each section (mode acceleration with inertia relief), or "modes", the sum
-    of modal forces. at: 33 sections if left out. Raises ModelError for a body that is no beam with exact shapes or for
-    a load with two markers on it, ArgumentError for fractions outside [0, 1] and unknown ways.
+    Parameters
+    ----------
+    solution : Solution
+        N samples.
+    body : str
+        The beam.
+    at : float or sequence of float, optional
+        Fractions of its length from 0 to 1; 33 places if left out.
+    way : {"equilibrium", "modes"}
+        Equilibrium of the part beyond each section (mode acceleration with inertia relief), or the sum of
+        what the modes bear.
+
+    Returns
+    -------
+    SectionForces
+        Forces [N] and moments [N m] at each sample and place.
+
+    Raises
+    ------
+    ModelError
+        For a body that is no beam with exact shapes, and for a load with two markers on it.
+    ArgumentError
+        For fractions outside [0, 1] and unknown ways.
+
+    Notes
+    -----
+    The inertia forces are those of the deformed beam's motion (Eqs. 15-20).
     """
     xi = sections_of(at, way)
     beam = beam_of(solution.model, body, solution.parameters)

@@ -138,11 +138,30 @@ def beam_stresses(solution: Samples, body: str, way: StressWay = "equilibrium") 
 
 @arguments()
 def stresses(solution: Samples, body: str, way: StressWay = "equilibrium") -> Stresses:
-    """Stress components and von Mises stress of a finite-element body at the gauges of the scene.
+    """Recover stress components and von Mises stress of a finite-element body at the gauges of the scene.
 
-    way: "equilibrium" of all forces on it (mode acceleration with inertia relief), or "modes", the sum of modal
-    stresses. Raises ModelError for a body without gauges, and, by equilibrium, for gauges that know modal stresses
-    only and for forces at a marker that was no interface of the finite-element model; ArgumentError for unknown ways.
+    Parameters
+    ----------
+    solution : Solution
+        N samples.
+    body : str
+        The body.
+    way : {"equilibrium", "modes"}
+        Equilibrium of all forces on it (mode acceleration with inertia relief), or the sum of modal
+        stresses.
+
+    Returns
+    -------
+    Stresses
+        Stresses [Pa] at each sample and gauge.
+
+    Raises
+    ------
+    ModelError
+        For a body without gauges; by equilibrium for gauges that know modal stresses only, and for forces
+        at a marker that was no interface of the finite-element model.
+    ArgumentError
+        For unknown ways.
     """
     if way not in ("equilibrium", "modes"):
         raise ArgumentError(f"way {way!r} is not known; give equilibrium or modes")

@@ -54,9 +54,24 @@ class SteppedState:
 class ModelStepper:
     """Step a model from outside: a scheme, compiled once, whose state can be read, set, saved and restored.
 
-    scheme, dt [s], m, options, parameters, engine: as of `simulate`. `step` makes steps without checks; `check` tells
-    what a run would have found. Singular positions are not passed. Events happen as in a run: see `events`, and
-    `ended`, after which there is no further step. Raises SchemeError and ModelError for what cannot be used.
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    scheme, dt, m, options, parameters, engine : optional
+        As of `simulate`: a scheme with steps of one length dt [s].
+
+    Raises
+    ------
+    SchemeError
+        For a scheme or step that cannot be used.
+    ModelError
+        For unknown parameters, and where every coordinate is driven.
+
+    Notes
+    -----
+    `step` makes steps without checks; `check` tells what a run would have found. Singular positions are not
+    passed. Events happen as in a run: see `events`, and `ended`, after which there is no further step.
     """
 
     @arguments(options=BY_NAME, parameters=BY_NAME)
@@ -111,10 +126,28 @@ class ModelStepper:
         t: float = 0.0,
         start: str | None = None,
     ) -> None:
-        """Go to a state: coordinates and rates (`_dot`) by name, an equilibrium, a solution, or None for the start.
+        """Go to a state.
 
-        An equilibrium brings its time; its parameters are taken over. Inputs are again what the parameters say.
-        Raises InitialStateError and ModelError.
+        Parameters
+        ----------
+        state : dict, Equilibrium, Solution or None
+            Coordinates [m, rad] and rates (`_dot`) [m/s, rad/s] by name; an equilibrium, which brings its time
+            and parameters; a solution, from its end; or None for the start of the scene.
+        t : float
+            Time [s].
+        start : str, optional
+            As of `simulate`.
+
+        Raises
+        ------
+        InitialStateError
+            For a state that does not close the loops.
+        ModelError
+            For an unknown name.
+
+        Notes
+        -----
+        Inputs are again what the parameters say.
         """
         if isinstance(state, Equilibrium):
             self._take(state.parameters)
@@ -134,11 +167,24 @@ class ModelStepper:
             self._across.begin(t)
 
     def step(self, u: int | Mapping[str, float] | Sequence[float] | None = None, n: int = 1) -> None:
-        """Make n major steps with the inputs u: by name, or one number for each of model.inputs; None: as they are.
+        """Make n major steps.
 
-        `step(n)` with a whole number leaves the inputs as they are, too. They are held; those with rates go on with
-        the rate and acceleration given. Bit for bit the same in one call or in many. Raises ArgumentError, also where
-        an event has `ended` the motion.
+        Parameters
+        ----------
+        u : dict, sequence of float, int or None
+            Inputs by name or a number for each of `model.inputs`, held from here on; those with rates go on
+            with the rate and acceleration given. None: as they are. A whole number is n.
+        n : int
+            How many steps.
+
+        Raises
+        ------
+        ArgumentError
+            For wrong inputs or numbers, and where an event has `ended` the motion.
+
+        Notes
+        -----
+        Bit for bit the same in one call or in many. The steps are those of Eqs. 40-45 for central differences.
         """
         if u is not None:
             if isinstance(u, int | np.integer):
@@ -178,8 +224,20 @@ class ModelStepper:
 
     @arguments()
     def change(self, parameters: Mapping[str, float]) -> None:
-        """Change parameters by name from the next step on; the others stay as they are. Raises ModelError.
+        """Change parameters from the next step on; the others stay as they are.
 
+        Parameters
+        ----------
+        parameters : dict of str to float
+            New values by name [SI units].
+
+        Raises
+        ------
+        ModelError
+            For an unknown name, or a value that is not finite.
+
+        Notes
+        -----
         Inputs are given to `step`, which costs less.
         """
         p, index = self.parameters.copy(), self._index
@@ -196,13 +254,30 @@ class ModelStepper:
         self._sample = None
 
     def save(self) -> SteppedState:
-        """What `restore` goes back to."""
+        """Save the state.
+
+        Returns
+        -------
+        SteppedState
+            What `restore` goes back to.
+        """
         t0 = float(self._z[0]) if self._across is None else self._across.t0
         memory = {} if self._across is None else self._across.happenings.memory()
         return SteppedState(self._z.copy(), self.parameters.copy(), t0, tuple(self.events), self.ended, memory)
 
     def restore(self, kept: SteppedState) -> None:
-        """Go back to what was saved. Raises ArgumentError if it is of another stepper."""
+        """Go back to what was saved.
+
+        Parameters
+        ----------
+        kept : SteppedState
+            What `save` gave.
+
+        Raises
+        ------
+        ArgumentError
+            For a state of another stepper.
+        """
         if not isinstance(kept, SteppedState):
             raise ArgumentError("the saved state", f"is {shown_value(kept)}", "give what `save` gave")
         if len(kept.z) != len(self._z) or len(kept.p) != len(self.parameters):
@@ -265,9 +340,22 @@ class ModelStepper:
 
     @arguments()
     def reader(self, names: Sequence[str]) -> Callable[[], np.ndarray]:
-        """A function that gives these coordinates, rates and measures (k,) at once, fast: for controllers.
+        """Prepare a fast function that reads coordinates, rates and measures at once, for controllers.
 
-        The array is the same at each call. Raises ModelError for an unknown name.
+        Parameters
+        ----------
+        names : sequence of str
+            k names.
+
+        Returns
+        -------
+        callable
+            Without arguments; it gives an array (k,), the same at each call.
+
+        Raises
+        ------
+        ModelError
+            For an unknown name.
         """
         function = reading(self.scheme, len(self._z), names)
         evaluation: tuple[Any, Any] = function.buffer()
@@ -285,7 +373,13 @@ class ModelStepper:
         return read
 
     def check(self) -> Status | None:
-        """What a run's checks find at this state, None if nothing is wrong. Costly checks included."""
+        """Check this state as a run would, costly checks included.
+
+        Returns
+        -------
+        Status or None
+            What is wrong; None if nothing is.
+        """
         state = self._own.state(self._z).copy()
         return Monitor(self.model, self.scheme, self._own.c, force=True).first(state)
 

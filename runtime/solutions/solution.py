@@ -206,10 +206,30 @@ class Solution(Samples):
     @classmethod
     @arguments(model=MODEL)
     def load(cls, path: str | Path, model: EmittedModel | None = None) -> Solution:
-        """Read a solution that `save` wrote, or the folder of a stream; without `model` it has no functions.
+        """Read a solution that `save` wrote, or the folder of a stream.
 
-        A stream of chosen outputs is read by runtime.results.stream.read_blocks instead. Raises OutputError if the
-        file is not a saved solution or is damaged, ModelError if it belongs to another model.
+        Parameters
+        ----------
+        path : str or Path
+            The .npz file or the folder.
+        model : Model, optional
+            The model that made it; without it the solution has no functions.
+
+        Returns
+        -------
+        Solution
+            The samples, how the run ended and its figures.
+
+        Raises
+        ------
+        OutputError
+            For a file that is not a saved solution, or is damaged.
+        ModelError
+            For a solution of another model.
+
+        Notes
+        -----
+        A stream of chosen outputs is read by `runtime.results.stream.read_blocks`.
         """
         from runtime.results.export import read_npz, read_stream
 

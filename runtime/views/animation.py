@@ -50,7 +50,9 @@ def animate(
 
     Parameters
     ----------
-    path : path
+    solution : Solution
+        N samples.
+    path : str or Path
         Its ending says the format: `.gif` repeats, `.mp4` is H.264 (extra `film`).
     frames : int
         How many, at even times of the run.

@@ -76,9 +76,30 @@ def coordinates(
     names: str | Sequence[str] | None = None,
     ax: Axes | None = None,
 ) -> Figure:
-    """Coordinates and measures against time: all that move, or those named (rates too), a panel for each unit and body.
+    """Plot coordinates and measures against time, a panel for each unit and body.
 
-    Raises ModelError for an unknown name, ArgumentError where `ax` is given for more than one unit.
+    Parameters
+    ----------
+    solution : Solution
+        N samples.
+    path : str or Path, optional
+        Where the picture is written.
+    names : str or sequence of str, optional
+        Coordinates, rates and measures; all that move if left out.
+    ax : Axes, optional
+        Where it is drawn, for names of one unit.
+
+    Returns
+    -------
+    Figure
+        Of Matplotlib.
+
+    Raises
+    ------
+    ModelError
+        For an unknown name.
+    ArgumentError
+        Where `ax` is given for more than one unit.
     """
     require(SHOWN, or_none=True, names=names)
     require(PLACE, or_none=True, path=path)

@@ -11,7 +11,18 @@ if TYPE_CHECKING:
 
 
 def run_report(solution: Solution) -> dict[str, Any]:
-    """All sections by name: what was run, how it ended, and what came of it."""
+    """Report what was run, how it ended, and what came of it.
+
+    Parameters
+    ----------
+    solution : Solution
+        N samples.
+
+    Returns
+    -------
+    dict
+        The sections by name.
+    """
     return {**_run(solution), "energy": _energy(solution), **_outcome(solution)}
 
 

@@ -220,7 +220,7 @@ class FlexibleBody:
         units: str = "SI",
         **choices: Any,
     ) -> FlexibleBody:
-        """From stiffness and mass of the body without supports; `symgen.fe.read_matrix` reads them.
+        """Build it from stiffness and mass of the body without supports; `symgen.fe.read_matrix` reads them.
 
         Parameters
         ----------
@@ -238,6 +238,7 @@ class FlexibleBody:
         Returns
         -------
         FlexibleBody
+            With its modes and integrals.
 
         Raises
         ------
@@ -266,7 +267,7 @@ class FlexibleBody:
         psi_psi: ArrayLike | None = None,
         units: str = "SI",
     ) -> ReducedBody:
-        """From reduced matrices (Craig-Bampton, a superelement) of a body without supports.
+        """Build it from reduced matrices (Craig-Bampton, a superelement) of a body without supports.
 
         Parameters
         ----------
@@ -324,7 +325,7 @@ class FlexibleBody:
         order: int = 2,
         **choices: Any,
     ) -> FlexibleBody:
-        """From a mesh file, read by meshio (extra `files`).
+        """Build it from a mesh file, read by meshio (extra `files`).
 
         Parameters
         ----------
@@ -345,6 +346,7 @@ class FlexibleBody:
         Returns
         -------
         FlexibleBody
+            With its modes and integrals.
 
         Raises
         ------
@@ -365,10 +367,28 @@ class FlexibleBody:
     @classmethod
     @arguments(material=MATERIAL)
     def from_mesh(cls, mesh: Any, material: Material, *, order: int = 2, **choices: Any) -> FlexibleBody:
-        """From a scikit-fem MeshTet or MeshHex with elements of `order` 1 or 2, or from a LineMesh of beams.
+        """Build it from a mesh of scikit-fem.
 
-        Node ids count from 0, vertices of the mesh first.  choices: those of `from_structure`.
-        Raises FiniteElementError.
+        Parameters
+        ----------
+        mesh : MeshTet, MeshHex or LineMesh
+            Places [m]; node ids count from 0, vertices of the mesh first.
+        material : Material
+            In SI units.
+        order : {1, 2}
+            Of the elements of a solid.
+        **choices
+            Those of `from_structure`.
+
+        Returns
+        -------
+        FlexibleBody
+            With its modes and integrals.
+
+        Raises
+        ------
+        FiniteElementError
+            As `from_structure`; for other meshes.
         """
         check_material(material)
         body = frame_structure(mesh, material) if isinstance(mesh, LineMesh) else solid_structure(mesh, material, order)
@@ -390,18 +410,50 @@ class FlexibleBody:
         stiffening: bool = False,
         static: Sequence[str] = (),
     ) -> FlexibleBody:
-        """From a checked FEStructure.
+        """Build it from a checked FEStructure.
 
-        interface: named node sets (ids, or a function of all positions), each becomes a marker.
-        marker_positions: where a marker is [m], if not at the mean of its nodes; it moves with their average.
-        modes: number of modes; for "fixed_interface", of the normal modes beside the constraint modes.
-        mode_set: "free", "fixed_interface" (Craig-Bampton) or "mixed", where the interfaces `fixed` are held.
-        mass: "consistent" or "lumped".
-        origin: of the body's frame, a point [m] or the name of an interface; the axes are those of the mesh.
-        stiffening: geometric stiffness by the stresses of accelerations, rates and interface forces, from meshes.
-        static: loads whose static shapes are modes beside the others: "weight_x", "turn_x", "spin_x" and so on, or the
-        name of an interface for the six loads there.
-        Raises FiniteElementError.
+        Parameters
+        ----------
+        body : FEStructure
+            Stiffness, mass and nodes.
+        interface : mapping of str to node set
+            Named node sets (ids, or a function of all positions); each becomes a marker.
+        modes : int
+            Number of modes; for "fixed_interface" of the normal modes beside the constraint modes.
+        mode_set : {"free", "fixed_interface", "mixed"}
+            Free modes; those of Craig and Bampton; or modes with the interfaces `fixed` held.
+        fixed : sequence of str
+            Interfaces that are held, for "mixed".
+        mass : {"consistent", "lumped"}
+            The mass matrix.
+        origin : str or array_like, shape (3,)
+            Of the body's frame: the name of an interface or a point [m]; the axes are those of the mesh.
+        marker_positions : mapping, optional
+            Where a marker is [m], if not at the mean of its nodes; it moves with their average.
+        stiffening : bool
+            Whether to find the geometric stiffness by the stresses of accelerations, rates and interface
+            forces; of meshes.
+        static : sequence of str
+            Loads whose static shapes are modes beside the others: "weight_x", "turn_x", "spin_x" and so on, or
+            the name of an interface for the six loads there.
+
+        Returns
+        -------
+        FlexibleBody
+            With its modes and integrals.
+
+        Raises
+        ------
+        FiniteElementError
+            For sets that are empty or unknown, and for modes that the structure does not have.
+
+        Notes
+        -----
+        Modes and integrals are those of Eqs. 15-20.
+
+        References
+        ----------
+        R. R. Craig, M. C. C. Bampton, Coupling of substructures for dynamic analyses, AIAA J. 6 (1968) 1313-1319.
         """
         check_choices(mode_set, mass, fixed)
         body = lumped(body) if mass == "lumped" else body
@@ -443,13 +495,33 @@ class FlexibleBody:
     def fields(
         self, damping_ratio: float | Sequence[float] = 0.0, surface: int = 0, gauges: Gauges | None = None
     ) -> dict[str, Any]:
-        """Plain numbers and lists for a spatial modal body of a scene; `damping_ratio` of all modes or of each.
+        """Collect plain numbers and lists for `Scene.flexible`.
 
-        surface: how many triangles of its surface go with it at most, for pictures; 0: none.
-        gauges: where the stress of a solid is known: a place [m] from the origin or the id of a node by name.
-        M_ff = 1 [kg], K_ff = omega^2 [N/m] and D_ff = 2 zeta omega [N s/m] are diagonal.
-        Raises FiniteElementError for a ratio that is negative, for a wrong number of ratios, and for gauges that are no
-        places or on a body without known stresses.
+        Parameters
+        ----------
+        damping_ratio : float or sequence of float
+            Of all modes, or of each [1].
+        surface : int
+            How many triangles of its surface go with it at most, for pictures; 0: none.
+        gauges : mapping, optional
+            Where the stress of a solid is known: name to a place [m] from the origin, shape (3,), or to the id
+            of a node.
+
+        Returns
+        -------
+        dict
+            Fields of `Scene.flexible`: M_ff = 1 [kg], K_ff = omega^2 [N/m] and D_ff = 2 zeta omega [N s/m] are
+            diagonal.
+
+        Raises
+        ------
+        FiniteElementError
+            For a ratio that is negative, a wrong number of ratios, and gauges that are no places or on a body
+            without known stresses.
+
+        Notes
+        -----
+        The integrals are those of Eqs. 15-20.
         """
         looks, values = self.surface(surface) if surface else {}, self.modes.eigenvalues
         found = modal_fields(self.integrals, values, self.markers, self.stiffening, damping_ratio, looks)
@@ -467,9 +539,23 @@ class FlexibleBody:
         return struts(self.structure, self.modes.shapes, list(self.interfaces.values()))
 
     def surface(self, max_triangles: int = 20_000) -> dict[str, Array]:
-        """The boundary of a solid: vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf), stresses (n, 6, nf) [Pa].
+        """Find the boundary of a solid, with shapes and stresses.
 
-        Stresses are xx yy zz yz xz xy. Raises FiniteElementError for a body that is not made from a solid mesh.
+        Parameters
+        ----------
+        max_triangles : int
+            How many triangles it has at most.
+
+        Returns
+        -------
+        dict of str to np.ndarray
+            vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf), stresses (n, 6, nf) xx yy zz yz xz xy
+            [Pa], per unit of q_f.
+
+        Raises
+        ------
+        FiniteElementError
+            For a body that is not made from a solid mesh.
         """
         body = self.structure
         shapes, faces = body.nodal(self.modes.shapes, 0), body.facets
@@ -477,32 +563,63 @@ class FlexibleBody:
         return {**found, "stresses": self.stresses().at(found["vertices"]).astype(np.float32)}
 
     def stresses(self) -> ModalStresses:
-        """Stress tensors per unit of q_f inside the elements of a solid; `von_mises(q_f)` of a motion's coordinates.
+        """Find the stress tensors per unit of q_f inside the elements of a solid.
 
-        Raises FiniteElementError for a body that is not made from a solid mesh.
+        Returns
+        -------
+        ModalStresses
+            `von_mises(q_f)` [Pa] of the coordinates of a motion.
+
+        Raises
+        ------
+        FiniteElementError
+            For a body that is not made from a solid mesh.
         """
         return modal_stresses(self.structure, self.modes.shapes, self.origin)
 
     def equilibrium_stresses(self, at: ArrayLike | None = None) -> EquilibriumStresses:
-        """Stresses by the forces of a motion (mode acceleration, inertia relief): `of(solution.body_motion("rod"))`.
+        """Prepare stresses by the forces of a motion: `of(solution.body_motion("rod"))`.
 
-        at (m, 3) [m] from the origin: places, as of `stresses().at`; left out: points in the elements.
-        Raises FiniteElementError for a body that is not made from a solid mesh.
+        Parameters
+        ----------
+        at : array_like, shape (m, 3), optional
+            Places [m] from the origin, as of `stresses().at`; points in the elements if left out.
+
+        Returns
+        -------
+        EquilibriumStresses
+            By mode acceleration with inertia relief.
+
+        Raises
+        ------
+        FiniteElementError
+            For a body that is not made from a solid mesh.
         """
         return equilibrium_stresses(self.structure, self.modes.shapes, self.origin, self.interfaces, at)
 
     def section_forces(self) -> EquilibriumForces:
-        """Section forces of a frame by the forces of a motion (mode acceleration, inertia relief), line by line.
+        """Prepare section forces of a frame by the forces of a motion, line by line.
 
-        `of(solution.body_motion("frame"))`; `of_modes(q_f)`, the sum of modal forces.
-        Raises FiniteElementError for a body that is not made from a LineMesh.
+        Returns
+        -------
+        EquilibriumForces
+            `of(solution.body_motion("frame"))` by mode acceleration with inertia relief; `of_modes(q_f)`, the
+            sum of modal forces.
+
+        Raises
+        ------
+        FiniteElementError
+            For a body that is not made from a LineMesh.
         """
         return equilibrium_forces(self.structure, self.modes.shapes, self.origin, self.interfaces)
 
     def losses(self) -> list[FlexibilityLoss]:
-        """What the modes lose of the static flexibility at each interface, against the full model.
+        """Compare the static flexibility of the modes with that of the full model at each interface.
 
-        First with the body free (mixed: held as its modes are), then with the first interface held.
+        Returns
+        -------
+        list of FlexibilityLoss
+            First with the body free ("mixed": held as its modes are), then with the first interface held.
         """
         parts = list(self.interfaces.values())
         losses = flexibility_losses(self.structure, self.modes, parts, None)
@@ -511,7 +628,13 @@ class FlexibleBody:
         return losses + flexibility_losses(self.structure, self.modes, parts, parts[0])
 
     def report(self) -> str:
-        """Frequencies, effective modal masses, what truncation loses and the check of rigid modes, in Markdown."""
+        """Report frequencies, effective modal masses, what truncation loses and the check of rigid modes.
+
+        Returns
+        -------
+        str
+            In Markdown.
+        """
         body, modes = self.structure, self.modes
         held = (np.sqrt(modes.held_eigenvalues) / (2.0 * np.pi), effective_masses(body, modes.held_shapes))
         title = f"{body.n_dof} degrees of freedom, {self.nf} modes ({self.mode_set}), {self.integrals.mass:.6g} kg"

@@ -311,28 +311,42 @@ def read(
     limits: bool | Mapping[str, float] = True,
     effort: bool = True,
 ) -> RobotBuilder:
-    """The scene of a URDF file under gravity of 9.81 m/s^2 against z.
+    """Read a URDF file into a scene under gravity of 9.81 m/s^2 against z.
 
     Parameters
     ----------
-    path : file
-    base : the root link stands on the ground or floats
-    flexible : link -> file of the beam or finite-element body in its place
-    meshes : draw mesh files, too
-        Those below the folder of the URDF or of its package, the nearest folder above with a package.xml.
-    packages : further folders whose meshes may be read
-    inertia : "possible" refuses a body that no mass distribution has, by name; "as_given" takes it with a warning
-        So are links without mass whose motion no inertia determines, for loops that are closed later.
-    kinematics : joints follow inputs `q_JOINT` [rad, m]; no link needs inertia, and nothing acts
-    default_inertia : "meshes" gives links that have no inertia that of their shapes, of a density [kg/m^3]
-    damping, friction : those of the file act; else they are in `dropped`
-    limits : ends of the file are rigid stops without rebound; a mapping, such as ``{"stiffness": 1e5}``, is their law
-        A start beyond an end is moved to it.
-    effort : motors give no more than the effort of the file
+    path : str or Path
+        The file.
+    base : {"fixed", "free"}
+        Whether the root link stands on the ground or floats.
+    flexible : mapping of str to path, optional
+        Link to the file of the beam or finite-element body in its place.
+    meshes : bool
+        Whether to draw mesh files, too: those below the folder of the URDF or of its package, the nearest folder
+        above with a package.xml.
+    packages : sequence of str or Path
+        Further folders whose meshes may be read.
+    inertia : {"possible", "as_given"}
+        "possible" refuses a body that no mass distribution has, by name; "as_given" takes it with a warning, and
+        links without mass whose motion no inertia determines, for loops that are closed later.
+    kinematics : bool
+        Whether joints follow inputs `q_JOINT` [rad, m]; then no link needs inertia, and nothing acts.
+    default_inertia : {"meshes"}, optional
+        Gives links that have no inertia that of their shapes.
+    density : float, optional
+        Density [kg/m^3] of these shapes.
+    damping, friction : bool
+        Whether those of the file act; else they are in `dropped`.
+    limits : bool or mapping
+        Whether ends of the file are rigid stops without rebound; a mapping, such as ``{"stiffness": 1e5}``, is their
+        law. A start beyond an end is moved to it.
+    effort : bool
+        Whether motors give no more than the effort of the file.
 
     Returns
     -------
     RobotBuilder
+        A `Scene`, to which more can be added; `dropped` says what the URDF has and the scene has not.
 
     Raises
     ------

@@ -10,9 +10,13 @@ from typing import Any, get_overloads
 import pytest
 
 from runtime.contract.lazy_method import LazyMethod
+from runtime.gradients.differentiable_run import DifferentiableRun
 from runtime.model import Model
+from runtime.running.stepping import ModelStepper
 from runtime.schemes.catalogue import SCHEMES
+from runtime.solutions.solution import Solution
 from symgen import Scene
+from symgen.urdf import read
 
 METHODS = [name for name, one in vars(Model).items() if isinstance(one, LazyMethod)]
 ENTRIES = [name for name, one in vars(Scene).items() if isinstance(one, LazyMethod)]
@@ -38,10 +42,22 @@ def parameters(function: Callable[..., Any]) -> set[str]:
 
 def public_methods(cls: type) -> list[str]:
     """What can be called by name, constructors by other means included."""
-    return [name for name in dir(cls) if not name.startswith("_") and inspect.isroutine(getattr(cls, name))]
+    return [
+        name
+        for name in dir(cls)
+        if not name.startswith("_") and inspect.isfunction(getattr(cls, name)) or inspect.ismethod(getattr(cls, name))
+    ]
 
 
-DOCUMENTED: list[type] = [Scene]
+def assert_documented(function: Callable[..., Any]) -> None:
+    """Every parameter and what is returned are said; the first word is a verb, as far as that shows."""
+    text = inspect.getdoc(function) or ""
+    assert documented(text) == parameters(function)
+    assert section(text, "Returns").strip() or inspect.signature(function).return_annotation in (None, "None")
+    assert re.match(r"(?!The |A |An |All |What |Of |At )[A-Z][a-z]+ ", text)
+
+
+DOCUMENTED: list[type] = [Scene, Solution, ModelStepper, DifferentiableRun]
 PUBLIC = [(cls, name) for cls in DOCUMENTED for name in public_methods(cls)]
 
 
@@ -55,11 +71,24 @@ def test_methods_of_models_document_every_parameter(name: str) -> None:
 
 @pytest.mark.parametrize(("cls", "name"), PUBLIC, ids=[f"{cls.__name__}.{name}" for cls, name in PUBLIC])
 def test_public_methods_document_every_parameter(cls: type, name: str) -> None:
-    function = getattr(cls, name)
-    text = inspect.getdoc(function) or ""
-    assert documented(text) - {"solution"} == parameters(function) - {"solution"}
-    assert section(text, "Returns").strip() or inspect.signature(function).return_annotation in (None, "None")
-    assert re.match(r"[A-Z][a-z]+ ", text), "the first sentence has a verb, and begins with it"
+    assert_documented(getattr(cls, name))
+
+
+def test_public_methods_of_flexible_bodies_document_every_parameter() -> None:
+    pytest.importorskip("scipy", reason="needs the extra fe")
+    from symgen.fe import FlexibleBody
+
+    for name in public_methods(FlexibleBody):
+        assert_documented(getattr(FlexibleBody, name))
+
+
+def test_reading_a_robot_documents_every_parameter() -> None:
+    assert_documented(read)
+
+
+@pytest.mark.parametrize("cls", [ModelStepper, DifferentiableRun])
+def test_constructors_document_every_parameter(cls: type) -> None:
+    assert documented(inspect.getdoc(cls) or "") == parameters(cls)
 
 
 @pytest.mark.parametrize("name", ENTRIES)

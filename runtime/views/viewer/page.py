@@ -78,9 +78,28 @@ def page(frame: str, record: Mapping[str, Any], styles: str, scripts: Sequence[s
 
 
 def show(solution: Solution, path: str | Path | None = None, beside: Solution | None = None) -> View:
-    """The moving mechanism as one page: written to `path` (.html), else shown in the notebook or opened.
+    """Show the moving mechanism as one page.
 
-    beside: a second run, shown pale in the same page. Raises ModelError if there is nothing to draw, and OutputError.
+    Parameters
+    ----------
+    solution : Solution
+        N samples.
+    path : str or Path, optional
+        An .html file; if left out the page is shown in the notebook, or opened.
+    beside : Solution, optional
+        A second run, shown pale in the same page.
+
+    Returns
+    -------
+    View
+        The page.
+
+    Raises
+    ------
+    ModelError
+        Where there is nothing to draw.
+    OutputError
+        For a place that cannot be written.
     """
     require(PLACE, or_none=True, path=path)
     require(RUN, or_none=True, beside=beside)
