@@ -33,6 +33,11 @@ ENERGIES = {
 def to_xarray(solution: Samples) -> Dataset:
     """Make an xarray Dataset over `time` of all columns of a run.
 
+    Parameters
+    ----------
+    solution : Solution
+        A run, or what was kept of one.
+
     Returns
     -------
     xarray.Dataset

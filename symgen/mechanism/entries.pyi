@@ -336,9 +336,9 @@ class SceneEntries:
         phi_integral : sequence, shape (3, nf), optional
             int Phi dm, 3 x nf [kg m per unit of q_f].
         rho_phi : sequence, shape (nf,), optional
-            int rho0_i Phi_ja dm as [a][i][j], nf x 3 x 3 [kg m^2 per unit of q_f].
+            int rho0_i Phi_ja dm as [a, i, j], nf x 3 x 3 [kg m^2 per unit of q_f].
         phi_phi : sequence, shape (nf, nf), optional
-            int Phi_ia Phi_jb dm as [a][b][i][j], nf x nf x 3 x 3 [kg m^2 per unit of q_f^2]; left out: no terms of
+            int Phi_ia Phi_jb dm as [a, b, i, j], nf x nf x 3 x 3 [kg m^2 per unit of q_f^2]; left out: no terms of
             second order in q_f in the inertia.
         stiffening : mapping, optional
             Integrals of second order for geometric stiffening. Keys: H, xH.

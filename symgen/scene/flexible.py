@@ -347,13 +347,13 @@ class SpatialModalBody(StrictModel):
     D_ff: Annotated[Matrix | None, Meaning("modal damping matrix", "N m s per unit of q_f^2"), SEMIDEFINITE] = None
     phi_integral: Annotated[Matrix, Meaning("int Phi dm, 3 x nf", "kg m per unit of q_f"), size(3, N)] = ()
     rho_phi: Annotated[
-        tuple[Block, ...], size(N), about("int rho0_i Phi_ja dm as [a][i][j], nf x 3 x 3 [kg m^2 per unit of q_f]")
+        tuple[Block, ...], size(N), about("int rho0_i Phi_ja dm as [a, i, j], nf x 3 x 3 [kg m^2 per unit of q_f]")
     ] = ()
     phi_phi: Annotated[
         tuple[tuple[Block, ...], ...],
         size(N, N),
         about(
-            "int Phi_ia Phi_jb dm as [a][b][i][j], nf x nf x 3 x 3 [kg m^2 per unit of q_f^2]; "
+            "int Phi_ia Phi_jb dm as [a, b, i, j], nf x nf x 3 x 3 [kg m^2 per unit of q_f^2]; "
             "left out: no terms of second order in q_f in the inertia"
         ),
     ] = ()

@@ -19,7 +19,7 @@ MOST_VALUES = 40_000  # of z: a cell holds up to 16 numbers
 
 
 class SurfaceTable(StrictModel):
-    """z over a grid: z[k][l] at (x[k], y[l]); constant outside the grid, across its edge.
+    """z over a grid: z[k, l] at (x[k], y[l]); constant outside the grid, across its edge.
 
     interpolation: `linear`, straight along x and y in each cell; `cubic`, natural splines along both. A CSV (`file`,
     `columns = "grid"`) gives x, y and z when the scene is read: y in its first row, below it x and the z of each.
