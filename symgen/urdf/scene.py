@@ -517,6 +517,8 @@ class _RobotScene:
             self.builder.ground(markers=markers, **look)
             return
         inertia = self.inertias[group]
+        if impossible(inertia):
+            look["as_given"] = True
         I = inertia.tensor  # noqa: E741
         self.builder.rigid(
             self.links[group],
@@ -526,7 +528,6 @@ class _RobotScene:
             center_of_mass=inertia.center,
             free=self._is_free(group),
             markers=markers,
-            **({"as_given": True} if impossible(inertia) else {}),
             **look,
         )
 
