@@ -17,14 +17,10 @@ import casadi as ca
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ONE, ZERO, add, div, mul, neg, sub
 from symgen.condensed.condensation import Condensed, congruence
-from symgen.system.equations import FreeJointAccelerations
+from symgen.system.equations import FreeJointAccelerations, NoInertia
 from symgen.system.topology import Topology
 
 LONGEST_ELIMINATION = 24  # coordinates of joints up to which it may be the shorter way
-
-
-class NoInertia(Exception):
-    """An independent coordinate (its column) has no inertia at all."""
 
 
 @dataclass(frozen=True)

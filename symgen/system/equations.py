@@ -161,6 +161,10 @@ LoopChanges = Callable[[Row, Mapping[str, Vector], Sequence[Direction]], tuple[c
 RowRates = Callable[[Row, Row], tuple[list[Row], list[Row]]]  # rates, accelerations -> dC_q/dt, d^2 C_q/dt^2 by row
 
 
+class NoInertia(Exception):
+    """A coordinate that accelerates (its column) has no inertia, by itself or beside the others."""
+
+
 class FreeJointAccelerations(Protocol):
     """Accelerations of a tree of frames in O(N)."""
 

@@ -95,3 +95,16 @@ def test_a_mass_that_a_run_takes_away_ends_by_name(model_of: Build) -> None:
     model = model_of(scene.revolute("a", "ground.origin", "arm.origin").build())
     run = simulate(model, scheme="rk4", dt=1e-3, t_end=0.1, parameters={"arm.mass": 0.0, "arm.inertia": 0.0})
     assert run.status.name == "mass_not_positive"
+
+
+@pytest.mark.parametrize("space", ["planar", "spatial"])
+def test_nothing_between_two_hinges_of_one_axis_has_no_inertia(space: str) -> None:
+    """The hinges share what they turn: the massless body between them may take any angle."""
+    spatial = space == "spatial"
+    scene = Scene("between", space=space).gravity(*((0, 0, -9.81) if spatial else (0, -9.81)))
+    scene.rigid("nothing", mass=0.0, inertia=(0, 0, 0) if spatial else 0.0)
+    center = (0.5, 0, 0) if spatial else (0.5, 0)
+    scene.rigid("rod", mass=1.0, inertia=(0.1, 0.1, 0.1) if spatial else 0.1, center_of_mass=center)
+    scene.revolute("inner", "ground.origin", "nothing.origin").revolute("outer", "nothing.origin", "rod.origin")
+    with pytest.raises(SceneError, match="has no inertia.*give the body an inertia"):
+        scene.model()

@@ -22,6 +22,7 @@ import casadi as ca
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ONE, ZERO, add, div, mul, neg, sub
 from symgen.algebra.vectors import zeros
+from symgen.system.equations import NoInertia
 from symgen.system.frames.moves import Float, JointNode, Move
 from symgen.system.frames.spatial_algebra import (
     NOTHING,
@@ -48,7 +49,7 @@ def free_joint_accelerations(
     """x'' of M x'' = force by column; free: the columns that accelerate. Only for a tree in which no body floats.
 
     masks: by column, one where a coordinate moves and zero where it is held. wrenches: what the masses of each frame
-    need at rates and weight, and do not get by `force`.
+    need at rates and weight, and do not get by `force`. Raises NoInertia.
     """
     frames = [replace(frame, moves=_turning_last(frame.moves)) for frame in tree.frames]
     solution = _ArticulatedBodies(FrameTree(frames, tree.body_frames), {c: force.get(c, ZERO) for c in free}, masks)
@@ -134,6 +135,8 @@ class _ArticulatedBodies:
         """The columns that are met nowhere nearer to the ground. A hinge passes on its own force alone as a moment."""
         for column in sorted(column for column in here.U if self._last[column] == place):
             U, u = here.U.pop(column), self._u.pop(column)
+            if (column, column) not in self._D:
+                raise NoInertia(column)
             # a product with 1 / D is turned into a division where the emitted text is read, one with -1 / D is not
             inverse = mul(self._masks.get(column, ONE), div(neg(ONE), self._D.pop((column, column))))
             masses = {c: self._D.pop(_pair(c, column)) for c in here.U if _pair(c, column) in self._D}
