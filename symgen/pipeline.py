@@ -57,7 +57,6 @@ from symgen.choice.elimination import (
     structural_pivots,
 )
 from symgen.condensed.condensation import Condensed, condense
-from symgen.condensed.forward_dynamics import NoInertia
 from symgen.kernels.all_coordinates import geometry
 from symgen.kernels.catalogue import kernel_builders, known_kernels
 from symgen.kernels.kernel import Kernel, arguments_of
@@ -65,7 +64,7 @@ from symgen.kernels.specification import specification
 from symgen.scene import SceneError
 from symgen.system.build import System, build_system
 from symgen.system.constraint import DerivationError
-from symgen.system.equations import Equations
+from symgen.system.equations import Equations, NoInertia
 from symgen.system.topology import Topology
 from symgen.tapes.hoisting import TapesOnDemand, hoist, unhoisted
 

@@ -15,7 +15,7 @@ from runtime.contract.records import Group
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO, dot
 from symgen.condensed.condensation import Condensed
-from symgen.condensed.forward_dynamics import NoInertia, is_tree, tree_accelerations
+from symgen.condensed.forward_dynamics import is_tree, tree_accelerations
 from symgen.condensed.loops import solve_forward
 from symgen.kernels.all_coordinates import (
     augmented,
@@ -32,6 +32,7 @@ from symgen.kernels.all_coordinates import (
 from symgen.kernels.kernel import Arguments, Kernel, arguments_of, blocks, dynamics
 from symgen.kernels.specification import substep_name
 from symgen.system.constraint import DerivationError
+from symgen.system.equations import NoInertia
 from symgen.system.topology import Topology
 
 TREES_ONLY = {
