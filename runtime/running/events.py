@@ -128,7 +128,7 @@ class EventActions:
         scheme, own = self._scheme, self.own
         before, constants, seen = z[self._inputs].copy(), scheme.constants(own.c), scheme.at_end(z)
         shown = _Seen(seen, constants, event_values(scheme, seen, constants))
-        z[scheme.layout.slice("v_to")] += self._happen(z, scheme.reached(z), happened, shown)
+        scheme.add_to_rates_at_end(z, self._happen(z, scheme.reached(z), happened, shown))
         begin_events(scheme, z, constants, scheme.at_end(z))  # with the inputs as they are now
         if self.status is not None:
             scheme.show_end(z, own.plan.grid.dt_L, self._once)
@@ -264,7 +264,7 @@ class EventActions:
             grid = self.own.broken.grid
             step = ceil((t - grid.t0) / dt - ON_THE_GRID)  # at whose end
         else:
-            step = int(z[self._scheme.layout.slice("accepted")][0])
+            step = self._scheme.steps_made(z)
         sleeps, *steps = self._recent.get(name, [0.0])
         steps = [*steps, float(step)][-MOST_KINKS:]
         if len(steps) == MOST_KINKS and step - steps[0] < OF_STEPS:

@@ -148,7 +148,7 @@ class Monitor:
             return Failure("closure")
         if found is not None:
             return Failure("iterations", found=(scheme.iteration_limit,))
-        if scheme.is_stuck(z):
+        if scheme.hit_min_step(z):
             return Failure("least step", found=(scheme.reached(z),))
         return self._of_modes(z)
 

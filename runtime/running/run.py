@@ -268,7 +268,7 @@ class Run:
         self.pace.steps = 1
         self.keep(rows[:-1])
         while self.step < self.plan.steps and self._next_seen() <= scheme.reached(self.z):
-            if scheme.is_stuck(self.z):  # the check of the least step tells
+            if scheme.hit_min_step(self.z):  # the check of the least step tells
                 break
             self.segment.run(self.z, 1)
             self.keep(self.z[None])

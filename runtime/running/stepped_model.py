@@ -92,17 +92,17 @@ class SteppedModel:
 
     def _advance_adaptively(self, z: np.ndarray, steps: int) -> None:
         """So many states that are seen; the last one of a run may be nearer to the one before it."""
-        from runtime.schemes.adaptive_steps import run_across as across
+        from runtime.schemes.adaptive_jumps import advance_across_jumps
 
         plan = self.plan
         around = self.with_inputs(z), plan.grid.dt_L, self.switches, self.given
         whole = min(steps, plan.whole_steps - int(z[1]))
         if whole > 0:
-            across(self.stepper, z, whole, self.ready, *around)
+            advance_across_jumps(self.stepper, z, whole, self.ready, *around)
         at_last = whole < steps and int(z[1]) == plan.whole_steps
         if plan.end is not None and at_last and self.first_event(z) is None:
             z[0] = plan.end - plan.steps * plan.grid.dt_L
-            across(self.stepper, z, 1, self.ready, *around)
+            advance_across_jumps(self.stepper, z, 1, self.ready, *around)
 
     def hold(self, z: np.ndarray, w: np.ndarray) -> None:
         """From now on z (n_z,) has these numbers (n_w,) of the inputs; where they change, forces jump."""
@@ -117,9 +117,7 @@ class SteppedModel:
         layout = self.plan.scheme.layout
         if not self.plan.scheme.remembers:
             z[self._inputs] = w
-            for name in ("v", "v_to"):
-                if name in layout.sizes:
-                    z[layout.slice(name)] += push
+            self.plan.scheme.add_to_rates(z, push)
             return
         clock, dt, size = z[:2].copy(), self.plan.grid.dt_L, layout.size
         t = float(clock[0] + clock[1] * dt)

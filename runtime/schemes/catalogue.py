@@ -67,11 +67,11 @@ class SchemeKind:
         if key not in model.schemes:
             built: Scheme = self.make(model, grid, options)
             if getattr(options, "tolerance", 0.0) > 0:
-                from runtime.schemes.adaptive_steps import AdaptiveSteps
+                from runtime.schemes.adaptive_scheme import AdaptiveScheme
                 from runtime.schemes.one_step import Method
 
                 assert isinstance(built, Method)  # no other has this option
-                built = AdaptiveSteps(built)
+                built = AdaptiveScheme(built)
             watch_events(built)
             model.schemes[key] = built
         found: Scheme = model.schemes[key]

@@ -1,8 +1,8 @@
 """A one-step method, written once: what it evaluates at the start of a step, the step itself, and its dense output.
 
-How long steps are is not its concern. Its own program is a step of the grid in one stage; adaptive_steps.py wraps the
+How long steps are is not its concern. Its own program is a step of the grid in one stage; adaptive_scheme.py wraps the
 same method in steps that follow its estimate of the error. Fields of the start of a step: q_from, v_from, loop_from,
-t_from, a_from, and what `begun` gives; beside [s]: how near to its ends time is looked at, where forces may jump.
+t_from, a_from, and what `begun` gives; side_offset [s]: how near to its ends time is looked at, where forces may jump.
 """
 
 from __future__ import annotations
@@ -45,7 +45,9 @@ class Method(Scheme):
     error_order: int  # the estimate is of h to this power
     strictness: float = 1.0  # what the estimate is multiplied by, so that all methods deliver about the same
     counted_evaluations: tuple[int, int]  # at the start of a step, and in an attempt
-    first_same_as_last = False  # is the end of an attempt evaluated, so that the next step need not evaluate its start?
+    first_same_as_last = (
+        False  # FSAL: is the end of an attempt evaluated, so that the next step need not evaluate its start?
+    )
 
     @abstractmethod
     def begun(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, Mapping[str, ca.SX]]:
@@ -77,7 +79,7 @@ class Method(Scheme):
 
     def _step(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         h, t = equations.h[0], self.now(z, equations)
-        at = {"q_from": z["x"], "v_from": z["v"], "loop_from": z["loop"], "t_from": t, "beside": ca.SX(0)}
+        at = {"q_from": z["x"], "v_from": z["v"], "loop_from": z["loop"], "t_from": t, "side_offset": ca.SX(0)}
         start, a, fields = self.begun(at, equations)
         found = self.attempted({**at, "a_from": a, "loop_from": equations.loop_part(start.q_d), **fields}, equations, h)
         end = self.arrived(equations, found.q, found.loop, t + h)
@@ -88,7 +90,7 @@ class Method(Scheme):
     def time_in_step(self, z: Fields, h: ca.SX, share: float) -> ca.SX:
         """Time at a share of a step of h [s]: just behind its start and just before its end, where it may jump."""
         t = z["t_from"] + share * h
-        return t + (z["beside"] if share == 0 else -z["beside"] if share == 1 else 0)
+        return t + (z["side_offset"] if share == 0 else -z["side_offset"] if share == 1 else 0)
 
     def velocities_at(self, z: Fields, equations: StageEquations, tau: ca.SX, q: ca.SX, rate: ca.SX) -> ca.SX:
         """q_i_dot of the rates of q, tau after the start of a step."""

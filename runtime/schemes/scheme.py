@@ -49,6 +49,9 @@ class Scheme(ABC):
     passes_transients: bool = False  # do they pass by what dies out, or lets go, within the first of them?
     adaptive: bool = False  # are its steps as long as a tolerance asks for, and dt the time between states to be seen?
     if_not_converged: str = "Give a larger eps, or (printed) common_update = direct."
+    # what a state of other q_i goes on with: these fields, and of those the entries of the q_i that both have
+    carried: tuple[str, ...] = ("closure_error", "iterations", "failures")
+    carried_by_coordinate: tuple[str, ...] = ()
     starts_from_last: bool = False  # do iterations begin with the last step's values, and its rate of convergence?
 
     def __init__(self, model: EmittedModel, grid: Grid, options: Options) -> None:
@@ -132,9 +135,21 @@ class Scheme(ABC):
         if self.adaptive:
             raise SchemeError("tolerance", f"{what} needs steps of one length", "leave the tolerance out and give dt")
 
-    def is_stuck(self, z: np.ndarray) -> bool:
+    def hit_min_step(self, z: np.ndarray) -> bool:
         """Was a step rejected that is as short as steps may be? Never one of a given length."""
         return False
+
+    def steps_made(self, z: np.ndarray) -> int:
+        """Steps that led to z (at least the scheme's part, flat)."""
+        return int(z[1])
+
+    def add_to_rates(self, z: np.ndarray, change: np.ndarray) -> None:
+        """Add to q_i_dot (n_i,) of z (flat) in place, of a scheme that is no multistep method."""
+        z[self.layout.slice("v")] += change
+
+    def add_to_rates_at_end(self, z: np.ndarray, change: np.ndarray) -> None:
+        """The same at the end of its last step, which is what is seen of steps of a given length."""
+        self.add_to_rates(z, change)
 
     def taken(self, z: np.ndarray) -> dict[str, float | int | str]:
         """What the steps that led to z say of themselves, where their lengths follow from their errors."""

@@ -14,7 +14,7 @@ from runtime.contract.errors import ArgumentError
 from runtime.model import Model
 from runtime.running.planning import make_plan
 from runtime.running.stepped_model import SteppedModel
-from runtime.schemes.adaptive_steps import AdaptiveSteps
+from runtime.schemes.adaptive_scheme import AdaptiveScheme
 from runtime.schemes.scheme import LARGEST
 from runtime.schemes.switching.times import SwitchTime
 from symgen.scene import SceneRecord
@@ -99,12 +99,12 @@ def test_a_tolerance_that_rounding_does_not_allow_ends_in_time(built_in: Load) -
 def seen_inside_a_step(model: Model, scheme: str, h: float, share: float) -> tuple[Array, Array, Array]:
     """(q_i, q_i_dot) at a share of one step of h from the start, and the exact ones, one below the other."""
     runs = PreparedRuns(model, scheme, options={"tolerance": 0.1})
-    assert isinstance(runs.scheme, AdaptiveSteps)
+    assert isinstance(runs.scheme, AdaptiveScheme)
     layout, state = runs.scheme.layout, runs.state
     z = runs.stepper.start(0.0, state.q, state.q_dot, runs.c, share * h)
     z[layout.slice("h_next")] = h
     runs.stepper.run(z, runs.stepper.prepared.ready(runs.scheme.constants(runs.c, share * h, 1e9)), 1)
-    assert z[layout.slice("accepted")] == 1 and z[layout.slice("t_to")] == pytest.approx(h)
+    assert z[layout.slice("accepted_steps")] == 1 and z[layout.slice("t_to")] == pytest.approx(h)
     fine = PreparedRuns(model, "dop853").samples(share * h / 40, 40, 40)
     exact = np.array([fine["x"][-1], fine["v"][-1]])
     return z[layout.slice("x")], z[layout.slice("v")], exact
@@ -136,11 +136,11 @@ def test_steps_keep_their_length_while_the_error_allows_it(built_in: Load, schem
     lengths: list[float] = []
     for _ in range(4000):
         runs.stepper.run(z, runs.stepper.ready(runs.c, dt), 1)
-        if z[layout.slice("accepted")] > len(lengths):
+        if z[layout.slice("accepted_steps")] > len(lengths):
             lengths.append(float(z[layout.slice("h_try")][0]))
     changes = int((np.diff(lengths[20:]) != 0).sum())
     assert len(lengths) > 60 and changes < 0.25 * len(lengths)
-    assert z[layout.slice("rejected")] <= 0.1 * len(lengths)
+    assert z[layout.slice("rejected_steps")] <= 0.1 * len(lengths)
 
 
 def test_errors_are_measured_by_amplitudes_as_they_grow(model_of: Build) -> None:
@@ -151,7 +151,7 @@ def test_errors_are_measured_by_amplitudes_as_they_grow(model_of: Build) -> None
         z = runs.stepper.start(0.0, runs.state.q, runs.state.q_dot, runs.c, 1.0 / seen)
         z[runs.scheme.layout.slice("h_next")] = 1e-3
         runs.stepper.run(z, runs.stepper.ready(runs.c, 1.0 / seen), seen)
-        taken.append(float(z[runs.scheme.layout.slice("accepted")][0]))
+        taken.append(float(z[runs.scheme.layout.slice("accepted_steps")][0]))
     assert taken[0] == pytest.approx(taken[1], rel=0.1)
 
 
@@ -172,7 +172,7 @@ def test_no_step_crosses_a_stop(built_in: Load, scheme: str) -> None:
     assert z[layout.slice("h_least")] == pytest.approx(1e-7)  # from the last but one to the last
     assert len(ends) < plan.steps / 4  # what is seen does not shorten steps
     start, end = z[layout.slice("t_from")][0], z[layout.slice("t_to")][0]
-    assert not any(start < stop < end for stop in stops) and z[layout.slice("stops")][0] == LARGEST
+    assert not any(start < stop < end for stop in stops) and z[layout.slice("breakpoints")][0] == LARGEST
 
 
 def test_steps_end_where_a_load_jumps(model_of: Build) -> None:
@@ -197,10 +197,10 @@ def test_a_rejected_step_is_made_as_if_it_had_not_been_tried(built_in: Load, sch
     other = z.copy()
     z[layout.slice("h_next")] = 0.05
     runs.stepper.run(z, ready, 1)
-    assert z[layout.slice("rejected")] >= 2
+    assert z[layout.slice("rejected_steps")] >= 2
     other[layout.slice("h_next")] = z[layout.slice("h_least")]
     runs.stepper.run(other, ready, 1)
-    assert other[layout.slice("rejected")] == 0
+    assert other[layout.slice("rejected_steps")] == 0
     for name in ("q_to", "v_to", "a_from", "x", "v", "t_to"):
         np.testing.assert_array_equal(z[layout.slice(name)], other[layout.slice(name)], name)
 

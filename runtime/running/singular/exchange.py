@@ -99,10 +99,6 @@ def by_velocities(
 # Central difference remembers q(t - h) by its increments d = q(t) - q(t - h). A coordinate that takes another's place
 # gets the increment that the closure gives for the old increments: exactly the same two positions of the mechanism.
 
-COUNTERS = ("closure_error", "iterations", "failures")
-STEPS_MADE = ("accepted", "counted", "rejected", "h_least", "h_largest")  # those that follow from a tolerance
-OF_TOLERANCE = (*STEPS_MADE, "h_next", "lands", "closes")
-RANGES = ("q_low", "q_high")  # what errors are measured by
 CLOSURES = 6
 CONJUGATE = np.array([1.0, -1.0, -1.0, -1.0])
 
@@ -111,15 +107,14 @@ def carried(old: SteppedModel, z: np.ndarray, new: SteppedModel, seen: Solution)
     """z of the new segment at the state of the old one; seen: that state observed, one sample."""
     result = new.start(seen.q[0], seen.q_dot[0], int(z[1]))
     before, after = old.plan.scheme.layout, new.plan.scheme.layout
-    for name in (*COUNTERS, *(name for name in OF_TOLERANCE if name in after.sizes)):
+    for name in new.plan.scheme.carried:
         result[after.slice(name)] = z[before.slice(name)]
     stays = np.array([a == b for a, b in zip(old.model.q_i, new.model.q_i, strict=True)])
     for name in new.plan.scheme.history:
         values = result[after.slice(name)]
         result[after.slice(name)] = np.where(stays, z[before.slice(name)], values)
-    for name in RANGES:
-        if name in after.sizes:
-            result[after.slice(name)] = np.where(stays, z[before.slice(name)], result[after.slice(name)])
+    for name in new.plan.scheme.carried_by_coordinate:
+        result[after.slice(name)] = np.where(stays, z[before.slice(name)], result[after.slice(name)])
     if {"d", "a"} <= set(new.plan.scheme.history):  # it remembers the last step by increments
         for k in np.flatnonzero(~stays):
             d, a = _increment(old, z, seen, new.model.q_i[k], float(new.plan.scheme.step_sizes[k]))

@@ -21,7 +21,6 @@ from runtime.running.singular.crossing import (
     cross,
     turned_back,
 )
-from runtime.running.singular.exchange import COUNTERS, OF_TOLERANCE, RANGES
 from runtime.running.singular.guard import NEAR
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.switching.event_search import first_bracket, first_passage
@@ -151,8 +150,10 @@ class Over:
         if not steps:
             return []
         q, q_dot = way.states(times)
-        found, layout = [], self.segment.plan.scheme.layout
-        stays = [name for name in (*COUNTERS, *OF_TOLERANCE, *RANGES, "event_quiet") if name in layout.sizes]
+        found, scheme = [], self.segment.plan.scheme
+        layout = scheme.layout
+        quiet = ("event_quiet",) if "event_quiet" in layout.sizes else ()
+        stays = (*scheme.carried, *scheme.carried_by_coordinate, *quiet)
         for k in range(len(steps)):
             at = float(times[k]) if off_grid else None
             one = self.segment.start(q[k], q_dot[k], steps[k], at)
