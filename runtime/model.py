@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from runtime.running.stepping import stepper as _stepper
     from runtime.studies.advice.advise import advise as _advise
     from runtime.studies.advice.report import report as _report
+    from runtime.studies.convergence import convergence as _convergence
     from runtime.studies.ensemble.ensemble import ensemble as _ensemble
     from runtime.studies.stability.chart import stability_chart as _stability_chart
 
@@ -45,9 +46,9 @@ class Model(EmittedModel):
 
     Runs: simulate, resume, ensemble, stepper. States: equilibrium, modes, linearise, campbell, unbalance_response,
     quasi_static_motion. Motions that repeat: periodic, periodic_over. Derivatives: gradient, output_jacobian, fit.
-    Methods: advise, report, stability. Dynamics: mass_matrix, coriolis, gravity, inverse_dynamics, forward_dynamics,
-    jacobian, ode. Names: q_i, q_d, coordinates, parameters, inputs, measures, joints, constraints. Functions: function,
-    evaluate. Handed on: export_c, export_fmu.
+    Methods: advise, report, stability. Modelling: convergence. Dynamics: mass_matrix, coriolis, gravity,
+    inverse_dynamics, forward_dynamics, jacobian, ode. Names: q_i, q_d, coordinates, parameters, inputs, measures,
+    joints, constraints. Functions: function, evaluate. Handed on: export_c, export_fmu.
     """
 
     # Each of these is the function that it names, with the model as its first argument.
@@ -69,6 +70,7 @@ class Model(EmittedModel):
         advise = _advise
         report = _report
         stability = _stability_chart
+        convergence = _convergence
         stepper = _stepper
         ode = _ode
         export_c = _export_c
@@ -176,6 +178,12 @@ class Model(EmittedModel):
             from runtime.studies.stability.chart import stability_chart
 
             return stability_chart
+
+        @LazyMethod
+        def convergence():
+            from runtime.studies.convergence import convergence
+
+            return convergence
 
         @LazyMethod
         def stepper():

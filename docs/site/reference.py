@@ -62,6 +62,10 @@ TOPICS: dict[str, list[str]] = {
         "runtime.gradients.fit.fit",
     ],
     "Judging": [
+        "runtime.studies.convergence.convergence",
+        "runtime.studies.convergence.Convergence",
+        "runtime.studies.convergence.ModellingError",
+        "runtime.studies.convergence.Change",
         "runtime.studies.advice.advise.advise",
         "runtime.studies.advice.report.report",
         "runtime.studies.stability.chart.stability_chart",

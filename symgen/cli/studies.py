@@ -1,4 +1,4 @@
-"""`symgen sweep`, `stability`, `periodic`, `advise`: many runs of a scene."""
+"""`symgen sweep`, `stability`, `periodic`, `converge`, `advise`: many runs of a scene."""
 
 from __future__ import annotations
 
@@ -263,6 +263,43 @@ def _limits(chart: StabilityChart) -> list[str]:
                 f"{'':>8}  already dt = {smallest:.3g} s grows by {fastest:.3g} 1/s more than the motion itself"
             )
     return lines
+
+
+def converge(arguments: argparse.Namespace) -> Outcome:
+    """Estimate the error of the model itself, beside that of its steps.
+
+    The scene with more shapes, other pieces, another mesh, stiffening: one of them at a time, by output. With --out it
+    leaves a table.
+    """
+    from runtime.contract.files import try_writing
+    from runtime.studies.convergence import EQUILIBRIUM, convergence
+
+    if arguments.out:
+        try_writing(arguments.out)
+    outputs, hows = arguments.outputs, arguments.reduce
+    if hows and not outputs:
+        raise UsageError("--reduce needs --outputs NAMES")
+    if hows and arguments.equilibrium:
+        raise UsageError("--reduce is of a motion: leave it or --equilibrium out")
+    model = opened_model(arguments.scene, arguments.made_with)
+    others: dict[str, Any] = {
+        side: {knob: opened_model(word) for knob, word in getattr(arguments, side).items()}
+        for side in ("coarser", "finer")
+    }
+    how = settings(arguments, ("knobs", "levels", "tolerance", "samples", *MOTION))
+    with Progress(f"symgen {model.name}", counted="runs") as progress:
+        found = convergence(
+            model,
+            dict.fromkeys(outputs, hows) if hows else outputs,
+            of=EQUILIBRIUM if arguments.equilibrium else "motion",
+            progress=progress,
+            **others,
+            **how,
+        )
+    files = [str(arguments.out)] if arguments.out else []
+    if files:
+        found.write_csv(files[0])
+    return Outcome({"convergence": found.to_dict(), "files": files}, [*found.lines(), *left(files)])
 
 
 def advise(arguments: argparse.Namespace) -> Outcome:

@@ -400,6 +400,25 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
             opt("--out DIR", "folder for the motion of a period, or for branch.csv, branch.png and branch.html"),
         ),
     ),
+    "converge": (
+        studies.converge,
+        (
+            *SCENE,
+            opt("--outputs NAMES", "measures and coordinates, by commas (default: all measures)", names),
+            opt("--reduce HOW", "motion (the default), max, min, peak, mean, rms, end of each output", names),
+            opt("--equilibrium", "of the equilibrium instead of the motion"),
+            opt("--knobs NAMES", "such as modes,rod.pieces (default: modes, elements, pieces, stiffening)", names),
+            opt("--levels COUNT", "how often each is turned; 2 tells the order (default: %(default)s)", int, default=1),
+            pairs(
+                "--coarser", "coarser", "the scene with half the size, by its knob: rod.mesh=coarse.toml", words.file_of
+            ),
+            pairs("--finer", "finer", "the scene with double the size, by its knob", words.file_of),
+            opt("--tolerance ERROR", "of the steps of all runs (default: %(default)s)", positive, default=1e-5),
+            opt("--samples COUNT", "times at which motions are compared (default: %(default)s)", int, default=400),
+            MOTION,
+            opt("--out FILE", "a table, convergence.csv"),
+        ),
+    ),
     "advise": (studies.advise, (*SCENE, *ACCURACY, MOTION, opt("--out FILE", "a picture: error against operations"))),
     "report": (
         studies.report,

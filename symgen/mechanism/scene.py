@@ -8,10 +8,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pydantic import ValidationError
+from pydantic import PrivateAttr, ValidationError
 
 from runtime.contract.cards import card, fold, table
 from symgen.scene import toml_io
+from symgen.scene.bodies import BeamBody
 from symgen.scene.checks import check_scene
 from symgen.scene.in_plane import planar_bodies
 from symgen.scene.parts import SceneParts
@@ -60,11 +61,15 @@ class SceneRecord(SceneParts):
     Raises SceneError when anything in it is wrong.
     """
 
+    _meshed: dict[str, BeamBody] = PrivateAttr(default_factory=dict)  # as they were declared: text keeps their words
+
     def __init__(self, /, **data: Any) -> None:
         try:
             super().__init__(**data)
         except ValidationError as error:
             raise_all(scene_errors(error, data))
+        meshed = (one for one in self.bodies if isinstance(one, BeamBody) and one.mesh == "lumped")
+        self._meshed = {one.name: one for one in meshed}
         object.__setattr__(self, "bodies", planar_bodies(self.bodies, self.space, self))
         check_scene(self)
 
@@ -100,7 +105,11 @@ class SceneRecord(SceneParts):
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values in the schema's order, without entries that equal their default."""
-        return toml_io.plain(self)
+        found = toml_io.plain(self)
+        for k, body in enumerate(found.get("bodies", [])):
+            if body["name"] in self._meshed:
+                found["bodies"][k] = toml_io.plain(self._meshed[body["name"]])
+        return found
 
     def to_toml(self) -> str:
         """TOML text from which `from_toml` gives an equal scene; floats are written with repr."""

@@ -73,6 +73,7 @@ SYMGEN_PACKAGES = {
     "urdf": "joints mechanism scene schema",
     "scenes": "mechanism scene",
     "variants": "emission mechanism pipeline scene",
+    "refinement": "mechanism schema",
     "cli": "kernels emission generate mechanism pipeline scene scenes schema urdf",
     "": "cli mechanism schema",
 }

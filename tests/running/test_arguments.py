@@ -65,7 +65,7 @@ def test_cases_are_numbers(built_in: Callable[..., Model], value: Any) -> None:
 
 DOORS = (
     "resume equilibrium modes linearise campbell unbalance_response periodic quasi_static_motion advise stability "
-    "report stepper ode"
+    "convergence report stepper ode"
 )
 
 

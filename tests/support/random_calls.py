@@ -168,6 +168,10 @@ def _of_model(model: Model, short: Mapping[str, Any], folder: Path) -> Iterator[
     yield Target(
         "advise", model.advise, {"tolerance": 1e-2, "t_end": 0.02, "graded": ["hub.theta"], "start": None}, 0.1
     )
+    turned = {"outputs": ["tip_y"], "of": "motion", "knobs": ["stiffening"], "levels": 1, "coarser": None}
+    yield Target(
+        "convergence", model.convergence, {**turned, "t_end": 0.02, "tolerance": 1e-3, "samples": 5, "start": None}, 0.5
+    )
     yield Target("with_inputs", model.with_inputs, {"values": {"torque": 1.0}})
     yield Target("parameter_vector", model.parameter_vector, {"changes": {"grip": 1.0}})
     q, v = np.zeros(2), np.zeros(2)
