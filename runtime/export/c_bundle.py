@@ -354,7 +354,7 @@ def _doors(one: Exported) -> str:
         size=scheme.layout.size,
         inputs=n_w,
         first=first,
-        anew=int(scheme.remembers),
+        anew=int(scheme.multistep),
         pushed=len(model.q_i) if watches(scheme) else 0,
         **_stop_doors(scheme),
     )
@@ -417,7 +417,7 @@ static void {p}go_on(double *z, const double *c, double dt_before, double dt, do
 
 void {p}hold(double *z, const double *c, const double *u, double *w) {{
   const double t0 = z[0], n = z[1];
-  if ({anew}) {{ /* the scheme remembers earlier steps */
+  if ({anew}) {{ /* a multistep scheme remembers earlier steps */
     long k = 0;
     while (k < {inputs} && z[{first} + k] == u[k]) ++k;
     if (k < {inputs}) {p}go_on(z, c, c[{end}], c[{end}], {p}time(z, c), u, w);

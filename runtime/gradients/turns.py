@@ -46,7 +46,7 @@ class TurnProgram:
     def __init__(self, program: ObservedProgram, kind: str, width: int, wait: bool) -> None:
         self._of, self._scheme, self._kind = program, program.scheme, kind
         scheme, active = program.scheme, program.active
-        if scheme.remembers and scheme.charts.size:
+        if scheme.multistep and scheme.charts.size:
             raise ArgumentError(
                 f"scheme of model {scheme.model.name}",
                 "starts anew where forces jump, which is not differentiated for turns of free bodies",
@@ -202,7 +202,7 @@ class TurnProgram:
 
     def _motion(self, z: Fields, fields: Fields, c: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
         """q_i, their rates, and a guess of the loop unknowns."""
-        if not self._scheme.remembers:
+        if not self._scheme.multistep:
             return fields["x"], fields["v"], fields["loop"]
         shown = self._scheme.observer(z=z["state"], c=c)
         return shown["q_i"], shown["q_i_dot"], loop_guess(self._scheme, shown["q_d"])

@@ -107,7 +107,7 @@ class SteppedModel:
     def hold(self, z: np.ndarray, w: np.ndarray) -> None:
         """From now on z (n_z,) has these numbers (n_w,) of the inputs; where they change, forces jump."""
         now = z[self._inputs]
-        if not self.plan.scheme.remembers or (now == w).all():
+        if not self.plan.scheme.multistep or (now == w).all():
             now[:] = w
             return
         self.restart(z, w, np.zeros(len(self.model.q_i)))
@@ -115,7 +115,7 @@ class SteppedModel:
     def restart(self, z: np.ndarray, w: np.ndarray, push: np.ndarray) -> None:
         """From now on z (n_z,) has these inputs (n_w,) and rates with push (n_i,) added; what it remembers is anew."""
         layout = self.plan.scheme.layout
-        if not self.plan.scheme.remembers:
+        if not self.plan.scheme.multistep:
             z[self._inputs] = w
             self.plan.scheme.add_to_rates(z, push)
             return

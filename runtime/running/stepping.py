@@ -202,7 +202,7 @@ class ModelStepper:
         """From now on these inputs."""
         if self._across is not None:
             self._across.take_inputs()
-        names, own = self.model.inputs, self._own_inputs.copy() if self.scheme.remembers else self._own_inputs
+        names, own = self.model.inputs, self._own_inputs.copy() if self.scheme.multistep else self._own_inputs
         if not isinstance(u, Mapping):
             if not isinstance(u, Sequence) and getattr(u, "ndim", 0) != 1:
                 raise ArgumentError(
@@ -219,7 +219,7 @@ class ModelStepper:
                 own[:] = self.model.signals.changed(own, 0.0, u)  # says what is wrong
                 break
             own[k] = value
-        if self.scheme.remembers:
+        if self.scheme.multistep:
             self._own.hold(self._z, own)
 
     @arguments()

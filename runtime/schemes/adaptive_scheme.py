@@ -296,8 +296,8 @@ class AdaptiveScheme(Scheme):
         return int(z[self.layout.slice("accepted_steps")][0])
 
     @property
-    def remembers(self) -> bool:
-        """Behind a breakpoint they begin with nothing but positions and rates."""
+    def multistep(self) -> bool:
+        """No: behind a breakpoint steps begin with nothing but positions and rates."""
         return False
 
     def reached(self, z: np.ndarray) -> float:

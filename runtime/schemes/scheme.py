@@ -187,8 +187,8 @@ class Scheme(ABC):
         return z.copy()
 
     @property
-    def remembers(self) -> bool:
-        """Do steps act, or steer their iterations, through more than positions, rates and charts?"""
+    def multistep(self) -> bool:
+        """A multistep method: do steps read, or steer iterations by, more than positions, rates and charts?"""
         return not set(self.memory) <= {"x", "v", "loop", "chart"} or self.starts_from_last
 
     @property

@@ -219,7 +219,7 @@ def restarted(
     is added to positions, whose value is zero where its derivative is not.
     """
     found, own, end = ca.SX(state), scheme.layout.slice, scheme.model.c_size
-    if scheme.remembers:
+    if scheme.multistep:
         before, after = (with_steps(scheme, state, c, one) for one in (dt_before, dt))
         if inputs is not None:
             after = ca.vertcat(after[: end - inputs.numel()], inputs, after[end:])

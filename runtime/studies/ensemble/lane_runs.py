@@ -147,7 +147,7 @@ class LaneRuns:
             if (
                 isinstance(found, NoMode)
                 or found.push.any()
-                or (scheme.remembers and (found.modes != decided[k]).any())
+                or (scheme.multistep and (found.modes != decided[k]).any())
             ):
                 alone[k] = True
             else:
