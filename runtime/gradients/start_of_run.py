@@ -21,7 +21,7 @@ from runtime.gradients.variables import Variables, independent_turns, parameters
 from runtime.operating.given_state import given_state
 from runtime.running.monitor import Monitor
 from runtime.running.problem import Plan
-from runtime.running.singular.guard import Guard
+from runtime.running.singular.singularity_monitor import SingularityMonitor
 from runtime.running.time_functions import check_time_functions
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.stepper import start_vector
@@ -391,7 +391,7 @@ class Watch:
         layout = self._scheme.layout
         low, high = z[layout.slice("det_low")], z[layout.slice("det_high")]
         with np.errstate(all="ignore"):  # a run that has passed there may be lost
-            passed = Guard.of(len(low)).alarm(low, high)
+            passed = SingularityMonitor.of(len(low)).near_singular(low, high)
         if passed:
             raise NoResult(
                 f"model {self._scheme.model.name}",

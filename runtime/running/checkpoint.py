@@ -167,7 +167,7 @@ def checkpoint_of(run: Run) -> Checkpoint:
         "segment": record.segments.index(segment),
         "position": segment.observed([segment.state(z)]).q[0].tolist(),
         "monitor": segment.monitor.memory(),
-        "guard": run.guard.memory(),
+        "guard": run.singularity.memory(),
         "schedule": {} if run.schedule is None else run.schedule.memory(),
         "impulses": [[at, one.energy, *one.jumps.tolist()] for at, one in impulses],
         "happened": run.happenings.memory(),

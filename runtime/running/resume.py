@@ -21,7 +21,7 @@ from runtime.running.problem import Plan, Problem
 from runtime.running.recording import record_of
 from runtime.running.run import Further, Pace, Progress, Run, with_reads
 from runtime.running.singular.exchange import variant_of
-from runtime.running.singular.guard import Guard
+from runtime.running.singular.singularity_monitor import SingularityMonitor
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.switching.impulse import Impulse
 from runtime.solutions.solution import Solution
@@ -100,7 +100,7 @@ def resume(
         header["initial_changes"],
         Pace.of(segment.stepper.operations),
         [Event(**event) for event in header["events"]],
-        guard=Guard.remembered(header["guard"]),
+        singularity=SingularityMonitor.remembered(header["guard"]),
         earlier=kept.arrays.get("earlier"),
         marks=marks_of(problem, plan) if "mark_samples" in kept.arrays else None,
     )

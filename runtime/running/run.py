@@ -22,7 +22,7 @@ from runtime.running.monitor import Failure
 from runtime.running.problem import Plan, Problem, whole_number
 from runtime.running.record import Marks, Record
 from runtime.running.recording import record_of
-from runtime.running.singular.guard import Guard
+from runtime.running.singular.singularity_monitor import SingularityMonitor
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import check_time_functions
 from runtime.schemes.options import SchemeError
@@ -166,7 +166,7 @@ class Run:
     pace: Pace
     events: list[Event] = field(default_factory=list)
     status: Status | None = None
-    guard: Guard = field(default_factory=Guard)
+    singularity: SingularityMonitor = field(default_factory=SingularityMonitor)
     marks: Marks | None = None
     schedule: Schedule | None = None
     earlier: np.ndarray | None = None
@@ -211,9 +211,9 @@ class Run:
         closely = closely or self.pace.slow(self.step - 1) or self.step == self.plan.steps
         return self.segment.monitor.after(self.segment.state(self.z), closely, samples)
 
-    def alarm(self) -> bool:
+    def near_singular(self) -> bool:
         """Was a determinant of a loop block small in the last steps?"""
-        return self.guard.alarm(*self.segment.determinants(self.z))
+        return self.singularity.near_singular(*self.segment.determinants(self.z))
 
     # ---- inputs and events -----------------------------------------------------------------------------------
 
@@ -368,14 +368,14 @@ def integrate(run: Run) -> Status:
                 clock, n, before, known = time.perf_counter(), run.stretch(), run.z.copy(), run.segment.monitor.memory()
                 seen = run.segment.run_and_save(run.z, run.to_be_seen(n))
                 rows: np.ndarray | None = seen
-                at, alarm = run.segment.first_event(run.z), run.alarm()
-                if at is not None and not alarm:  # an alarm comes first
-                    rows, alarm = run.to_event(at, before, seen), run.alarm()
+                at, near_singular = run.segment.first_event(run.z), run.near_singular()
+                if at is not None and not near_singular:  # a singular position comes first
+                    rows, near_singular = run.to_event(at, before, seen), run.near_singular()
                     n = n if run.plan.scheme.adaptive else max(1, at - 1 - int(before[1]))
-                status = None if rows is None or alarm else run.checked(samples=len(rows))
+                status = None if rows is None or near_singular else run.checked(samples=len(rows))
                 if rows is None:
                     run.keep(run.z[None])  # an event has happened: what it leads to is checked
-                elif len(rows) > 1 and (alarm or status is not None):
+                elif len(rows) > 1 and (near_singular or status is not None):
                     run.pace.went_wrong(until=int(before[1]) + n)
                     run.segment.monitor.recall(known)
                     run.z = before
@@ -383,7 +383,7 @@ def integrate(run: Run) -> Status:
                     run.pace.went_wrong(until=int(before[1]) + n, finer=max(1, n // FINER))
                     run.segment.monitor.recall(known)
                     run.z = before
-                elif alarm:
+                elif near_singular:
                     from runtime.running.singular.passage import pass_by
 
                     pass_by(run, before, n)
@@ -391,7 +391,7 @@ def integrate(run: Run) -> Status:
                 elif status is not None:
                     run.status = status
                 else:
-                    run.guard.accept(*run.segment.determinants(run.z))
+                    run.singularity.accept(*run.segment.determinants(run.z))
                     run.earlier = before
                     run.pace.went_well()
                     run.keep(rows)
@@ -453,8 +453,10 @@ def begun(
     rest_until(plan.scheme, z, problem.quiet)
     changes = ", ".join(f"{key}: {a:.9g} -> {b:.9g}" for key, (a, b) in state.changed.items() if _differ(a, b))
     record = record_of(segment, z, further.stream, keep_rows=further.bounded)
-    pace, guard = Pace.of(segment.stepper.operations), Guard.of(len(segment.determinants(z)[0]))
-    run = Run(problem, segment, z, record, further, changes or "none", pace, events, guard=guard, marks=marks)
+    pace, singularity = Pace.of(segment.stepper.operations), SingularityMonitor.of(len(segment.determinants(z)[0]))
+    run = Run(
+        problem, segment, z, record, further, changes or "none", pace, events, singularity=singularity, marks=marks
+    )
     if marks is not None:
         marks.segments = record.segments
     run.settle(told=False)

@@ -15,7 +15,7 @@ import pytest
 from runtime import Model, simulate
 from runtime.running.singular.crossing import BranchLost, Crossing, TightIntegrator, cross
 from runtime.running.singular.exchange import best_exchange
-from runtime.running.singular.guard import Guard
+from runtime.running.singular.singularity_monitor import SingularityMonitor
 
 pytestmark = pytest.mark.long
 
@@ -136,21 +136,21 @@ def test_a_step_over_it_is_accurate() -> None:
                 crossed(point)
 
 
-def test_the_alarm_of_a_small_determinant() -> None:
+def test_a_small_determinant_is_near_singular() -> None:
     """At 0.15 of the largest so far; then at 0.3 of that; given up, only at 3e-5; and where the sign changes."""
-    guard = Guard.of(1)
-    guard.accept(np.ones(1), np.ones(1))
+    monitor = SingularityMonitor.of(1)
+    monitor.accept(np.ones(1), np.ones(1))
 
-    def alarm(share: float) -> bool:
-        return guard.alarm(np.array([share]), np.ones(1))
+    def near_singular(share: float) -> bool:
+        return monitor.near_singular(np.array([share]), np.ones(1))
 
-    assert alarm(0.14) and not alarm(0.16) and guard.alarm(np.array([-0.5]), np.array([-0.5]))
-    guard.lower()
-    assert alarm(0.04) and not alarm(0.05)
-    guard.give_up()
-    assert alarm(2e-5) and not alarm(4e-5)
-    guard.passed()
-    assert alarm(0.14) and not alarm(0.16) and not guard.alarm(-np.ones(1), -np.ones(1))
+    assert near_singular(0.14) and not near_singular(0.16) and monitor.near_singular(np.array([-0.5]), np.array([-0.5]))
+    monitor.lower()
+    assert near_singular(0.04) and not near_singular(0.05)
+    monitor.give_up()
+    assert near_singular(2e-5) and not near_singular(4e-5)
+    monitor.passed()
+    assert near_singular(0.14) and not near_singular(0.16) and not monitor.near_singular(-np.ones(1), -np.ones(1))
 
 
 def test_a_loop_unknown_takes_the_place_that_it_nearly_deserves() -> None:

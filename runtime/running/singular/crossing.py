@@ -19,7 +19,7 @@ from runtime.contract.coordinates import whole
 from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.engine.rows import evaluate
-from runtime.running.singular.guard import LoopDeterminants
+from runtime.running.singular.singularity_monitor import LoopDeterminants
 from runtime.solutions.observe import assemble_solution
 from runtime.solutions.solution import Solution
 

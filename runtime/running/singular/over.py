@@ -21,7 +21,7 @@ from runtime.running.singular.crossing import (
     cross,
     turned_back,
 )
-from runtime.running.singular.guard import NEAR
+from runtime.running.singular.singularity_monitor import NEAR
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.switching.event_search import first_bracket, first_passage
 from runtime.schemes.switching.watched import NEVER, are_kinks, passed, quiet_until

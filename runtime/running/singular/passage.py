@@ -15,8 +15,8 @@ from runtime.contract.coordinates import mechanism_length
 from runtime.contract.status import Event, Status, StatusName
 from runtime.running.singular.crossing import BranchLost, TightIntegrator, approach, cross
 from runtime.running.singular.exchange import CLEARLY, Exchange, NoVariant, best_exchange, carried, variant_of
-from runtime.running.singular.guard import FLOOR, LAST, Guard, LoopDeterminants
 from runtime.running.singular.over import Over, Way
+from runtime.running.singular.singularity_monitor import FLOOR, LAST, LoopDeterminants, SingularityMonitor
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.options import SchemeError
 from runtime.solutions.solution import Solution
@@ -43,11 +43,11 @@ class Continuation:
 
 
 def locate(
-    segment: SteppedModel, guard: Guard, earlier: np.ndarray | None, before: np.ndarray, steps: int
+    segment: SteppedModel, monitor: SingularityMonitor, earlier: np.ndarray | None, before: np.ndarray, steps: int
 ) -> tuple[np.ndarray, np.ndarray | None, bool]:
-    """(z before the first step that raises the alarm, z one step earlier if there is one, was there an alarm at all?).
+    """(z before the first near-singular step, z one step earlier if there is one, is there one at all?).
 
-    The guard accepts the steps that lead there. Without an alarm z is where the search ended: go on from there.
+    The monitor accepts the steps that lead there. Without one z is where the search ended: go on from there.
     """
     low_z, previous = before.copy(), None
     low, high = 0, steps
@@ -55,15 +55,15 @@ def locate(
         middle = (low + high) // 2
         z = low_z.copy()
         segment.run(z, middle - low)
-        if guard.alarm(*segment.determinants(z)):
+        if monitor.near_singular(*segment.determinants(z)):
             high = middle
         else:
-            guard.accept(*segment.determinants(z))
+            monitor.accept(*segment.determinants(z))
             low_z, low = z, middle
     z = low_z.copy()
     segment.run(z, 1)
-    if not guard.alarm(*segment.determinants(z)):
-        guard.accept(*segment.determinants(z))
+    if not monitor.near_singular(*segment.determinants(z)):
+        monitor.accept(*segment.determinants(z))
         return z, None, False
     for start in (before, earlier):
         distance = -1 if start is None else int(low_z[1]) - 1 - int(start[1])
@@ -84,17 +84,17 @@ def pass_by(run: Run, before: np.ndarray, n: int) -> None:
 
 def _go_on(run: Run, before: np.ndarray, n: int) -> None:
     run.z = before.copy()  # what Ctrl-C during the search leaves
-    z, previous, alarm = locate(run.segment, run.guard, run.earlier, before, n)
-    if not alarm:
+    z, previous, near_singular = locate(run.segment, run.singularity, run.earlier, before, n)
+    if not near_singular:
         run.z, run.earlier = z, before
         return
-    if run.guard.threshold < FLOOR:
-        _step_unguarded(run, z)
+    if run.singularity.threshold < FLOOR:
+        _step_unmonitored(run, z)
         return
     last = z if previous is None else previous
     found = Passage(run).go_on(last)
     if run.left.get(id(found.segment)) == int(found.z[1]):  # exchanges would go in a circle
-        _step_unguarded(run, last)
+        _step_unmonitored(run, last)
         return
     happened, event = run.happenings, found.event
     if event is not None and (event.kind != "no_variant" or not any(event.text == one.text for one in run.events)):
@@ -113,13 +113,13 @@ def _go_on(run: Run, before: np.ndarray, n: int) -> None:
     run.status = found.status
     if found.segment is not run.segment:
         run.left[id(run.segment)] = int(found.z[1])
-        run.segment, run.guard = found.segment, Guard.of(len(found.segment.determinants(found.z)[0]))
+        run.segment, run.singularity = found.segment, SingularityMonitor.of(len(found.segment.determinants(found.z)[0]))
         if found.segment not in run.record.segments:
             run.record.segments.append(found.segment)
     run.z, run.earlier = found.z, None
 
 
-def _step_unguarded(run: Run, z: np.ndarray) -> None:
+def _step_unmonitored(run: Run, z: np.ndarray) -> None:
     """A step that nothing better was found for: if the other checks find nothing wrong, the branch is lost."""
     run.z, run.earlier = z.copy(), None
     run.segment.run(run.z, 1)
@@ -130,10 +130,10 @@ def _step_unguarded(run: Run, z: np.ndarray) -> None:
 
 
 class Passage:
-    """Looks at a place where a run raised the alarm, and decides."""
+    """Looks at a place where a run came near a singular position, and decides."""
 
     def __init__(self, run: Run) -> None:
-        self.segment, self.guard = run.segment, run.guard
+        self.segment, self.singularity = run.segment, run.singularity
         self.segments, self.engine = run.record.segments, run.problem.engine
         self.asked, self.happenings = lambda: run.interrupts.asked, run.happenings
         self.loops = LoopDeterminants(run.segment.model, run.segment.c)
@@ -149,7 +149,7 @@ class Passage:
         values, _ = self.loops.determinants(t, q, v)
         if not (np.isfinite(q).all() and np.isfinite(v).all() and np.isfinite(values).all()):
             return self._look_later(z)
-        block = self.guard.worst(values)
+        block = self.singularity.worst(values)
         exchange = best_exchange(self.segment.model, q, self.loops.jacobian(t, q), self.length)
         if exchange is not None and exchange.gain >= CLEARLY:
             return self._exchanged(z, seen, exchange)
@@ -159,11 +159,11 @@ class Passage:
         """Follow the motion with tight tolerances to see whether it leads to a singular position."""
         integrator = TightIntegrator(self.segment.model, self.segment.p, self.segment.c, self.asked)
         t, y = float(seen.t[0]), integrator.pack(seen.q[0], seen.q_dot[0])
-        largest = float(self.guard.largest[block]) or height
+        largest = float(self.singularity.largest[block]) or height
         try:
             near = approach(integrator, t, y, block, min(FOLLOWED * largest, 0.3 * height))
         except BranchLost:  # whatever stops the motion, it is not the closure: other checks name it
-            self.guard.give_up()
+            self.singularity.give_up()
             return Continuation(self.segment, z, [])
         if near is None:
             return self._look_later(z)
@@ -182,7 +182,7 @@ class Passage:
                 f"a singular position lies ahead, and the branch of the motion cannot be told behind it: {error}",
                 "Start elsewhere, change a length a little, or stop the run before it.",
             )
-        self.guard.passed()
+        self.singularity.passed()
         first, event = int(z[1]) + 1, over.told()
         return Continuation(self.segment, samples[-1].copy(), samples, first, event, status)
 
@@ -193,7 +193,7 @@ class Passage:
         try:
             segment = self._segment_with(names, seen.q[0])
         except (NoVariant, SchemeError) as error:
-            if self.guard.threshold > LAST:
+            if self.singularity.threshold > LAST:
                 return self._look_later(z, Event(float(seen.t[0]), "no_variant", str(error)))
             return self._lost(
                 "partition_lost",
@@ -224,7 +224,7 @@ class Passage:
 
     def _look_later(self, z: np.ndarray, event: Event | None = None) -> Continuation:
         """Nothing to be done yet: go on, and look again when the determinant is smaller."""
-        self.guard.lower()
+        self.singularity.lower()
         return Continuation(self.segment, z, [], None, event)
 
     def _lost(self, name: StatusName, z: np.ndarray, cause: str, advice: str) -> Continuation:

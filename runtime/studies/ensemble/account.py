@@ -17,7 +17,7 @@ from runtime.contract.model import EmittedModel
 from runtime.contract.status import StatusName
 from runtime.engine.program import Fields
 from runtime.running.monitor import CLOSURE_LIMIT, CONSTRAINT_LIMIT, GROWTH_LIMIT, MOST_DEFLECTION, MOST_TURN, observed
-from runtime.running.singular.guard import NEAR
+from runtime.running.singular.singularity_monitor import NEAR
 from runtime.running.stepped_model import HIGHEST, LOWEST
 from runtime.schemes.scheme import LARGEST, Scheme
 from runtime.schemes.switching.watched import NEVER, watches
@@ -70,10 +70,10 @@ class LaneAccount:
     def step(self, z: Fields, c: ca.SX) -> Mapping[str, ca.SX]:
         """After one more major step."""
         s = self.scheme.layout.unpack(z["scheme"])
-        alarm, account = self._guarded(z, s)
+        near_singular, account = self._monitored(z, s)
         none, scheme = ca.SX(0), self.scheme
         found = {
-            ALONE: ca.logic_or(alarm, self._at_event(s)),
+            ALONE: ca.logic_or(near_singular, self._at_event(s)),
             "iteration_failed": none if scheme.iteration_limit is None else s["failures"] > 0,
             "not_finite": ca.logic_not(scheme.alive(s)),
             "constraints_lost": s["closure_error"] > CLOSURE_LIMIT * self.length if self.blocks else none,
@@ -96,21 +96,21 @@ class LaneAccount:
             return ca.SX(0)
         return ca.logic_or(s["event_step"] < NEVER, ca.logic_not(ca.sum1(ca.fabs(s["event_values"])) < LARGEST))
 
-    def _guarded(self, z: Fields, s: Fields) -> tuple[ca.SX, dict[str, ca.SX]]:
+    def _monitored(self, z: Fields, s: Fields) -> tuple[ca.SX, dict[str, ca.SX]]:
         """(is the determinant of a loop block small, or has it changed its sign?, what is kept of them).
 
-        See runtime/running/singular/guard.
+        See runtime/running/singular/singularity_monitor.
         """
-        alarm, largest = ca.SX(0), ca.SX(z["largest"])
+        near_singular, largest = ca.SX(0), ca.SX(z["largest"])
         for k in range(self.blocks):
             low, high = s["det_low"][k], s["det_high"][k]
             least, most = ca.fmin(ca.fabs(low), ca.fabs(high)), ca.fmax(ca.fabs(low), ca.fabs(high))
             largest[k] = ca.fmax(most, largest[k])
             changed = ca.logic_or(low * high <= 0, z["before"][k] * low < 0)
-            alarm = ca.logic_or(alarm, ca.logic_or(least < NEAR * largest[k], changed))
+            near_singular = ca.logic_or(near_singular, ca.logic_or(least < NEAR * largest[k], changed))
         fresh = {"det_low": LOWEST * ca.SX.ones(self.blocks), "det_high": HIGHEST * ca.SX.ones(self.blocks)}
         state = self.scheme.layout.pack({**s, **fresh})
-        return alarm, {"scheme": state, "largest": largest, "before": s["det_high"]}
+        return near_singular, {"scheme": state, "largest": largest, "before": s["det_high"]}
 
 
 def cause_of(causes: np.ndarray) -> np.ndarray:

@@ -21,19 +21,19 @@ FLOOR = 1e-4  # threshold below which looking again is of no use
 
 
 @dataclass
-class Guard:
-    """largest magnitude and last sign of each block's determinant, and the share that raises the alarm."""
+class SingularityMonitor:
+    """largest magnitude and last sign of each determinant, and the share of it below which steps are near-singular."""
 
     largest: np.ndarray = field(default_factory=lambda: np.zeros(0))
     sign: np.ndarray = field(default_factory=lambda: np.zeros(0))
     threshold: float = NEAR
 
     @classmethod
-    def of(cls, blocks: int) -> Guard:
+    def of(cls, blocks: int) -> SingularityMonitor:
         """That has seen nothing yet."""
         return cls(np.zeros(blocks), np.zeros(blocks))
 
-    def alarm(self, low: np.ndarray, high: np.ndarray) -> bool:
+    def near_singular(self, low: np.ndarray, high: np.ndarray) -> bool:
         """Is a determinant of some steps below its share of the largest so far, or has one changed its sign?"""
         if not len(low):
             return False
@@ -44,7 +44,7 @@ class Guard:
         return bool(shares.min() < self.threshold)
 
     def accept(self, low: np.ndarray, high: np.ndarray) -> None:
-        """Remember steps without alarm."""
+        """Remember steps that are not near-singular."""
         self.largest = np.maximum(self.largest, np.maximum(np.abs(low), np.abs(high)))
         self.sign = np.sign(low)
 
@@ -57,7 +57,7 @@ class Guard:
         self.threshold *= LOWERED
 
     def give_up(self) -> None:
-        """Looking again is of no use: the next step in alarm is taken unguarded."""
+        """Looking again is of no use: the next near-singular step is taken unmonitored."""
         self.threshold = LOWERED * FLOOR
 
     def passed(self) -> None:
@@ -69,7 +69,7 @@ class Guard:
         return [self.largest.tolist(), self.sign.tolist(), [self.threshold]]
 
     @classmethod
-    def remembered(cls, memory: list[list[float]]) -> Guard:
+    def remembered(cls, memory: list[list[float]]) -> SingularityMonitor:
         """From `memory`."""
         return cls(np.array(memory[0]), np.array(memory[1]), float(memory[2][0]))
 
