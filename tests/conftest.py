@@ -56,6 +56,10 @@ def is_long(item: pytest.Item) -> bool:
     if item.get_closest_marker("long"):
         return True
     kept = item.get_closest_marker("every_push")
+    if kept is not None and not kept.args:
+        raise pytest.UsageError(
+            f"{item.nodeid}: every_push names the cases of a matrix that every push runs; name them"
+        )
     case = getattr(item, "callspec", None)
     return kept is not None and not any(case and f"-{name}-" in f"-{case.id}-" for name in kept.args)
 

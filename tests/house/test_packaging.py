@@ -9,6 +9,8 @@ import sys
 import tomllib
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).resolve().parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 GROUPS = PROJECT["dependency-groups"]
@@ -152,3 +154,12 @@ def test_the_workflow_runs_what_the_project_claims() -> None:
     assert {"3.11", "3.12", "3.13"} <= set(pythons)
     for needed in (".ci/run", ".ci/oldest.txt", 'cc: "none"'):
         assert needed in text
+
+
+@pytest.mark.long
+def test_what_the_readme_says_collects_the_tests() -> None:
+    """`pytest` alone, which leaves out what is long: marks that contradict each other would stop it."""
+    command = [sys.executable, "-m", "pytest", "--collect-only", "-q", "-n", "0", "-p", "no:cacheprovider"]
+    run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    assert run.returncode == 0, run.stdout[-2000:] + run.stderr[-2000:]
+    assert "test_packaging.py" in run.stdout

@@ -220,7 +220,6 @@ GOOD = st.fixed_dictionaries({field: GOOD_TEXTS for field in FIELDS})
 VERBATIM = {"title": '"""\\', "unit of k": "m|<b>", "k": "*/", "event": "`"}
 
 
-@pytest.mark.every_push
 @given(GOOD)
 @settings(max_examples=15, deadline=None, suppress_health_check=SLOW)
 def test_texts_are_data_in_generated_folders(tmp_path_factory: Any, texts: dict[str, str]) -> None:
