@@ -16,7 +16,7 @@ from runtime.contract.signals import SINCE
 from runtime.gradients.course import ALIKE, EventPassage, Hold
 from runtime.gradients.impacts import rows_of
 from runtime.gradients.start_of_run import Begun
-from runtime.running.events import EventActions, Passage, state_of
+from runtime.running.events import EventHandler, Passage, state_of
 from runtime.running.problem import Plan
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.switching.times import ON_THE_GRID
@@ -70,16 +70,18 @@ class Passages:
         z = own.stepper.start(own.broken.grid.clock(0), *begun.state, own.c, plan.grid.dt_L)
         own.begin_events(z)
         made, passages, kinks = list[Passage](), dict[int, list[EventPassage]](), list[float]()
-        happenings = EventActions(own, made)
+        event_handler = EventHandler(own, made)
         while int(z[1]) < plan.steps:
-            happenings.advance(z, min(BATCH, plan.steps - int(z[1])))
-            if happenings.status is not None:
-                raise NoResult(f"model {self._model.name}", f"the run has no derivative, it ends: {happenings.status}")
+            event_handler.advance(z, min(BATCH, plan.steps - int(z[1])))
+            if event_handler.status is not None:
+                raise NoResult(
+                    f"model {self._model.name}", f"the run has no derivative, it ends: {event_handler.status}"
+                )
             if made:
-                passages[int(z[1]) - 1] = self._told(own, happenings.start, made)
+                passages[int(z[1]) - 1] = self._told(own, event_handler.start, made)
                 kinks += [one.t for one in made if are_kinks(plan.scheme)[one.events].any()]
                 made.clear()
-                happenings.told.clear()
+                event_handler.told.clear()
         return self._approached(passages, kinks)
 
     def _approached(

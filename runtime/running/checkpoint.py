@@ -170,6 +170,6 @@ def checkpoint_of(run: Run) -> Checkpoint:
         "guard": run.singularity.memory(),
         "schedule": {} if run.schedule is None else run.schedule.memory(),
         "impulses": [[at, one.energy, *one.jumps.tolist()] for at, one in impulses],
-        "happened": run.happenings.memory(),
+        "happened": run.event_handler.memory(),
     }
     return Checkpoint(header, z, segment.p, arrays)

@@ -1,4 +1,8 @@
-"""What events do in a run: they are told, give inputs other values, and end it. Kinks of loads only end steps."""
+"""Event handling in a run: events are reported, give inputs other values, and end it. Kinks of loads only end steps.
+
+In which step one lies the scheme tells (schemes/switching/watched.py); event location in it is that of
+schemes/switching/event_search.py; what impacts and friction make of the velocities, schemes/switching/settle.py.
+"""
 
 from __future__ import annotations
 
@@ -55,7 +59,7 @@ class Passage(NamedTuple):
     settled: Any
 
 
-class EventActions:
+class EventHandler:
     """Steps of a model in which events happen: told (of one step, or of a run) and status say what happened.
 
     passages: all of them, where somebody keeps them.

@@ -109,7 +109,7 @@ def resume(
         run.marks.segments = record.segments
         run.marks.restore(marks, 0, -1)
         run.marks.last_step = max(run.marks.steps(), default=-1)
-    run.happenings.resume(header["happened"])
+    run.event_handler.resume(header["happened"])
     schedule = problem.schedule(plan.grid.dt_L)
     schedule.resume(header["schedule"])
     run.schedule = with_reads(schedule, run)

@@ -16,7 +16,7 @@ import numpy as np
 from runtime.contract.consistent_state import start_events
 from runtime.contract.files import OutputError
 from runtime.contract.status import Event, Status
-from runtime.running.events import EventActions, ImpulseNotes, rest_until
+from runtime.running.events import EventHandler, ImpulseNotes, rest_until
 from runtime.running.inputs import EndlessInput, Schedule
 from runtime.running.monitor import Failure
 from runtime.running.problem import Plan, Problem, whole_number
@@ -175,7 +175,7 @@ class Run:
     set_up: float = 0.0
     seconds: float = 0.0
     written: float = 0.0  # when a checkpoint was, by time.monotonic
-    _happened: EventActions | None = None
+    _event_handler: EventHandler | None = None
     _notes: ImpulseNotes = field(default_factory=ImpulseNotes)
 
     @property
@@ -189,11 +189,11 @@ class Run:
         return int(self.z[1])
 
     @property
-    def happenings(self) -> EventActions:
+    def event_handler(self) -> EventHandler:
         """Of the segment that is stepped."""
-        if self._happened is None or self._happened.own is not self.segment:
-            self._happened = EventActions(self.segment)
-        return self._happened
+        if self._event_handler is None or self._event_handler.own is not self.segment:
+            self._event_handler = EventHandler(self.segment)
+        return self._event_handler
 
     def seen(self) -> Solution:
         """What was kept, with the state that it has come to."""
@@ -236,33 +236,33 @@ class Run:
         """Decide which elements stick from here on, if there are any."""
         if not self.segment.model.element_modes.size:
             return
-        self._hold(self.happenings.settle(self.z))
+        self._hold(self.event_handler.settle(self.z))
         if not told:
             self.segment.impulses.clear()  # the first sample shows what is after them
         self._tell(told)
-        self.status = self.status or self.happenings.status
+        self.status = self.status or self.event_handler.status
 
     def to_event(self, at: int, before: np.ndarray, rows: np.ndarray) -> np.ndarray | None:
         """Step to the event that was flagged in step `at` of a stretch from `before`, whose states are rows (N, n_z).
 
         None where it has happened, else those up to the step before it; the next stretch is that step.
         """
-        happened, first = self.happenings, int(before[1]) + 1
+        handler, first = self.event_handler, int(before[1]) + 1
         if self.plan.scheme.adaptive:
             return None if self._ends_at_event(rows) else np.vstack([rows[:-1], self.z])
         self.pace.steps, self.z = 1, before.copy()
         if at > first:
             return self.segment.run_and_save(self.z, self.to_be_seen(at - first))
         self.segment.forget_determinants(self.z)
-        w = happened.step(self.z)
-        if not happened.told and happened.status is None:
+        w = handler.step(self.z)
+        if not handler.told and handler.status is None:
             return self.z[None]
         self._event_has_happened(w)
         return None
 
     def _ends_at_event(self, rows: np.ndarray) -> bool:
         """Does the last step of a tolerance end at an event? Then what lies before it is seen first."""
-        happened, scheme = self.happenings.end_step(self.z), self.plan.scheme
+        happened, scheme = self.event_handler.end_step(self.z), self.plan.scheme
         if not happened:
             return False
         self.pace.steps = 1
@@ -272,8 +272,8 @@ class Run:
                 break
             self.segment.run(self.z, 1)
             self.keep(self.z[None])
-        if self.happenings.lie_within(self.z):
-            self._event_has_happened(self.happenings.happen(self.z, happened))
+        if self.event_handler.lie_within(self.z):
+            self._event_has_happened(self.event_handler.happen(self.z, happened))
         return True
 
     def _next_seen(self) -> float:
@@ -286,15 +286,15 @@ class Run:
         self._hold(w)
         self.earlier = None
         self.note_impulses()
-        self.status = self.checked() or self.happenings.status
+        self.status = self.checked() or self.event_handler.status
 
     def note_impulses(self) -> None:
         """Tell those of prescribed motions until here."""
         self._notes.note(self.segment, self.step, self.events)
 
     def _tell(self, told: bool = True) -> None:
-        self.events += [event for event in self.happenings.told if told or event.kind != "mode"]
-        self.happenings.told.clear()
+        self.events += [event for event in self.event_handler.told if told or event.kind != "mode"]
+        self.event_handler.told.clear()
 
     def _hold(self, w: np.ndarray | None) -> None:
         """From now on all segments have these inputs (n_w,)."""

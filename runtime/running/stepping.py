@@ -17,7 +17,7 @@ from runtime.contract.model import EmittedModel
 from runtime.contract.signals import SINCE
 from runtime.contract.status import Event, Status
 from runtime.operating.equilibrium import Equilibrium
-from runtime.running.events import EventActions
+from runtime.running.events import EventHandler
 from runtime.running.inputs import reading
 from runtime.running.monitor import Monitor
 from runtime.running.planning import make_plan, steps_asked
@@ -262,7 +262,7 @@ class ModelStepper:
             What `restore` goes back to.
         """
         t0 = float(self._z[0]) if self._across is None else self._across.t0
-        memory = {} if self._across is None else self._across.happenings.memory()
+        memory = {} if self._across is None else self._across.event_handler.memory()
         return SteppedState(self._z.copy(), self.parameters.copy(), t0, tuple(self.events), self.ended, memory)
 
     def restore(self, kept: SteppedState) -> None:
@@ -288,7 +288,7 @@ class ModelStepper:
         self._z[:] = kept.z
         if self._across is not None:
             self._across.go_back(kept.t0, kept.events, kept.ended)
-            self._across.happenings.resume(kept.memory)
+            self._across.event_handler.resume(kept.memory)
         self._sample = None
 
     # ---- reading --------------------------------------------------------------------------------------------
@@ -301,13 +301,13 @@ class ModelStepper:
     @property
     def events(self) -> list[Event]:
         """Events of the model since `reset`, in order."""
-        told = [] if self._across is None else self._across.happenings.told
+        told = [] if self._across is None else self._across.event_handler.told
         return sorted((event for event in told if event.kind != "kink"), key=lambda event: event.time)
 
     @property
     def ended(self) -> Status | None:
         """Why there is no further step: a terminal event, or one that chatters; `time` is then its own."""
-        return None if self._across is None else self._across.happenings.status
+        return None if self._across is None else self._across.event_handler.status
 
     @property
     def time(self) -> float:
@@ -460,38 +460,38 @@ def may_break(scheme: Scheme) -> bool:
 class UnendingSteps:
     """Advances a z (whole, flat) that stays where it is; t0 [s] is where its grid of steps begins.
 
-    happenings: the events since the grid began, and the status where one has ended it.
+    event_handler: the events since the grid began, and the status where one has ended it.
     """
 
     def __init__(self, own: SteppedModel, z: np.ndarray) -> None:
         self._own, self._z, self.t0 = own, z, float(z[0])
         self._first, own.broken = -1, StepsWithStops(own.stepper, self.t0, own.plan.grid.dt_L, [], own.c)
-        self._jumps, self.happenings = may_jump(own.model), EventActions(own)
+        self._jumps, self.event_handler = may_jump(own.model), EventHandler(own)
         self._by_inputs = self._jumps and (switches_by_inputs(own.model) or moves_in_time(own.model))
 
     def begin(self, t0: float) -> None:
         """The grid of steps begins there [s]."""
-        self.t0, self.happenings = t0, EventActions(self._own)
+        self.t0, self.event_handler = t0, EventHandler(self._own)
         self.forget()
         self._look(self._own.with_inputs(self._z))
         assert self._own.broken is not None
         grid, step = self._own.broken.grid, int(self._z[1])
         self._z[0] = t0 + (grid.clock(step) - grid.time(step))
         self._own.begin_events(self._z)
-        self.happenings.settle(self._z)
-        self.happenings.told.clear()
+        self.event_handler.settle(self._z)
+        self.event_handler.told.clear()
 
     def go_back(self, t0: float, events: Sequence[Event], ended: Status | None) -> None:
         """To a grid that began there [s], and what had happened on it."""
-        self.t0, self.happenings = t0, EventActions(self._own)
-        self.happenings.told, self.happenings.status = list(events), ended
+        self.t0, self.event_handler = t0, EventHandler(self._own)
+        self.event_handler.told, self.event_handler.status = list(events), ended
         self.forget()
 
     def look_anew(self) -> None:
         """At events: inputs or parameters have changed."""
         if self._own.watches_events:
             self._own.look_anew(self._z)
-            self.happenings.settle(self._z)
+            self.event_handler.settle(self._z)
 
     def forget(self) -> None:
         """Parameters have changed: look again."""
@@ -508,15 +508,15 @@ class UnendingSteps:
         Raises ModelError for a prescribed motion whose position jumps in them, ArgumentError where an event has ended
         all steps before.
         """
-        if (ended := self.happenings.status) is not None:
+        if (ended := self.event_handler.status) is not None:
             raise ArgumentError(
                 f"{ended.cause} has ended the motion", "there is no further step", "reset or restore it"
             )
         end = int(self._z[1]) + steps
-        while (step := int(self._z[1])) < end and self.happenings.status is None:
+        while (step := int(self._z[1])) < end and self.event_handler.status is None:
             if self._first != step // STRETCH * STRETCH:
                 self._look(self._own.with_inputs(self._z))
-            if self.happenings.advance(self._z, min(end, self._first + STRETCH) - step) is not None:
+            if self.event_handler.advance(self._z, min(end, self._first + STRETCH) - step) is not None:
                 self.take_inputs()
 
     def _look(self, c: np.ndarray) -> None:

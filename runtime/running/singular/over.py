@@ -10,7 +10,7 @@ import numpy as np
 
 from runtime.contract.status import Event, Status
 from runtime.engine.rows import evaluate
-from runtime.running.events import EventActions
+from runtime.running.events import EventHandler
 from runtime.running.singular.crossing import (
     CLOSEST,
     BranchLost,
@@ -40,12 +40,12 @@ class Over:
         self,
         segment: SteppedModel,
         segments: list[SteppedModel],
-        happenings: EventActions,
+        event_handler: EventHandler,
         block: int,
         largest: float,
         asked: Callable[[], bool],
     ) -> None:
-        self.segment, self.segments, self.happenings = segment, segments, happenings
+        self.segment, self.segments, self.event_handler = segment, segments, event_handler
         self.block, self.largest, self.asked = block, largest, asked
         self._passed: Crossing | None = None
         self._late = 0.0  # by how much a change of inputs is felt late at most [s]
@@ -76,9 +76,9 @@ class Over:
             known = {} if event is None else {k: float(event[2][k]) for k in event[1]}
             if event is not None and self._happens(z, *event):
                 integrator = TightIntegrator(self.segment.model, self.segment.p, self.segment.c, self.asked)
-            if self.happenings.status is not None:
+            if self.event_handler.status is not None:
                 self._passed = way.crossing if until >= way.crossing.t_s else None
-                return [*samples, z], self.happenings.status
+                return [*samples, z], self.event_handler.status
             way = self._gone_on(way, until, integrator)
             end = self._last_step(way, first)
 
@@ -103,7 +103,7 @@ class Over:
 
     def _happens(self, z: np.ndarray, t: float, happened: list[int], values: np.ndarray) -> bool:
         """Events at z, with what they do: do inputs change?"""
-        w = self.happenings.happen_at(z, t, happened, values)
+        w = self.event_handler.happen_at(z, t, happened, values)
         if w is None:
             return False
         for segment in self.segments:

@@ -96,11 +96,11 @@ def _go_on(run: Run, before: np.ndarray, n: int) -> None:
     if run.left.get(id(found.segment)) == int(found.z[1]):  # exchanges would go in a circle
         _step_unmonitored(run, last)
         return
-    happened, event = run.happenings, found.event
+    handler, event = run.event_handler, found.event
     if event is not None and (event.kind != "no_variant" or not any(event.text == one.text for one in run.events)):
-        happened.told.append(event)  # said once
-    run.events += sorted(happened.told, key=lambda event: event.time)
-    happened.told.clear()
+        handler.told.append(event)  # said once
+    run.events += sorted(handler.told, key=lambda event: event.time)
+    handler.told.clear()
     if found.drop_from is None and found.status is None:  # look again later
         run.z, run.earlier = z, previous
         return
@@ -135,7 +135,7 @@ class Passage:
     def __init__(self, run: Run) -> None:
         self.segment, self.singularity = run.segment, run.singularity
         self.segments, self.engine = run.record.segments, run.problem.engine
-        self.asked, self.happenings = lambda: run.interrupts.asked, run.happenings
+        self.asked, self.event_handler = lambda: run.interrupts.asked, run.event_handler
         self.loops = LoopDeterminants(run.segment.model, run.segment.c)
         self.length = mechanism_length(run.segment.model, self.loops.jacobian(0.0, self.segments[0].model.initial_q))
 
@@ -173,7 +173,7 @@ class Passage:
             return self._exchanged(z, seen, exchange)
         try:
             crossing = cross(integrator, t, y, block, largest)
-            over = Over(self.segment, self.segments, self.happenings, block, largest, self.asked)
+            over = Over(self.segment, self.segments, self.event_handler, block, largest, self.asked)
             samples, status = over.go(z, Way(integrator, t, y, crossing, integrator))
         except BranchLost as error:
             return self._lost(
