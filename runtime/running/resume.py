@@ -19,7 +19,7 @@ from runtime.running.inputs import InputValue, bound
 from runtime.running.outcome import NOT_ASKED, finished, marks_of
 from runtime.running.problem import Plan, Problem
 from runtime.running.recording import record_of
-from runtime.running.run import Further, Pace, Progress, Run, with_reads
+from runtime.running.run import ChunkLength, Further, Progress, Run, with_reads
 from runtime.running.singular.exchange import variant_of
 from runtime.running.singular.singularity_monitor import SingularityMonitor
 from runtime.running.stepped_model import SteppedModel
@@ -98,7 +98,7 @@ def resume(
         record,
         further,
         header["initial_changes"],
-        Pace.of(segment.stepper.operations),
+        ChunkLength.of(segment.stepper.operations),
         [Event(**event) for event in header["events"]],
         singularity=SingularityMonitor.remembered(header["guard"]),
         earlier=kept.arrays.get("earlier"),

@@ -33,13 +33,13 @@ from runtime.solutions.solution import Solution
 CALL_SECONDS = 0.25  # a call lasts about this long
 OPERATIONS = 5_000_000  # of a first call
 LONGEST_CALL = 1 << 20
-FIRST_SAVED = 32  # of the first look: what goes wrong and heals within a stretch is not seen
-FINER = 8  # times shorter: a stretch that is made again where there is trouble between two saved states
+FIRST_SAVED = 32  # of the first look: what goes wrong and heals within a chunk is not seen
+FINER = 8  # times shorter: a chunk that is made again where there is trouble between two saved states
 MOST_SAVED = 256  # states that are saved between two looks
 
 
 @dataclass
-class Pace:
+class ChunkLength:
     """steps: most of a call; saves: the save at which it ends; slow_until: until then it ends at the next one; finer:
     or after so many steps, if any.
 
@@ -52,7 +52,7 @@ class Pace:
     finer: int = 0
 
     @classmethod
-    def of(cls, operations: int) -> Pace:
+    def of(cls, operations: int) -> ChunkLength:
         """Of steps that take so many operations."""
         return cls(max(1, 1 << (OPERATIONS // max(1, operations)).bit_length() - 1))
 
@@ -163,7 +163,7 @@ class Run:
     record: Record
     further: Further
     initial_changes: str
-    pace: Pace
+    chunk_length: ChunkLength
     events: list[Event] = field(default_factory=list)
     status: Status | None = None
     singularity: SingularityMonitor = field(default_factory=SingularityMonitor)
@@ -208,7 +208,7 @@ class Run:
 
     def checked(self, closely: bool = False, samples: int = 1) -> Status | None:
         """What the checks find at z, which goes back to the last good state where they find anything."""
-        closely = closely or self.pace.slow(self.step - 1) or self.step == self.plan.steps
+        closely = closely or self.chunk_length.slow(self.step - 1) or self.step == self.plan.steps
         return self.segment.monitor.after(self.segment.state(self.z), closely, samples)
 
     def near_singular(self) -> bool:
@@ -243,14 +243,14 @@ class Run:
         self.status = self.status or self.event_handler.status
 
     def to_event(self, at: int, before: np.ndarray, rows: np.ndarray) -> np.ndarray | None:
-        """Step to the event that was flagged in step `at` of a stretch from `before`, whose states are rows (N, n_z).
+        """Step to the event that was flagged in step `at` of a chunk from `before`, whose states are rows (N, n_z).
 
-        None where it has happened, else those up to the step before it; the next stretch is that step.
+        None where it has happened, else those up to the step before it; the next chunk is that step.
         """
         handler, first = self.event_handler, int(before[1]) + 1
         if self.plan.scheme.adaptive:
             return None if self._ends_at_event(rows) else np.vstack([rows[:-1], self.z])
-        self.pace.steps, self.z = 1, before.copy()
+        self.chunk_length.steps, self.z = 1, before.copy()
         if at > first:
             return self.segment.run_and_save(self.z, self.to_be_seen(at - first))
         self.segment.forget_determinants(self.z)
@@ -265,7 +265,7 @@ class Run:
         happened, scheme = self.event_handler.end_step(self.z), self.plan.scheme
         if not happened:
             return False
-        self.pace.steps = 1
+        self.chunk_length.steps = 1
         self.keep(rows[:-1])
         while self.step < self.plan.steps and self._next_seen() <= scheme.reached(self.z):
             if scheme.hit_min_step(self.z):  # the check of the least step tells
@@ -304,11 +304,11 @@ class Run:
 
     # ---- what is seen and kept -------------------------------------------------------------------------------
 
-    def stretch(self) -> int:
+    def next_chunk(self) -> int:
         """How many steps the next native call makes: up to the next thing that anybody wants to see."""
         done, every = self.step, self.further.checkpoint_every
-        n = min(self.pace.next_steps(done, self.plan.seen_steps), self.plan.steps - done)
-        if self.marks is not None and self.pace.slow(done):  # no state is kept on the way then
+        n = min(self.chunk_length.next_steps(done, self.plan.seen_steps), self.plan.steps - done)
+        if self.marks is not None and self.chunk_length.slow(done):  # no state is kept on the way then
             n = min([n, *(mark - done for mark in self.marks.within(done, done + n))])
         if self.schedule is not None:
             n = min(n, self.schedule.until_next(done) or n)
@@ -356,7 +356,7 @@ class Run:
 def integrate(run: Run) -> Status:
     """Step to the end of the plan, to trouble or to Ctrl-C; the record ends with the last good state.
 
-    One native call makes a stretch of steps, whose states to be seen are rows. A stretch that ends in trouble is made
+    One native call makes a chunk of steps, whose states to be seen are rows. A chunk that ends in trouble is made
     again, state by state and in the end step by step, so that the trouble is found where it begins. Whatever
     happens is decided by states alone.
     """
@@ -365,7 +365,8 @@ def integrate(run: Run) -> Status:
         try:
             while run.status is None and run.step < run.plan.steps and not run.interrupts.asked:
                 run.take_inputs()
-                clock, n, before, known = time.perf_counter(), run.stretch(), run.z.copy(), run.segment.monitor.memory()
+                clock, n = time.perf_counter(), run.next_chunk()
+                before, known = run.z.copy(), run.segment.monitor.memory()
                 seen = run.segment.run_and_save(run.z, run.to_be_seen(n))
                 rows: np.ndarray | None = seen
                 at, near_singular = run.segment.first_event(run.z), run.near_singular()
@@ -376,11 +377,11 @@ def integrate(run: Run) -> Status:
                 if rows is None:
                     run.keep(run.z[None])  # an event has happened: what it leads to is checked
                 elif len(rows) > 1 and (near_singular or status is not None):
-                    run.pace.went_wrong(until=int(before[1]) + n)
+                    run.chunk_length.went_wrong(until=int(before[1]) + n)
                     run.segment.monitor.recall(known)
                     run.z = before
                 elif status is not None and n > 1:  # where it begins does not depend on what is saved
-                    run.pace.went_wrong(until=int(before[1]) + n, finer=max(1, n // FINER))
+                    run.chunk_length.went_wrong(until=int(before[1]) + n, finer=max(1, n // FINER))
                     run.segment.monitor.recall(known)
                     run.z = before
                 elif near_singular:
@@ -393,10 +394,10 @@ def integrate(run: Run) -> Status:
                 else:
                     run.singularity.accept(*run.segment.determinants(run.z))
                     run.earlier = before
-                    run.pace.went_well()
+                    run.chunk_length.went_well()
                     run.keep(rows)
                     run.note_impulses()
-                run.pace.took(time.perf_counter() - clock)
+                run.chunk_length.took(time.perf_counter() - clock)
                 run.report()
         except KeyboardInterrupt:
             run.interrupts.asked = True
@@ -453,9 +454,19 @@ def begun(
     rest_until(plan.scheme, z, problem.quiet)
     changes = ", ".join(f"{key}: {a:.9g} -> {b:.9g}" for key, (a, b) in state.changed.items() if _differ(a, b))
     record = record_of(segment, z, further.stream, keep_rows=further.bounded)
-    pace, singularity = Pace.of(segment.stepper.operations), SingularityMonitor.of(len(segment.determinants(z)[0]))
+    chunk_length = ChunkLength.of(segment.stepper.operations)
+    singularity = SingularityMonitor.of(len(segment.determinants(z)[0]))
     run = Run(
-        problem, segment, z, record, further, changes or "none", pace, events, singularity=singularity, marks=marks
+        problem,
+        segment,
+        z,
+        record,
+        further,
+        changes or "none",
+        chunk_length,
+        events,
+        singularity=singularity,
+        marks=marks,
     )
     if marks is not None:
         marks.segments = record.segments

@@ -437,9 +437,9 @@ def _restored(model: EmittedModel, settings: Mapping[str, Any], kept: SteppedSta
     return made
 
 
-# Steps without an end across jumps in time and events: looked for as time goes on, always over the same stretches.
+# Steps without an end across jumps in time and events: looked for as time goes on, always over the same steps.
 
-STRETCH = 4096  # steps over which jumps are looked for at a time: the same in one call or in many
+JUMP_SEARCH_STEPS = 4096  # steps over which jumps are looked for at a time: the same in one call or in many
 
 
 def may_jump(model: EmittedModel) -> bool:
@@ -514,15 +514,15 @@ class UnendingSteps:
             )
         end = int(self._z[1]) + steps
         while (step := int(self._z[1])) < end and self.event_handler.status is None:
-            if self._first != step // STRETCH * STRETCH:
+            if self._first != step // JUMP_SEARCH_STEPS * JUMP_SEARCH_STEPS:
                 self._look(self._own.with_inputs(self._z))
-            if self.event_handler.advance(self._z, min(end, self._first + STRETCH) - step) is not None:
+            if self.event_handler.advance(self._z, min(end, self._first + JUMP_SEARCH_STEPS) - step) is not None:
                 self.take_inputs()
 
     def _look(self, c: np.ndarray) -> None:
         own, h = self._own, self._own.plan.grid.dt_L
-        self._first = int(self._z[1]) // STRETCH * STRETCH
-        ends = self.t0 + self._first * h, self.t0 + (self._first + STRETCH) * h
+        self._first = int(self._z[1]) // JUMP_SEARCH_STEPS * JUMP_SEARCH_STEPS
+        ends = self.t0 + self._first * h, self.t0 + (self._first + JUMP_SEARCH_STEPS) * h
         found = switching_times(own.model, c, *ends) if self._jumps else []
         if found and moves_in_time(own.model):
             seen = own.observed([own.state(self._z)])
