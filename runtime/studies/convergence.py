@@ -356,9 +356,10 @@ def _knobs_of(model: EmittedModel, levels: int) -> dict[str, dict[str, Any]]:
         )
     found = next(iter(entry_points(group=ENTRY_POINTS)), None)
     if found is None:
+        older = "; the installed symgen is older: install it again" if list(entry_points(group=DERIVING)) else ""
         raise ModelError(
             f"model {model.name}",
-            "no generator of other scenes is installed",
+            f"no generator of other scenes is installed{older}",
             "install symgen beside the runtime, or give coarser= and finer= with knobs=[]",
         )
     return {one["name"]: one for one in found.load()(model.scene_toml, levels)}

@@ -12,8 +12,7 @@ Data = dict[str, Any]
 ROUNDED = 12  # digits of a place along the beams
 TURNS = ("theta", "e0", "e1", "e2", "e3", "omega_x", "omega_y", "omega_z")  # what straight pieces have in common
 PLACES = ("x", "y", "z")
-FAMILIES = {"lateral", "lateral_z", "axial", "torsion"}
-LEAST = 2  # bending shapes of a piece whose two ends carry moments
+FAMILIES = {"lateral": 2, "lateral_z": 2, "axial": 1, "torsion": 1}  # and the static shapes of ends that are welded
 
 
 class CannotCut(Exception):
@@ -85,8 +84,8 @@ def _section(body: Data) -> Data:
 def recut(scene: Data, chain: Chain, count: int) -> Data:
     """The scene with the beams of a chain cut into `count` equal ones, each with the shapes of one of before.
 
-    Bending has two shapes at least. Ends are what joints and loads ask for. Markers, distributed loads and the start
-    follow. Raises CannotCut.
+    Those of a single beam have the static shapes of their welded ends, too: with fewer they would not be finer. Ends
+    are what joints and loads ask for. Markers, distributed loads and the start follow. Raises CannotCut.
     """
     return _Cut(scene, chain, count).scene
 
@@ -148,10 +147,10 @@ class _Cut:
             piece.pop("markers", None)
             if k:
                 piece.pop("free", None)
-            for key in FAMILIES & piece.keys():
+            for key in FAMILIES.keys() & piece.keys():
                 piece[key].pop("ends", None)
-                if key in ("lateral", "lateral_z"):
-                    piece[key]["modes"] = max(piece[key]["modes"], LEAST)
+                if self.before == 1:
+                    piece[key]["modes"] += FAMILIES[key]
             pieces.append(piece | ({"markers": self.markers[name]} if self.markers[name] else {}))
         bodies = self.scene["bodies"]
         at = next(k for k, one in enumerate(bodies) if one["name"] == self.first)

@@ -68,6 +68,7 @@ def test_few_shapes_of_a_cantilever() -> None:
     assert (turned.knob, turned.now, turned.to) == ("arm.modes", "1", ("3",)) and turned.cost > 0
 
 
+@pytest.mark.long
 def test_half_the_pieces_tell_large_deflections() -> None:
     """Eight pieces of an elastica, P L^2 / EI = 1: w = 0.30172 L, u = 0.05643 L (Mattiasson 1981); order two."""
     found = pieces(8, load=EI).model().convergence(of="equilibrium", knobs=["pieces"], levels=2)
@@ -103,6 +104,7 @@ def test_where_no_knob_says_anything_nothing_is_told() -> None:
     assert found.to_dict()["errors"]["tip"]["error"] is None
 
 
+@pytest.mark.long
 def test_a_motion_by_readings() -> None:
     """Each reading is an output; what a beam that is cut has as an angle is not compared."""
     found = swing().model().convergence({"tip": ["motion", "end"], "arm.theta": "end"}, t_end=0.3)
@@ -120,6 +122,7 @@ def test_damping_of_each_shape_keeps_a_beam_whole() -> None:
     assert "arm.pieces" not in kept.blind
 
 
+@pytest.mark.long
 def test_a_beam_that_is_cut_is_the_same_beam() -> None:
     """Markers, and a load between 0.2 and 0.8 of the length, are where they were: deflections by beam theory."""
     places = (0.3, 0.5, 0.7)
@@ -155,6 +158,7 @@ def test_pieces_that_are_merged_are_the_same_beam() -> None:
         assert found["y"].value == pytest.approx(exact, rel=1e-3)
 
 
+@pytest.mark.long
 def test_elastic_coordinates_follow_their_shapes() -> None:
     """Of more bending shapes the first stretching one has another number; the start that names it follows."""
     scene = swing(axial={"modes": 1}).initial({"arm.q3": 1e-6})
