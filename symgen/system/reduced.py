@@ -31,8 +31,8 @@ from symgen.system.equations import Direction, Equations, Rotor
 from symgen.system.frames.aba import floats, free_joint_accelerations
 from symgen.system.frames.alignment import links_of
 from symgen.system.frames.crba import mass_rows
+from symgen.system.frames.joint_transforms import Ball, MarkerNode
 from symgen.system.frames.loop_derivatives import Loop, MarkerWay, loop_changes
-from symgen.system.frames.moves import Ball, MarkerNode
 from symgen.system.frames.paths import Path
 from symgen.system.frames.rnea import floating_forces, inverse_dynamics, own_wrenches
 from symgen.system.frames.rnea_derivatives import force_changes, has_force_changes
@@ -163,7 +163,7 @@ class TreeSpace(SpatialSpace):
         return MarkerWay.to(self.tree, base, known, self._deformation(reference), self._path(base, known.frame))
 
     def _has_ball(self, frames: list[int]) -> bool:
-        return any(isinstance(move, Ball) for frame in frames for move in self.tree.frames[frame].moves)
+        return any(isinstance(transform, Ball) for frame in frames for transform in self.tree.frames[frame].transforms)
 
     def _seen_from(self, base: int, reference: str) -> SpatialMarker:
         return self._way_to(base, reference).end()
@@ -192,8 +192,8 @@ class TreeSpace(SpatialSpace):
             return Path()
         if (base, frame) not in self._paths:
             path = self._path(base, self.tree.frames[frame].parent).branch()
-            for move in self.tree.frames[frame].moves:
-                move.lead(path)
+            for transform in self.tree.frames[frame].transforms:
+                transform.lead(path)
             self._paths[base, frame] = path
         return self._paths[base, frame]
 

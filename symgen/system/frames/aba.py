@@ -2,14 +2,14 @@
 
 From the tips to the ground each place carries the articulated inertia I^A of all beyond it and the wrench p^A that is
 left of the forces there. A coordinate whose twist is S, with U = I^A S, D = S.U and u = tau - S.p^A, is eliminated at
-the last move on this way that depends on it, and on the way out its acceleration follows from that of the frame:
+the last transform on this way that depends on it, and on the way out its acceleration follows from that of the frame:
 
     I^A -= U U^T / D,    p^A += U u / D,    x'' = (u - U.a) / D.
 
 1 / D is multiplied by zero where a coordinate is held: it passes on all that is beyond, and its x'' is zero.
 
-Coordinates that several moves depend on, as modes, have their U carried along until then, and common masses D_ij. Rates
-and weight are in the force already, or in wrenches on the frames: nothing here depends on them.
+Coordinates that several transforms depend on, as modes, have their U carried along until then, and common masses D_ij.
+Rates and weight are in the force already, or in wrenches on the frames: nothing here depends on them.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ONE, ZERO, add, div, mul, neg, sub
 from symgen.algebra.vectors import zeros
 from symgen.system.equations import NoInertia
-from symgen.system.frames.moves import Float, JointNode, Move
+from symgen.system.frames.joint_transforms import Float, JointNode, JointTransform
 from symgen.system.frames.spatial_algebra import (
     NOTHING,
     ArticulatedInertia,
@@ -35,12 +35,12 @@ from symgen.system.frames.spatial_algebra import (
 )
 from symgen.system.frames.tree import GROUND, FrameTree
 
-Place = tuple[int, int]  # frame, and how many of its moves lie before
+Place = tuple[int, int]  # frame, and how many of its transforms lie before
 
 
 def floats(tree: FrameTree) -> bool:
     """Is there a body that no joint places?"""
-    return any(isinstance(move, Float) for frame in tree.frames for move in frame.moves)
+    return any(isinstance(transform, Float) for frame in tree.frames for transform in frame.transforms)
 
 
 def free_joint_accelerations(
@@ -51,7 +51,7 @@ def free_joint_accelerations(
     masks: by column, one where a coordinate moves and zero where it is held. wrenches: what the masses of each frame
     need at rates and weight, and do not get by `force`. Raises NoInertia.
     """
-    frames = [replace(frame, moves=_turning_last(frame.moves)) for frame in tree.frames]
+    frames = [replace(frame, transforms=_turning_last(frame.transforms)) for frame in tree.frames]
     solution = _ArticulatedBodies(FrameTree(frames, tree.body_frames), {c: force.get(c, ZERO) for c in free}, masks)
     solution.inward(wrenches or [NOTHING] * len(frames))
     return solution.outward()
@@ -90,9 +90,9 @@ class _ArticulatedBodies:
         self._last: dict[int, Place] = {}
         for k in reversed(range(len(tree.frames))):
             frame = tree.frames[k]
-            self._last |= dict.fromkeys(frame.modes, (k, len(frame.moves)))
-            for place in reversed(range(len(frame.moves))):
-                self._last |= dict.fromkeys(frame.moves[place].twists, (k, place))
+            self._last |= dict.fromkeys(frame.modes, (k, len(frame.transforms)))
+            for place in reversed(range(len(frame.transforms))):
+                self._last |= dict.fromkeys(frame.transforms[place].twists, (k, place))
 
     def inward(self, wrenches: Sequence[Force]) -> None:
         """From the tips to the ground."""
@@ -105,19 +105,21 @@ class _ArticulatedBodies:
                 for (row, column), value in frame.inertia.own_masses().items():
                     self._add(row, column, value)
                 gather(here.U, {c: momentum for c, momentum in frame.inertia.momenta.items() if c in self._tau})
-            self._eliminate((k, len(frame.moves)), here, None)
-            for place in reversed(range(len(frame.moves))):
-                self._through(frame.moves[place], (k, place), here)
+            self._eliminate((k, len(frame.transforms)), here, None)
+            for place in reversed(range(len(frame.transforms))):
+                self._through(frame.transforms[place], (k, place), here)
             if frame.parent != GROUND:
                 parent = subtrees[frame.parent]
                 parent.I_A, parent.p_A = parent.I_A.plus(here.I_A), parent.p_A.plus(here.p_A)
                 gather(parent.U, here.U)
 
-    def _through(self, move: Move, place: Place, here: _Subtree) -> None:
-        S = {column: twist for column, twist in move.twists.items() if column in self._tau}
+    def _through(self, transform: JointTransform, place: Place, here: _Subtree) -> None:
+        S = {column: twist for column, twist in transform.twists.items() if column in self._tau}
         U = {column: here.I_A.momentum(twist) for column, twist in S.items()}
         alone = (
-            isinstance(move, JointNode) and move.turns and move.column in S.keys() - here.U.keys() - self._masks.keys()
+            isinstance(transform, JointNode)
+            and transform.turns
+            and transform.column in S.keys() - here.U.keys() - self._masks.keys()
         )
         for position, (column, twist) in enumerate(S.items()):
             self._u[column] = sub(self._u[column], here.p_A.along(twist))
@@ -127,9 +129,9 @@ class _ArticulatedBodies:
             for other in list(S)[position:]:
                 self._add(column, other, U[column].along(S[other]))
         gather(here.U, U)
-        self._eliminate(place, here, move if alone else None)  # type: ignore[arg-type]
-        here.I_A, here.p_A = move.composite(here.I_A), move.wrench(here.p_A)
-        here.U = {column: move.wrench(wrench) for column, wrench in here.U.items()}
+        self._eliminate(place, here, transform if alone else None)  # type: ignore[arg-type]
+        here.I_A, here.p_A = transform.composite(here.I_A), transform.wrench(here.p_A)
+        here.U = {column: transform.wrench(wrench) for column, wrench in here.U.items()}
 
     def _eliminate(self, place: Place, here: _Subtree, hinge: JointNode | None) -> None:
         """The columns that are met nowhere nearer to the ground. A hinge passes on its own force alone as a moment."""
@@ -163,10 +165,10 @@ class _ArticulatedBodies:
         found: Row = {}
         for k, frame in enumerate(self._tree.frames):
             motion = FrameMotion(zeros(), zeros(), zeros()) if frame.parent == GROUND else motions[frame.parent]
-            for place, move in enumerate(frame.moves):
-                self._solve((k, place), move.motion(motion, {}, {}), found)
-                motion = move.motion(motion, {}, found)
-            self._solve((k, len(frame.moves)), motion, found)
+            for place, transform in enumerate(frame.transforms):
+                self._solve((k, place), transform.motion(motion, {}, {}), found)
+                motion = transform.motion(motion, {}, found)
+            self._solve((k, len(frame.transforms)), motion, found)
             motions.append(motion)
         return found
 
@@ -182,9 +184,9 @@ class _ArticulatedBodies:
             found[freed.column] = sub(value, turned)
 
 
-def _turning_last(moves: Sequence[Move]) -> list[Move]:
+def _turning_last(transforms: Sequence[JointTransform]) -> list[JointTransform]:
     """A constant shift along the axis of a turn before it: a freed turn passes no moment about its axis on to it."""
-    found = list(moves)
+    found = list(transforms)
     for k in range(1, len(found)):
         turn, slide = found[k - 1], found[k]
         if not (isinstance(turn, JointNode) and isinstance(slide, JointNode) and turn.turns):

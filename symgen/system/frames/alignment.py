@@ -8,7 +8,7 @@ axis, given by its mass, its first and its second moment along it; a slide leave
 mass as they are. Counted with the parent they cost nothing, because inertia that is fixed in a frame is gathered in
 `constants`, and on the ground not at all.
 
-How placing joints link frames: constant displacements and variable moves about and along z, one hinge a link.
+How placing joints link frames: constant displacements and variable transforms about and along z, one hinge a link.
 
 Constant displacements between frames, written with as few operations as a frame on a hinge axis allows.
 
@@ -27,7 +27,7 @@ import casadi as ca
 from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
 from symgen.algebra.vectors import Matrix, Vector, cross, plus, scaled, zeros
 from symgen.joints.joint import Turn
-from symgen.system.frames.moves import Ball, JointNode, Move
+from symgen.system.frames.joint_transforms import Ball, JointNode, JointTransform
 from symgen.system.frames.spatial_algebra import SE3, Inertia
 from symgen.system.frames.tree import GROUND, BodyFrame, FlexibleNode, Frame, FrameTree, RigidNode
 from symgen.system.joint_templates import JointCoordinate, JointCoordinates
@@ -154,21 +154,21 @@ class JointLink:
         """Does nothing move?"""
         return self.turn is None and self.travel is None
 
-    def moves(self, way: BetweenHinges | SE3, last: Screw) -> list[Move]:
-        """As moves to the frame that stands on the hinge, displaced by the screw `last`.
+    def transforms(self, way: BetweenHinges | SE3, last: Screw) -> list[JointTransform]:
+        """As transforms to the frame that stands on the hinge, displaced by the screw `last`.
 
         way: the screws of the constant displacement, or the displacement itself where they are useless.
         """
         if isinstance(way, SE3):
             return [JointNode(R=way.R, r=way.r), *self._variable(Screw(), last)]
-        moves: list[Move] = [
+        transforms: list[JointTransform] = [
             *_constant(2, way.start),
             *(JointNode.slide(axis, value) for axis, value in enumerate(way.offset) if not value.is_zero()),
             *_constant(0, way.across, slide_first=True),
         ]
-        return [*moves, *self._variable(way.end, last)]
+        return [*transforms, *self._variable(way.end, last)]
 
-    def _variable(self, end: Screw, last: Screw) -> list[Move]:
+    def _variable(self, end: Screw, last: Screw) -> list[JointTransform]:
         shift = add(end.shift, last.shift)
         turn = self._turn(end.angle.plus(last.angle))
         return [*turn, *self._slide(shift)]
@@ -188,7 +188,7 @@ class JointLink:
         return [JointNode.slide(2, add(shift, mul(factor, own.value)), own.column, own.rate, factor)]
 
 
-def _constant(axis: int, screw: Screw, slide_first: bool = False) -> list[Move]:
+def _constant(axis: int, screw: Screw, slide_first: bool = False) -> list[JointTransform]:
     turn = [] if screw.angle.nothing else [JointNode(axis, (screw.angle.cosine, screw.angle.sine))]
     slide = [] if screw.shift.is_zero() else [JointNode.slide(axis, screw.shift)]
     return [*slide, *turn] if slide_first else [*turn, *slide]
@@ -233,11 +233,11 @@ Numbers = Callable[[ca.SX], float]
 
 @dataclass
 class UnalignedFrame:
-    """A frame as the joints give it: its way from the parent is a link, or moves."""
+    """A frame as the joints give it: its way from the parent is a link, or transforms."""
 
     parent: int
     link: JointLink | None = None
-    moves: list[Move] = field(default_factory=list)
+    transforms: list[JointTransform] = field(default_factory=list)
     inertia: RigidNode | FlexibleNode | None = None
 
     @property
@@ -249,7 +249,7 @@ class UnalignedFrame:
 def aligned(frames: Sequence[UnalignedFrame], body_frames: Mapping[str, BodyFrame], numbers: Numbers) -> FrameTree:
     """The tree with its frames on their hinges, inertia gathered towards the ground. numbers: values at defaults."""
     way = _Alignment(frames, numbers)
-    found = [Frame(frame.parent, way.moves(k), way.inertia(k)) for k, frame in enumerate(frames)]
+    found = [Frame(frame.parent, way.transforms(k), way.inertia(k)) for k, frame in enumerate(frames)]
     for one in reversed(found):
         give_to_parent(one, found)
     return FrameTree(found, {name: way.body_frame(known) for name, known in body_frames.items()})
@@ -273,19 +273,19 @@ class _Alignment:
     def _screw(self, k: int) -> Screw:
         return self._screws.get(k, Screw())
 
-    def moves(self, k: int) -> list[Move]:
+    def transforms(self, k: int) -> list[JointTransform]:
         """From the parent to frame k."""
         frame, link = self._frames[k], self._frames[k].link
         if link is None:
-            return frame.moves
+            return frame.transforms
         if k in self._leading:
-            return link.moves(replace(between_hinges(link.before), start=Screw()), self._screw(k))
+            return link.transforms(replace(between_hinges(link.before), start=Screw()), self._screw(k))
         before = link.before
         if frame.parent != GROUND:
             before = self._screw(frame.parent).displacement.inverse() * before
         if link.constant:
             return [JointNode(R=before.R, r=before.r)]
-        return link.moves(before if self._straight(link) else between_hinges(before), self._screw(k))
+        return link.transforms(before if self._straight(link) else between_hinges(before), self._screw(k))
 
     def _straight(self, link: JointLink) -> bool:
         """Are the axes before and beyond almost parallel, but not so by structure?"""
@@ -320,13 +320,13 @@ def give_to_parent(frame: Frame, frames: list[Frame]) -> None:
     """Give the parent what it can have, if it has inertia of a rigid body itself."""
     if not isinstance(frame.inertia, RigidNode):
         return
-    parts = _split(frame.inertia.rigid, frame.moves)
+    parts = _split(frame.inertia.rigid, frame.transforms)
     if parts is None:
         return
     given = parts.given
-    for move in reversed(frame.moves):
-        if not move.twists:
-            given = move.composite(given)
+    for transform in reversed(frame.transforms):
+        if not transform.twists:
+            given = transform.composite(given)
     if frame.parent != GROUND:
         parent = frames[frame.parent]
         if not isinstance(parent.inertia, RigidNode):
@@ -335,15 +335,15 @@ def give_to_parent(frame: Frame, frames: list[Frame]) -> None:
     frame.inertia = RigidNode(parts.kept)
 
 
-def _split(inertia: Inertia, moves: list[Move]) -> Parts | None:
-    """By what the moves leave free; None where nothing can be given."""
-    free = [move for move in moves if move.twists]
-    if not all(isinstance(move, JointNode | Ball) for move in free):
+def _split(inertia: Inertia, transforms: list[JointTransform]) -> Parts | None:
+    """By what the transforms leave free; None where nothing can be given."""
+    free = [transform for transform in transforms if transform.twists]
+    if not all(isinstance(transform, JointNode | Ball) for transform in free):
         return None
-    if any(isinstance(move, Ball) for move in free):  # a mass at the origin does not care how the frame turns
+    if any(isinstance(transform, Ball) for transform in free):  # a mass at the origin does not care how the frame turns
         return Parts(Inertia(inertia.m, zeros(), [zeros() for _ in range(3)]), Inertia(ZERO, inertia.h, inertia.Sigma))
-    turns = any(isinstance(move, JointNode) and move.turns for move in free)
-    slides = any(isinstance(move, JointNode) and not move.turns for move in free)
+    turns = any(isinstance(transform, JointNode) and transform.turns for transform in free)
+    slides = any(isinstance(transform, JointNode) and not transform.turns for transform in free)
     if slides and not turns:
         return Parts(Inertia(ZERO, zeros(), inertia.Sigma), Inertia(inertia.m, inertia.h, [zeros() for _ in range(3)]))
     along = [zeros() for _ in range(3)]

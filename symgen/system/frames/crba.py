@@ -1,10 +1,10 @@
 """The mass matrix of a tree of frames: the composite-rigid-body algorithm, from the tips to the root (Eq. 38).
 
-The composite inertia I^C of all that is beyond a move has the momentum I^C S for a unit rate of each of its
-coordinates, which goes to the root and is met there by the other coordinates: a move costs each momentum two rotations.
-What rates of several modes do alike (`Part`) is met once, and each has its share. Where a flexible body has more modes
-than there are coordinates before it, the twists of those come to the body instead (`_meetings`), in whose axes they
-meet the momenta; of its mass, a point mass at its origin goes on.
+The composite inertia I^C of all that is beyond a transform has the momentum I^C S for a unit rate of each of its
+coordinates, which goes to the root and is met there by the other coordinates: a transform costs each momentum two
+rotations. What rates of several modes do alike (`TwistColumn`) is met once, and each has its share. Where a flexible
+body has more modes than there are coordinates before it, the twists of those come to the body instead (`_meetings`), in
+whose axes they meet the momenta; of its mass, a point mass at its origin goes on.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ import casadi as ca
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ZERO, add, dot, length
 from symgen.algebra.vectors import plus, scaled, zeros
-from symgen.system.frames.moves import Move
+from symgen.system.frames.joint_transforms import JointTransform
 from symgen.system.frames.spatial_algebra import NOTHING, Force, FrameMotion, Inertia, Motion, gather, no_masses
 from symgen.system.frames.tree import GROUND, FrameTree
 
 FEW = 3  # coordinates before a flexible body, up to which their twists may be the shorter way
 
-Meetings = Mapping[tuple[int, int], dict[int, Motion]]  # by frame and one of its moves: twists by column
+Meetings = Mapping[tuple[int, int], dict[int, Motion]]  # by frame and one of its transforms: twists by column
 Momenta = dict[int, Force]
 
 
@@ -49,27 +49,27 @@ class _Composites:
                 for (row, column), value in frame.inertia.own_masses().items():
                     self._add(row, column, value)
             I_C, h = inertias[k], momenta[k]
-            for place, move in reversed(list(enumerate(frame.moves))):
-                own = self._own(move, I_C, h)
+            for place, transform in reversed(list(enumerate(frame.transforms))):
+                own = self._own(transform, I_C, h)
                 h = h | own
                 if (k, place) in meetings:
                     I_C, h = self._meet(meetings[k, place], I_C, h), {}
-                h = {column: move.wrench(one) for column, one in h.items()}
-                I_C = move.composite(I_C)
+                h = {column: transform.wrench(one) for column, one in h.items()}
+                I_C = transform.composite(I_C)
             if frame.parent != GROUND:
                 inertias[frame.parent] = inertias[frame.parent].plus(I_C)
                 gather(momenta[frame.parent], h)
 
-    def _own(self, move: Move, I_C: Inertia, h: Momenta) -> Momenta:
-        """Momenta of the move's own coordinates, with what they have beyond it; they meet each other and all others."""
-        columns, parts = list(move.twists), move.parts
+    def _own(self, transform: JointTransform, I_C: Inertia, h: Momenta) -> Momenta:
+        """Momenta of the transform's coordinates, with what is beyond it; they meet each other and all others."""
+        columns, parts = list(transform.twists), transform.twist_columns
         for column, wrench in h.items():
-            for k, value in move.powers(wrench).items() if column not in columns else ():
+            for k, value in transform.powers(wrench).items() if column not in columns else ():
                 self._add(k, column, value)
         shares = {column: [part.shares.get(column, ZERO) for part in parts] for column in columns}
         momenta = [I_C.momentum(part.twist) for part in parts]
-        common = [move.part_powers(one) for one in momenta]
-        known = {column: move.part_powers(h[column]) if column in h else zeros(len(parts)) for column in columns}
+        common = [transform.column_powers(one) for one in momenta]
+        known = {column: transform.column_powers(h[column]) if column in h else zeros(len(parts)) for column in columns}
         own: Momenta = {}
         for place, a in enumerate(columns):
             found = plus(known[a], *(scaled(share, row) for share, row in zip(shares[a], common, strict=True)))
@@ -98,15 +98,15 @@ class _Composites:
 
 
 def _meetings(tree: FrameTree) -> Meetings:
-    """Twists of the coordinates before a flexible body after the move that its modes make first, where they are few."""
+    """Twists of the coordinates before a flexible body after the transform by its modes, where they are few."""
     found: dict[tuple[int, int], dict[int, Motion]] = {}
     twists: list[dict[int, Motion]] = []
     for k, frame in enumerate(tree.frames if tree.flexible else []):
         known = {} if frame.parent == GROUND else dict(twists[frame.parent])
         modes = frame.modes
-        for place, move in enumerate(frame.moves):
-            known = {column: _through(move, twist) for column, twist in known.items()}
-            own = move.twists
+        for place, transform in enumerate(frame.transforms):
+            known = {column: _through(transform, twist) for column, twist in known.items()}
+            own = transform.twists
             if modes & own.keys():
                 if 0 < len(known) <= FEW and len(known) < len(modes):
                     found[k, place] = dict(known)
@@ -116,7 +116,7 @@ def _meetings(tree: FrameTree) -> Meetings:
     return found
 
 
-def _through(move: Move, twist: Motion) -> Motion:
-    """A twist of the frame before a move, seen after it: accelerations at rest are moved alike."""
-    moved = move.motion(FrameMotion(zeros(), twist.omega, twist.v), {}, {})
+def _through(transform: JointTransform, twist: Motion) -> Motion:
+    """A twist of the frame before a transform, seen after it: accelerations at rest are moved alike."""
+    moved = transform.motion(FrameMotion(zeros(), twist.omega, twist.v), {}, {})
     return Motion(moved.alpha, moved.a)

@@ -33,7 +33,7 @@ from symgen.algebra.vectors import (
     zeros,
 )
 from symgen.system.equations import Direction
-from symgen.system.frames.moves import JointNode, MarkerNode, Node, unit
+from symgen.system.frames.joint_transforms import JointNode, MarkerNode, Node, unit
 from symgen.system.frames.spatial_algebra import Force, FrameMotion, Motion
 
 TWO = ca.SX(2)
@@ -41,8 +41,8 @@ Rates = tuple[Vector, Vector, Vector]  # x, D x, D^2 x
 
 
 @dataclass(frozen=True)
-class MoveState:
-    """A move with the motion before and after it, and the rates and accelerations of the coordinates by column."""
+class TransformState:
+    """A transform with the motion before and after it, and the rates and accelerations of the coordinates by column."""
 
     before: FrameMotion
     after: FrameMotion
@@ -52,9 +52,9 @@ class MoveState:
 
 @dataclass(frozen=True)
 class RelativeMotion:
-    """From the origin before a move to the one after it, as seen from the ground: where, velocity, acceleration.
+    """From the origin before a transform to the one after it, as seen from the ground: where, velocity, acceleration.
 
-    In the axes before the move; for one `back` from a marker in those after it.
+    In the axes before the transform; for one `back` from a marker in those after it.
     """
 
     r: Vector
@@ -92,11 +92,11 @@ class Field:
         """Change by the rate of the coordinate."""
         return Change(self.turning[0], scaled(TWO, self.turning[1]), scaled(TWO, self.moving[1]))
 
-    def after(self, move: Node, moved: MoveState) -> Field:
-        """Of the frame after a move."""
-        if move.back:
-            return self.seen(move).shifted(relative_motion(move, moved))
-        return self.shifted(relative_motion(move, moved)).seen(move)
+    def after(self, transform: Node, moved: TransformState) -> Field:
+        """Of the frame after a transform."""
+        if transform.back:
+            return self.seen(transform).shifted(relative_motion(transform, moved))
+        return self.shifted(relative_motion(transform, moved)).seen(transform)
 
     def shifted(self, arm: RelativeMotion) -> Field:
         """About the end of an arm."""
@@ -106,51 +106,51 @@ class Field:
         second = plus(v2, cross(t2, arm.r), cross(scaled(TWO, t1), arm.V), cross(t, arm.A))
         return Field(self.turning, (plus(v, cross(t, arm.r)), first, second))
 
-    def seen(self, move: Node) -> Field:
-        """In the axes after a move."""
-        t, t1, t2 = (move.seen(vector) for vector in self.turning)
-        v, v1, v2 = (move.seen(vector) for vector in self.moving)
+    def seen(self, transform: Node) -> Field:
+        """In the axes after a transform."""
+        t, t1, t2 = (transform.seen(vector) for vector in self.turning)
+        v, v1, v2 = (transform.seen(vector) for vector in self.moving)
         return Field((t, t1, t2), (v, v1, v2))
 
 
 @dataclass(frozen=True)
 class FieldPart:
-    """What the coordinates of some columns do to the frame after a move, each its share of it."""
+    """What the coordinates of some columns do to the frame after a transform, each its share of it."""
 
     shares: Row
     field: Field
 
 
-def relative_motion(move: Node, moved: MoveState) -> RelativeMotion:
-    """Of a move."""
-    if isinstance(move, MarkerNode):
-        body = moved.after if move.back else moved.before
-        bent = move.deformation.at(moved.rates)
+def relative_motion(transform: Node, moved: TransformState) -> RelativeMotion:
+    """Of a transform."""
+    if isinstance(transform, MarkerNode):
+        body = moved.after if transform.back else moved.before
+        bent = transform.deformation.at(moved.rates)
         r, V = bent.rho, plus(bent.rho_dot, cross(body.omega, bent.rho))
-        own = combination(bent.shapes, move.deformation.of(moved.accelerations))
+        own = combination(bent.shapes, transform.deformation.of(moved.accelerations))
         A = plus(times(body.G, r), bent.drift(body.omega), own)
-        return RelativeMotion(negative(r), negative(V), negative(A)) if move.back else RelativeMotion(r, V, A)
-    r, speed, own = move.r, zeros(), zeros()
-    if move.column is not None and not move.turns:
-        speed = scaled(moved.rates.get(move.column, ZERO), move.S.v)
-        own = scaled(moved.accelerations.get(move.column, ZERO), move.S.v)
+        return RelativeMotion(negative(r), negative(V), negative(A)) if transform.back else RelativeMotion(r, V, A)
+    r, speed, own = transform.r, zeros(), zeros()
+    if transform.column is not None and not transform.turns:
+        speed = scaled(moved.rates.get(transform.column, ZERO), transform.S.v)
+        own = scaled(moved.accelerations.get(transform.column, ZERO), transform.S.v)
     omega = moved.before.omega
     A = plus(times(moved.before.G, r), cross(scaled(TWO, omega), speed), own)
     return RelativeMotion(r, plus(cross(omega, r), speed), A)
 
 
-def joint_parts(move: JointNode, moved: MoveState) -> list[FieldPart]:
+def joint_parts(transform: JointNode, moved: TransformState) -> list[FieldPart]:
     """Of a hinge or a slide."""
-    if move.column is not None:
-        axis = unit(move.axis, move.sign)
+    if transform.column is not None:
+        axis = unit(transform.axis, transform.sign)
         rates = axis, cross(moved.after.omega, axis), times(moved.after.G, axis)
         still = zeros(), zeros(), zeros()
-        return [FieldPart({move.column: ONE}, Field(rates, still) if move.turns else Field(still, rates))]
+        return [FieldPart({transform.column: ONE}, Field(rates, still) if transform.turns else Field(still, rates))]
     return []
 
 
 def turned(twist: Motion, wrench: Force) -> Force:
-    """What a displacement of the frame after a move does to the wrench there, which goes with it."""
+    """What a displacement of the frame after a transform does to the wrench there, which goes with it."""
     return Force(cross(twist.omega, wrench.f), plus(cross(twist.omega, wrench.n), cross(twist.v, wrench.f)))
 
 

@@ -5,10 +5,10 @@ coordinate's field there.
 
 A frame with the way to it: what the coordinates on the way do to the frame, and to the wrench that is there.
 
-k_c'c is what a displacement by coordinate c does to the power of a wrench on coordinate c' of an earlier move: the
-wrench is displaced with the frame. On coordinates of later moves it does nothing, as all of that is displaced alike;
-on those of the same move only where that bends a body. The force of a spherical joint keeps its direction instead: a
-turning tau of the frame changes it by -tau x f as seen there.
+k_c'c is what a displacement by coordinate c does to the power of a wrench on coordinate c' of an earlier transform: the
+wrench is displaced with the frame. On coordinates of later transforms it does nothing, as all of that is displaced
+alike; on those of the same transform only where that bends a body. The force of a spherical joint keeps its direction
+instead: a turning tau of the frame changes it by -tau x f as seen there.
 
 Derivatives of inertia forces along directions in which all coordinates of loops follow a few.
 
@@ -33,8 +33,17 @@ from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg
 from symgen.algebra.vectors import Vector, cross, negative, plus, times, zeros
 from symgen.bodies.spatial_moments import Deformation
 from symgen.system.equations import Direction
-from symgen.system.frames.fields import Change, Field, FieldPart, MoveState, field_along, joint_parts, share_of, turned
-from symgen.system.frames.moves import JointNode, MarkerNode, Node
+from symgen.system.frames.fields import (
+    Change,
+    Field,
+    FieldPart,
+    TransformState,
+    field_along,
+    joint_parts,
+    share_of,
+    turned,
+)
+from symgen.system.frames.joint_transforms import JointNode, MarkerNode, Node
 from symgen.system.frames.paths import Path
 from symgen.system.frames.rnea_derivatives import BendChanges, ForceSweep, Subtree, parts_of
 from symgen.system.frames.skeleton import place_of
@@ -44,17 +53,17 @@ from symgen.system.frames.tree import GROUND, BodyFrame, FlexibleNode, FrameTree
 
 @dataclass(frozen=True)
 class MarkerWay:
-    """Moves from frame `base` (or GROUND), taken to be at rest, to a marker in `frame`; path: to that frame."""
+    """Transforms from frame `base` (or GROUND), taken to be at rest, to a marker in `frame`; path: to that frame."""
 
     base: int
     frame: int
-    moves: list[Node]
+    transforms: list[Node]
     path: Path
 
     @property
     def end(self) -> Node:
         """From the frame to the marker, without turning."""
-        return self.moves[-1]
+        return self.transforms[-1]
 
     @staticmethod
     def to(tree: FrameTree, base: int, known: BodyFrame, marker: Deformation, path: Path) -> MarkerWay:
@@ -64,17 +73,19 @@ class MarkerWay:
         place = plus(known.place.r, times(known.place.R, marker.point.position))
         end = JointNode(r=place) if marker.rigid else MarkerNode(place_of(marker))
         return MarkerWay(
-            base, known.frame, [*(move for frame in frames for move in tree.frames[frame].nodes), end], path
+            base, known.frame, [*(transform for frame in frames for transform in tree.frames[frame].nodes), end], path
         )
 
     def parts(self, rates: Row, accelerations: Row) -> list[FieldPart]:
         """What the coordinates on the way do to its end, in the axes there."""
         found: list[FieldPart] = []
         motion = FrameMotion(zeros(), zeros(), zeros())
-        for move in self.moves:
-            before, motion = motion, move.motion(motion, rates, accelerations)
-            moved = MoveState(before, motion, rates, accelerations)
-            found = [FieldPart(part.shares, part.field.after(move, moved)) for part in found] + parts_of(move, moved)
+        for transform in self.transforms:
+            before, motion = motion, transform.motion(motion, rates, accelerations)
+            moved = TransformState(before, motion, rates, accelerations)
+            found = [FieldPart(part.shares, part.field.after(transform, moved)) for part in found] + parts_of(
+                transform, moved
+            )
         return found
 
 
@@ -104,23 +115,23 @@ class Loop:
 
 @dataclass(frozen=True)
 class _Step:
-    """A move on the way to a frame with what its coordinates do to the frame; bending: where modes move a marker."""
+    """A transform on the way to a frame, with what its coordinates do to it; bending: where modes move a marker."""
 
-    move: Node
+    transform: Node
     parts: list[FieldPart]
     bending: BendChanges | None
 
-    def after(self, move: Node, moved: MoveState) -> _Step:
-        """For the frame after a further move."""
-        carried = [FieldPart(part.shares, part.field.after(move, moved)) for part in self.parts]
-        return _Step(self.move, carried, self.bending)
+    def after(self, transform: Node, moved: TransformState) -> _Step:
+        """For the frame after a further transform."""
+        carried = [FieldPart(part.shares, part.field.after(transform, moved)) for part in self.parts]
+        return _Step(self.transform, carried, self.bending)
 
 
-def _step(move: Node, moved: MoveState) -> _Step:
-    if isinstance(move, MarkerNode):
-        bending = BendChanges(move, moved)
-        return _Step(move, bending.parts, bending)
-    return _Step(move, joint_parts(move, moved), None)
+def _step(transform: Node, moved: TransformState) -> _Step:
+    if isinstance(transform, MarkerNode):
+        bending = BendChanges(transform, moved)
+        return _Step(transform, bending.parts, bending)
+    return _Step(transform, joint_parts(transform, moved), None)
 
 
 @dataclass
@@ -145,11 +156,11 @@ class FramePlace:
             found = found.plus(Force(negative(force), negative(cross(arm, force))))
         return found
 
-    def after(self, move: Node, rates: Row, accelerations: Row) -> FramePlace:
-        """After a move; without masses."""
-        after = move.motion(self.motion, rates, accelerations)
-        moved = MoveState(self.motion, after, rates, accelerations)
-        return FramePlace([*(step.after(move, moved) for step in self.steps), _step(move, moved)], after)
+    def after(self, transform: Node, rates: Row, accelerations: Row) -> FramePlace:
+        """After a transform; without masses."""
+        after = transform.motion(self.motion, rates, accelerations)
+        moved = TransformState(self.motion, after, rates, accelerations)
+        return FramePlace([*(step.after(transform, moved) for step in self.steps), _step(transform, moved)], after)
 
     def changed(self, change: Change, more: Force) -> Force:
         """Of the wrench that moves the masses, by a change of the motion and a further change."""
@@ -192,7 +203,7 @@ class FramePlace:
             if step.bending is not None:
                 for i, row in enumerate(step.bending.among(rest)):
                     found[end + i][end : end + len(row)] = row
-            rest = step.move.wrench(rest)
+            rest = step.transform.wrench(rest)
         return found
 
 
@@ -253,8 +264,8 @@ class _Sums:
         self._places: list[FramePlace] = []
         for frame in tree.frames:
             place = self._place(frame.parent)
-            for move in frame.nodes:
-                place = place.after(move, *moving)
+            for transform in frame.nodes:
+                place = place.after(transform, *moving)
             self._places.append(place)
         self.F_q, self.F_v = ([zeros(len(directions)) for _ in range(n)] for _ in range(2))
 
@@ -282,9 +293,13 @@ class _Sums:
         seen = place.after(end.own.end, *self._moving)
         seen.state, seen.forces = place.state, [(zeros(), end.force)]
         if place.state is not None:
-            move = end.own.end
-            back = replace(move, back=True) if isinstance(move, MarkerNode) else JointNode(r=negative(move.r))
-            self._sweep.through(back, MoveState(seen.motion, place.motion, *self._moving), place.state)
+            transform = end.own.end
+            back = (
+                replace(transform, back=True)
+                if isinstance(transform, MarkerNode)
+                else JointNode(r=negative(transform.r))
+            )
+            self._sweep.through(back, TransformState(seen.motion, place.motion, *self._moving), place.state)
         return seen
 
     def _closed(self, fields: list[Field], end: _End) -> list[Field]:

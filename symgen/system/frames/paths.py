@@ -55,7 +55,7 @@ class Path:
         """A vector in the axes reached, in those of the beginning."""
         return plus(*(scaled(value, axis) for value, axis in zip(vector, self.axes, strict=True)))
 
-    # ---- the moves -------------------------------------------------------------------------------------------
+    # ---- the transforms -------------------------------------------------------------------------------------------
 
     def shift(self, arm: Vector) -> None:
         """Along an arm in the axes reached."""

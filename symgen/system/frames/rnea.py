@@ -1,7 +1,7 @@
 """Forces that a motion needs: one sweep out and one back along the tree of frames (Eqs. 20, 38).
 
 Out: omega, alpha and a of each frame, with -gravity as the acceleration of the ground. Back: the wrench that moves the
-masses beyond each move, whose power on the move's twists is the generalised force.
+masses beyond each transform, whose power on the transform's twists is the generalised force.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from __future__ import annotations
 from symgen.algebra.rows import Row, add_scaled, add_to
 from symgen.algebra.scalar import ZERO, add
 from symgen.algebra.vectors import Vector, zeros
-from symgen.system.frames.moves import Float
+from symgen.system.frames.joint_transforms import Float
 from symgen.system.frames.spatial_algebra import NOTHING, Force, FrameMotion
 from symgen.system.frames.tree import GROUND, FrameTree
 
@@ -25,10 +25,10 @@ def inverse_dynamics(tree: FrameTree, base: Vector, rates: Row, accelerations: R
     wrenches = [NOTHING] * len(tree.frames)
     for k in reversed(range(len(tree.frames))):
         frame, wrench = tree.frames[k], wrenches[k].plus(own[k])
-        for move in reversed(frame.moves):
-            for column, value in move.powers(wrench).items():
+        for transform in reversed(frame.transforms):
+            for column, value in transform.powers(wrench).items():
                 add_to(force, column, value)
-            wrench = move.wrench(wrench)
+            wrench = transform.wrench(wrench)
         if frame.parent != GROUND:
             wrenches[frame.parent] = wrenches[frame.parent].plus(wrench)
     return force
@@ -41,8 +41,8 @@ def own_wrenches(tree: FrameTree, base: Vector, rates: Row, accelerations: Row) 
     force: Row = {}
     for frame in tree.frames:
         motion = FrameMotion(zeros(), zeros(), base) if frame.parent == GROUND else motions[frame.parent]
-        for move in frame.moves:
-            motion = move.motion(motion, rates, accelerations)
+        for transform in frame.transforms:
+            motion = transform.motion(motion, rates, accelerations)
         motions.append(motion)
         own = NOTHING
         if frame.inertia is not None:
@@ -57,8 +57,8 @@ def floating_forces(tree: FrameTree, M: list[Row], base: Vector, accelerations: 
     """Force that the accelerations of the origins of bodies need that no joint places: their columns of M."""
     force: Row = {}
     for frame in tree.frames:
-        for move in frame.moves:
-            if isinstance(move, Float):
-                for column, ground in zip(move.columns, base, strict=True):
+        for transform in frame.transforms:
+            if isinstance(transform, Float):
+                for column, ground in zip(transform.columns, base, strict=True):
                     add_scaled(force, add(accelerations.get(column, ZERO), ground), M[column])
     return force

@@ -51,13 +51,13 @@ from symgen.system.frames.fields import (
     Change,
     Field,
     FieldPart,
-    MoveState,
     Rates,
+    TransformState,
     joint_parts,
     relative_motion,
     turned,
 )
-from symgen.system.frames.moves import JointNode, MarkerNode, Node
+from symgen.system.frames.joint_transforms import JointNode, MarkerNode, Node
 from symgen.system.frames.spatial_algebra import (
     NOTHING,
     Force,
@@ -265,18 +265,18 @@ class _Bending:
         return minus(scaled(half, cross(moment, one.theta)), fewer)
 
 
-def parts_of(move: Node, moved: MoveState) -> list[FieldPart]:
-    """What the coordinates of a move do."""
-    return BendChanges(move, moved).parts if isinstance(move, MarkerNode) else joint_parts(move, moved)
+def parts_of(transform: Node, moved: TransformState) -> list[FieldPart]:
+    """What the coordinates of a transform do."""
+    return BendChanges(transform, moved).parts if isinstance(transform, MarkerNode) else joint_parts(transform, moved)
 
 
 class BendChanges:
     """Of the motion by the modes that lead to a marker or back from it, and of the powers of a wrench on them."""
 
-    def __init__(self, move: MarkerNode, moved: MoveState) -> None:
-        self._move, self._back, self._deformation = move, move.back, move.deformation
-        body = moved.after if move.back else moved.before
-        self._bending = _Bending(move.deformation, body, moved.rates, moved.accelerations)
+    def __init__(self, transform: MarkerNode, moved: TransformState) -> None:
+        self._move, self._back, self._deformation = transform, transform.back, transform.deformation
+        body = moved.after if transform.back else moved.before
+        self._bending = _Bending(transform.deformation, body, moved.rates, moved.accelerations)
         self._moved = moved
 
     @cached_property
@@ -292,7 +292,7 @@ class BendChanges:
         return Field((t, t1, t2), (s, s1, s2)).shifted(relative_motion(self._move, self._moved))
 
     def powers(self, column: int, wrench: Force, change: Force) -> Row:
-        """Changes of the powers by a mode, for the wrench after the move and its change, both in the axes there."""
+        """Changes of the powers by a mode, for the wrench after the transform and its change in the axes there."""
         bending, point = self._bending, self._deformation.point
         shares = [(one, one.shares[column]) for one in self._deformation.shared if column in one.shares]
         f, moment = self._move.at_marker(wrench)
@@ -311,7 +311,7 @@ class BendChanges:
         return found
 
     def among(self, wrench: Force) -> list[list[ca.SX]]:
-        """Change of the power on each part, by rows, by each part, for a wrench after the move that goes with it."""
+        """Change of the power on each part, by rows, by each part, for a wrench after the transform."""
         shared, point = self._deformation.shared, self._deformation.point
         f, moment = self._move.at_marker(wrench)
         found = [[ZERO] * len(shared) for _ in shared]
@@ -338,8 +338,8 @@ def _nothing(values: Vector) -> bool:
 
 
 def has_force_changes(tree: FrameTree) -> bool:
-    """Are all moves of the kinds that are differentiated here: hinges, slides, markers of flexible bodies?"""
-    return all(frame.nodes == frame.moves for frame in tree.frames)
+    """Are all transforms of the kinds that are differentiated here: hinges, slides, markers of flexible bodies?"""
+    return all(frame.nodes == frame.transforms for frame in tree.frames)
 
 
 def force_changes(tree: FrameTree, n: int, base: Vector, rates: Row, accelerations: Row) -> tuple[list[Row], list[Row]]:
@@ -383,22 +383,22 @@ class ForceSweep:
 
     def tree(self, tree: FrameTree, base: Vector) -> None:
         """All frames; base: acceleration of the ground."""
-        moves: list[list[MoveState]] = []
+        transforms: list[list[TransformState]] = []
         motions: list[FrameMotion] = []
         for frame in tree.frames:
             motion = FrameMotion(zeros(), zeros(), base) if frame.parent == GROUND else motions[frame.parent]
-            moves.append([])
-            for move in frame.nodes:
-                before, motion = motion, move.motion(motion, self._rates, self._accelerations)
-                moves[-1].append(MoveState(before, motion, self._rates, self._accelerations))
+            transforms.append([])
+            for transform in frame.nodes:
+                before, motion = motion, transform.motion(motion, self._rates, self._accelerations)
+                transforms[-1].append(TransformState(before, motion, self._rates, self._accelerations))
             motions.append(motion)
         states = [_no_subtree() for _ in tree.frames]
         for k in reversed(range(len(tree.frames))):
             frame, state = tree.frames[k], states[k]
             if frame.inertia is not None:
                 state.add(self.body(frame.inertia, motions[k]))
-            for move, moved in zip(reversed(frame.nodes), reversed(moves[k]), strict=True):
-                self.through(move, moved, state)
+            for transform, moved in zip(reversed(frame.nodes), reversed(transforms[k]), strict=True):
+                self.through(transform, moved, state)
             if frame.parent != GROUND:
                 states[frame.parent].add(state)
 
@@ -420,10 +420,10 @@ class ForceSweep:
             mode_rows(inertia, motion, self._rates),
         )
 
-    def through(self, move: Node, moved: MoveState, state: Subtree) -> None:
-        """All that is beyond a move, as seen before it, in place."""
-        bending = BendChanges(move, moved) if isinstance(move, MarkerNode) else None
-        parts = parts_of(move, moved) if bending is None else bending.parts
+    def through(self, transform: Node, moved: TransformState, state: Subtree) -> None:
+        """All that is beyond a transform, as seen before it, in place."""
+        bending = BendChanges(transform, moved) if isinstance(transform, MarkerNode) else None
+        parts = parts_of(transform, moved) if bending is None else bending.parts
         carried: dict[int, Force] = {}
         for part in parts:
             by_position, by_rate = part.field.by_position(moved.after.a), part.field.by_rate
@@ -435,31 +435,31 @@ class ForceSweep:
             gather(carried, _shares(part, turned(part.field.twist, state.wrench)))
         for column, wrench in state.by_position.items():
             own = bending is not None and column in carried
-            powers = bending.powers(column, state.wrench, wrench) if bending and own else move.powers(wrench)
+            powers = bending.powers(column, state.wrench, wrench) if bending and own else transform.powers(wrench)
             for row, value in powers.items():
                 add_to(self.K[row], column, value)
-            state.by_position[column] = move.wrench(wrench.plus(carried.get(column, NOTHING)))
+            state.by_position[column] = transform.wrench(wrench.plus(carried.get(column, NOTHING)))
         for column, wrench in state.by_rate.items():
-            for row, value in move.powers(wrench).items():
+            for row, value in transform.powers(wrench).items():
                 add_to(self.D[row], column, value)
-            state.by_rate[column] = move.wrench(wrench)
-        self._before(move, moved, state, parts)
+            state.by_rate[column] = transform.wrench(wrench)
+        self._before(transform, moved, state, parts)
 
     def _shared(self, target: list[Row], row: int, part: FieldPart, value: ca.SX) -> None:
         for column, share in part.shares.items():
             add_to(target[row], column, mul(share, value))
 
-    def _before(self, move: Node, moved: MoveState, state: Subtree, parts: list[FieldPart]) -> None:
-        """Rows, inertia and wrench as seen before a move."""
+    def _before(self, transform: Node, moved: TransformState, state: Subtree, parts: list[FieldPart]) -> None:
+        """Rows, inertia and wrench as seen before a transform."""
         for part in parts:
             row = state.tangent.row(part.field.twist)
             for column, share in part.shares.items():
                 own = row.scaled(share)
                 state.rows[column] = state.rows[column].plus(own) if column in state.rows else own
-        velocity = scaled(TWO, relative_motion(move, moved).V)
-        state.rows = {column: _row_before(move, row, velocity) for column, row in state.rows.items()}
-        state.tangent = _tangent_before(move, velocity, state.tangent)
-        state.wrench = move.wrench(state.wrench)
+        velocity = scaled(TWO, relative_motion(transform, moved).V)
+        state.rows = {column: _row_before(transform, row, velocity) for column, row in state.rows.items()}
+        state.tangent = _tangent_before(transform, velocity, state.tangent)
+        state.wrench = transform.wrench(state.wrench)
 
 
 def _shares(part: FieldPart, wrench: Force) -> dict[int, Force]:
@@ -467,20 +467,20 @@ def _shares(part: FieldPart, wrench: Force) -> dict[int, Force]:
     return {column: wrench.scaled(share) for column, share in part.shares.items()}
 
 
-def _row_before(move: Node, row: RowChange, velocity: Vector) -> RowChange:
-    """Seen before a move."""
-    r = plus(row.r, cross(velocity, row.phi)) if move.back else row.r
-    seen, r = move.wrench(Force(row.phi, row.nu)), move.wrench(Force(r, zeros())).f
-    return RowChange(seen.n, seen.f, r if move.back else plus(r, cross(velocity, seen.f)))
+def _row_before(transform: Node, row: RowChange, velocity: Vector) -> RowChange:
+    """Seen before a transform."""
+    r = plus(row.r, cross(velocity, row.phi)) if transform.back else row.r
+    seen, r = transform.wrench(Force(row.phi, row.nu)), transform.wrench(Force(r, zeros())).f
+    return RowChange(seen.n, seen.f, r if transform.back else plus(r, cross(velocity, seen.f)))
 
 
-def _tangent_before(move: Node, velocity: Vector, tangent: Tangent) -> Tangent:
-    """Seen before a move."""
-    if isinstance(move, JointNode):
-        if move.about is not None:
-            return tangent.about(move.axis, *move.about)
-        return (tangent if move.R is None else tangent.turned(move.R)).shifted(move.r, velocity)
-    bent = move.deformation.still
-    if move.back:
+def _tangent_before(transform: Node, velocity: Vector, tangent: Tangent) -> Tangent:
+    """Seen before a transform."""
+    if isinstance(transform, JointNode):
+        if transform.about is not None:
+            return tangent.about(transform.axis, *transform.about)
+        return (tangent if transform.R is None else tangent.turned(transform.R)).shifted(transform.r, velocity)
+    bent = transform.deformation.still
+    if transform.back:
         return tangent.shifted(negative(bent.rho), velocity).turned(transposed(bent.R))
     return tangent.turned(bent.R).shifted(bent.rho, velocity)

@@ -12,7 +12,7 @@ from symgen.algebra.vectors import Matrix, identity, zeros
 from symgen.bodies.spatial_body import SpatialBody
 from symgen.bodies.spatial_moments import Deformation
 from symgen.system.frames.alignment import JointLink, Numbers, UnalignedFrame, aligned, moved
-from symgen.system.frames.moves import Across, Ball, Float, MarkerNode, Move, ToWorld
+from symgen.system.frames.joint_transforms import Across, Ball, Float, JointTransform, MarkerNode, ToWorld
 from symgen.system.frames.spatial_algebra import SE3, Inertia, no_masses
 from symgen.system.frames.tree import GROUND, BodyFrame, FlexibleNode, FrameTree, RigidNode
 from symgen.system.orientations import Turning
@@ -32,8 +32,8 @@ class Skeleton:
         assert data is not None
         point = Inertia(data.mass, zeros(), no_masses().Sigma)
         floats = Float(q.columns[:3], q.R_o, q.R_o_dot)
-        self._add(UnalignedFrame(GROUND, moves=[floats], inertia=RigidNode(point)))
-        self._add(UnalignedFrame(len(self._rough) - 1, moves=[_ball(turning)], inertia=_inertia(body, ZERO)))
+        self._add(UnalignedFrame(GROUND, transforms=[floats], inertia=RigidNode(point)))
+        self._add(UnalignedFrame(len(self._rough) - 1, transforms=[_ball(turning)], inertia=_inertia(body, ZERO)))
         self._body_frames[body.name] = BodyFrame(len(self._rough) - 1)
 
     def place(
@@ -58,7 +58,7 @@ class Skeleton:
         if not far.rigid:
             self._add(UnalignedFrame(frame, JointLink(rest)))
             frame = len(self._rough) - 1
-            self._add(UnalignedFrame(frame, moves=[MarkerNode(far, back=True)], inertia=_inertia(body, data.mass)))
+            self._add(UnalignedFrame(frame, transforms=[MarkerNode(far, back=True)], inertia=_inertia(body, data.mass)))
             self._body_frames[body.name] = BodyFrame(len(self._rough) - 1)
             return
         place = rest * _marker(far).inverse()
@@ -88,21 +88,21 @@ class Skeleton:
         near, far: the joint's markers, of which only the place counts.
         """
         frame, before = self._at(parent, place_of(near))
-        holder = self._rough[frame].moves[-1:] if frame != GROUND else []
+        holder = self._rough[frame].transforms[-1:] if frame != GROUND else []
         if holder and isinstance(holder[0], Ball):
-            moves: list[Move] = [Across(before.r, holder[0].A), _ball(turning)]
+            transforms: list[JointTransform] = [Across(before.r, holder[0].A), _ball(turning)]
         else:
             self._add(UnalignedFrame(frame, JointLink(before), inertia=RigidNode(no_masses())))
-            frame, moves = len(self._rough) - 1, [ToWorld(axes), _ball(turning)]
+            frame, transforms = len(self._rough) - 1, [ToWorld(axes), _ball(turning)]
         data, at = body.integrals, place_of(far)
         assert data is not None
         if data.nf:
-            moves = [*moves, MarkerNode(at, back=True)]
+            transforms = [*transforms, MarkerNode(at, back=True)]
             place, inertia = SE3.identity(), _inertia(body, data.mass)
         else:
             place = _marker(at).inverse()
             inertia = RigidNode(moved(Inertia(data.mass, data.S1, data.J0), place))
-        self._add(UnalignedFrame(frame, moves=moves, inertia=inertia))
+        self._add(UnalignedFrame(frame, transforms=transforms, inertia=inertia))
         self._body_frames[body.name] = BodyFrame(len(self._rough) - 1, place)
 
     def _add(self, rough: UnalignedFrame) -> None:
@@ -113,7 +113,7 @@ class Skeleton:
         known = self._body_frames[body]
         if marker.rigid:
             return known.frame, known.place * _marker(marker)
-        self._add(UnalignedFrame(known.frame, moves=[MarkerNode(marker)]))
+        self._add(UnalignedFrame(known.frame, transforms=[MarkerNode(marker)]))
         return len(self._rough) - 1, SE3.identity()
 
     def tree(self) -> FrameTree:

@@ -22,7 +22,7 @@ from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO, add, dot, mul, sub
 from symgen.algebra.vectors import Matrix, Vector, combination, cross, plus, scaled, traced, weighted
 from symgen.bodies.spatial_moments import SpatialIntegrals, SpatialMoments
-from symgen.system.frames.moves import Move, Node
+from symgen.system.frames.joint_transforms import JointTransform, Node
 from symgen.system.frames.spatial_algebra import SE3, Force, FrameMotion, Inertia
 
 
@@ -122,16 +122,16 @@ GROUND = -1
 
 @dataclass
 class Frame:
-    """A frame: its parent (GROUND or an earlier one), the moves that lead from there, the inertia that goes with it."""
+    """A frame: its parent (GROUND or an earlier one), the transforms from there, the inertia that goes with it."""
 
     parent: int
-    moves: list[Move]
+    transforms: list[JointTransform]
     inertia: RigidNode | FlexibleNode | None
 
     @property
     def nodes(self) -> list[Node]:
-        """Its moves, where all of them are nodes."""
-        return [move for move in self.moves if isinstance(move, Node)]
+        """Its transforms, where all of them are nodes."""
+        return [transform for transform in self.transforms if isinstance(transform, Node)]
 
     @property
     def modes(self) -> set[int]:
@@ -141,7 +141,7 @@ class Frame:
     @property
     def columns(self) -> set[int]:
         """Columns on which its motion or its inertia depend."""
-        return {column for move in self.moves for column in move.twists} | self.modes
+        return {column for transform in self.transforms for column in transform.twists} | self.modes
 
 
 @dataclass(frozen=True)

@@ -1,11 +1,11 @@
-"""The moves that lead from a frame to the next one, and what each does to motions, wrenches, inertia and paths.
+"""The transforms that lead from a frame to the next one, and what each does to motions, wrenches, inertia and paths.
 
-A move may depend on coordinates: then it has twists, the motion of the frame after it for a unit rate of each. What
-joints leave free, and constant displacements, are one node: X(q) and S.
+A transform may depend on coordinates: then it has twists, the motion of the frame after it for a unit rate of each.
+What joints leave free, and constant displacements, are one node: X(q) and S.
 
-Moves that a body makes by its own coordinates: it floats, it is oriented, it bends at its markers.
+Transforms that a body makes by its own coordinates: it floats, it is oriented, it bends at its markers.
 
-Moves by which a body turns with its own absolute angular velocity: to world axes, then to those of the body.
+Transforms by which a body turns with its own absolute angular velocity: to world axes, then to those of the body.
 
 A ball passes neither a moment towards the ground nor an angular motion away from it: omega and alpha beyond it are its
 own velocities and their rates, and what is beyond is to all before it a mass at its centre.
@@ -52,18 +52,25 @@ from symgen.system.frames.spatial_algebra import (
 
 
 @dataclass(frozen=True)
-class Part:
-    """A twist of the frame after a move, at its origin and in its axes; shares: of the rates of q in it, by column."""
+class TwistColumn:
+    """A column of S: a twist of the frame after a transform, at its origin and in its axes.
+
+    shares: of the rates of q in it, by column of q.
+    """
 
     shares: Row
     twist: Motion
 
 
-class Move(ABC):
-    """From one frame to the next. What is not said is that of a move without coordinates."""
+class JointTransform(ABC):
+    """The transform of a joint, from one frame to the next; S, its motion subspace, is made of `twist_columns`.
+
+    What is not said is that of a transform without coordinates. Names as in R. Featherstone: Rigid Body Dynamics
+    Algorithms, Springer 2008, sections 2.8 (Plucker transforms) and 4.4 (joint models).
+    """
 
     @property
-    def parts(self) -> list[Part]:
+    def twist_columns(self) -> list[TwistColumn]:
         """S: twists that rates of columns of q make, each alone or several by their shares."""
         return []
 
@@ -71,43 +78,43 @@ class Move(ABC):
     def twists(self) -> dict[int, Motion]:
         """S by column of q."""
         found: dict[int, Motion] = {}
-        for part in self.parts:
+        for part in self.twist_columns:
             for column, share in part.shares.items():
                 own = part.twist.scaled(share)
                 found[column] = found[column].plus(own) if column in found else own
         return found
 
-    def part_powers(self, after: Force) -> Vector:
-        """Power of a wrench of the frame after the move on each part."""
-        return [after.along(part.twist) for part in self.parts]
+    def column_powers(self, after: Force) -> Vector:
+        """Power of a wrench of the frame after the transform on each twist column."""
+        return [after.along(part.twist) for part in self.twist_columns]
 
     def powers(self, after: Force) -> Row:
-        """Power of a wrench of the frame after the move on the twist of each column: S^T f."""
+        """Power of a wrench of the frame after the transform on the twist of each column: S^T f."""
         found: Row = {}
-        for part, value in zip(self.parts, self.part_powers(after), strict=True):
+        for part, value in zip(self.twist_columns, self.column_powers(after), strict=True):
             for column, share in part.shares.items():
                 found[column] = add(found[column], mul(share, value)) if column in found else mul(share, value)
         return found
 
     @abstractmethod
     def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
-        """Motion after the move; rates and accelerations by column, zero where absent."""
+        """Motion after the transform; rates and accelerations by column, zero where absent."""
 
     @abstractmethod
     def wrench(self, after: Force) -> Force:
-        """A wrench of the frame after the move, seen before it."""
+        """A wrench of the frame after the transform, seen before it."""
 
     @abstractmethod
     def composite(self, after: Mass) -> Mass:
-        """Inertia of the frame after the move, seen before it."""
+        """Inertia of the frame after the transform, seen before it."""
 
     def lead(self, path: Path) -> None:  # noqa: B027 - nothing for axes of the world, which a ball follows
-        """Continue a path through the move."""
+        """Continue a path through the transform."""
 
 
-def single(columns: Sequence[int], twists: Sequence[Motion]) -> list[Part]:
-    """Parts of one column each."""
-    return [Part({column: ONE}, twist) for column, twist in zip(columns, twists, strict=True)]
+def single(columns: Sequence[int], twists: Sequence[Motion]) -> list[TwistColumn]:
+    """Twists of one column each."""
+    return [TwistColumn({column: ONE}, twist) for column, twist in zip(columns, twists, strict=True)]
 
 
 def unit(axis: int, value: ca.SX = ONE) -> Vector:
@@ -118,7 +125,7 @@ def unit(axis: int, value: ca.SX = ONE) -> Vector:
 
 
 @dataclass(frozen=True)
-class JointNode(Move):
+class JointNode(JointTransform):
     """X: a shift r, then a rotation, about coordinate axis `axis` by (cosine, sine) or constant with the new axes in R.
 
     S: where it has a coordinate, that of `column`, the frame after it turns about its axis `axis` by `sign` for a unit
@@ -153,12 +160,12 @@ class JointNode(Move):
         return Motion(own, zeros()) if self.turns else Motion(zeros(), own)
 
     @property
-    def parts(self) -> list[Part]:
+    def twist_columns(self) -> list[TwistColumn]:
         """S, where it has a coordinate."""
-        return [] if self.column is None else [Part({self.column: ONE}, self.S)]
+        return [] if self.column is None else [TwistColumn({self.column: ONE}, self.S)]
 
     def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
-        """Motion after the move."""
+        """Motion after the transform."""
         omega, alpha, a = self.seen(before.omega), self.seen(before.alpha), self.seen(self._carried(before))
         if self.column is None:
             return FrameMotion(omega, alpha, a)
@@ -174,7 +181,7 @@ class JointNode(Move):
         return before.a if all(value.is_zero() for value in self.r) else before.carried(self.r)
 
     def seen(self, vector: Vector) -> Vector:
-        """A vector in the axes after the move."""
+        """A vector in the axes after the transform."""
         if self.about is None:
             return vector if self.R is None else transposed_times(self.R, vector)
         return turned_about(vector, self.axis, self.about[0], neg(self.about[1]))
@@ -185,12 +192,12 @@ class JointNode(Move):
         return turned_about(vector, self.axis, *self.about)
 
     def wrench(self, after: Force) -> Force:
-        """Seen before the move."""
+        """Seen before the transform."""
         f = self._back(after.f)
         return Force(f, plus(self._back(after.n), cross(self.r, f)), after.world)
 
     def composite(self, after: Mass) -> Mass:
-        """Seen before the move."""
+        """Seen before the transform."""
         if self.about is not None:
             after = after.about(self.axis, *self.about)
         elif self.R is not None:
@@ -198,7 +205,7 @@ class JointNode(Move):
         return after if all(value.is_zero() for value in self.r) else after.shifted(self.r)
 
     def lead(self, path: Path) -> None:
-        """Continue a path through the move."""
+        """Continue a path through the transform."""
         path.shift(self.r)
         if self.column is not None and self.turns:
             path.spin(self.column, path.axes[self.axis], self.rate, self.sign)
@@ -219,7 +226,7 @@ def turned_about(vector: Vector, axis: int, cosine: ca.SX, sine: ca.SX) -> Vecto
 
 
 @dataclass(frozen=True)
-class Float(Move):
+class Float(JointTransform):
     """The origin R_o of a body that no joint places, in world axes."""
 
     columns: list[int]
@@ -227,7 +234,7 @@ class Float(Move):
     R_o_dot: Vector
 
     @property
-    def parts(self) -> list[Part]:
+    def twist_columns(self) -> list[TwistColumn]:
         """The directions of the world."""
         return single(self.columns, [Motion(zeros(), unit(i)) for i in range(3)])
 
@@ -236,29 +243,29 @@ class Float(Move):
         return FrameMotion(zeros(), zeros(), zeros())
 
     def wrench(self, after: Force) -> Force:
-        """Seen before the move."""
+        """Seen before the transform."""
         return after
 
     def composite(self, after: Mass) -> Mass:
-        """Seen before the move."""
+        """Seen before the transform."""
         return after
 
     def lead(self, path: Path) -> None:
-        """Continue a path through the move."""
+        """Continue a path through the transform."""
         path.shift(self.R_o)
         for i, column in enumerate(self.columns):
             path.slide(column, unit(i), self.R_o_dot[i])
 
 
 @dataclass(frozen=True)
-class MarkerNode(Move):
+class MarkerNode(JointTransform):
     """From the frame of a flexible body to a marker that its modes shift and turn (Eq. 19), or `back` from there."""
 
     deformation: Deformation
     back: bool = False
 
     @property
-    def parts(self) -> list[Part]:
+    def twist_columns(self) -> list[TwistColumn]:
         """By what modes do to the marker; with the marker at rest, the frame moves against that."""
         bent, found = self.deformation.still, []
         for one in self.deformation.shared:
@@ -267,25 +274,25 @@ class MarkerNode(Move):
                 twist = Motion(negative(turned), minus(cross(turned, bent.rho), one.shape))
             else:
                 twist = Motion(transposed_times(bent.R, turned), transposed_times(bent.R, one.shape))
-            found.append(Part(one.shares, twist))
+            found.append(TwistColumn(one.shares, twist))
         return found
 
-    def part_powers(self, after: Force) -> Vector:
-        """Power of a wrench on each part."""
+    def column_powers(self, after: Force) -> Vector:
+        """Power of a wrench on each twist column."""
         f, moment = self.at_marker(after)
         turning = self.deformation.still.on_turns(moment)
         found = [add(dot(one.shape, f), dot(one.theta, turning)) for one in self.deformation.shared]
         return negative(found) if self.back else found
 
     def at_marker(self, after: Force) -> tuple[Vector, Vector]:
-        """Force and moment about the marker of a wrench of the frame after the move, in body axes."""
+        """Force and moment about the marker of a wrench of the frame after the transform, in body axes."""
         bent = self.deformation.still
         if self.back:
             return after.f, minus(after.n, cross(bent.rho, after.f))
         return times(bent.R, after.f), times(bent.R, after.n)
 
     def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
-        """Motion after the move."""
+        """Motion after the transform."""
         bent, own = self.deformation.at(rates), self.deformation.of(accelerations)
         given = before.omega, before.alpha, before.a
         omega, alpha, a = [times(bent.R, vector) for vector in given] if self.back else given
@@ -300,26 +307,26 @@ class MarkerNode(Move):
         return FrameMotion(omega, alpha, a)
 
     def seen(self, vector: Vector) -> Vector:
-        """A vector in the axes after the move."""
+        """A vector in the axes after the transform."""
         R = self.deformation.still.R
         return times(R, vector) if self.back else transposed_times(R, vector)
 
     def wrench(self, after: Force) -> Force:
-        """Seen before the move."""
+        """Seen before the transform."""
         bent, (f, n) = self.deformation.still, self.at_marker(after)
         if self.back:
             return Force(transposed_times(bent.R, f), transposed_times(bent.R, n))
         return Force(f, plus(n, cross(bent.rho, f)))
 
     def composite(self, after: Mass) -> Mass:
-        """Seen before the move."""
+        """Seen before the transform."""
         bent = self.deformation.still
         if self.back:
             return after.shifted(negative(bent.rho)).turned(transposed(bent.R))
         return after.turned(bent.R).shifted(bent.rho)
 
     def lead(self, path: Path) -> None:
-        """Continue a path through the move."""
+        """Continue a path through the transform."""
         path.bend(self.deformation.columns, self.deformation.now, self.back)
 
 
@@ -327,7 +334,7 @@ Node = JointNode | MarkerNode  # what leads through a tree whose rotations are a
 
 
 @dataclass(frozen=True)
-class ToWorld(Move):
+class ToWorld(JointTransform):
     """From the axes of a frame to those of the world; `axes` gives the frame's axes there (rows of a rotation)."""
 
     axes: Callable[[], Matrix]
@@ -350,7 +357,7 @@ class ToWorld(Move):
 
 
 @dataclass(frozen=True)
-class Across(Move):
+class Across(JointTransform):
     """From a body that a ball holds to a point of it at `arm`, in world axes; A: of the body, by rows.
 
     Accelerations and forces stay in world axes all along a chain of such bodies: only moments arm x A^T F of them are
@@ -380,7 +387,7 @@ class Across(Move):
 
 
 @dataclass(frozen=True)
-class Ball(Move):
+class Ball(JointTransform):
     """From world axes to those of a body: A by rows, omega [rad/s] in body axes, its columns."""
 
     columns: list[int]
@@ -388,7 +395,7 @@ class Ball(Move):
     omega: Vector
 
     @property
-    def parts(self) -> list[Part]:
+    def twist_columns(self) -> list[TwistColumn]:
         """Its axes."""
         return single(self.columns, [Motion(unit(i), zeros()) for i in range(3)])
 
@@ -399,10 +406,10 @@ class Ball(Move):
             omega, alpha, transposed_times(self.A, before.a), WorldFrame(self.A, before.a, before.in_world is not None)
         )
 
-    def part_powers(self, after: Force) -> Vector:
+    def column_powers(self, after: Force) -> Vector:
         """The moment: A (e_i x arm) . F of each lever arm, of those along one axis e that of A^T sum(arm_k F) at e."""
         if not after.lever_arms:
-            return super().part_powers(after)
+            return super().column_powers(after)
         assert after.rest is not None
         moment, lever_arms = after.rest, [one for one in after.lever_arms if any(not x.is_zero() for x in one.arm)]
         along = only_axis([one.arm for one in lever_arms])
@@ -425,5 +432,5 @@ class Ball(Move):
         return after.turned_mass(lambda: self.A)
 
     def lead(self, path: Path) -> None:
-        """Continue a path through the move."""
+        """Continue a path through the transform."""
         path.ball(self.columns, self.A, self.omega)
