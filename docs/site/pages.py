@@ -5,7 +5,12 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
-MOVED = {"CHANGELOG.md": "changes.md", "CONTRIBUTING.md": "contributing.md", "README.md": "index.md"}
+MOVED = {
+    "CHANGELOG.md": "changes.md",
+    "CONTRIBUTING.md": "contributing.md",
+    "README.md": "index.md",
+    "SECURITY.md": "security.md",
+}
 SHELVES = {"guide": "Guide", "theory": "Theory", "evidence": "Evidence", "inside": "Inside", "paper": "Paper"}
 LINK = re.compile(r"(!?\[[^\]]*\])\(([^)\s#]*)(#[^)\s]*)?\)")
 BLOCK = re.compile(r"(^```.*?^```)", re.DOTALL | re.MULTILINE)
@@ -111,7 +116,7 @@ stepped, checked and judged.
 def navigation(places: list[str], topics: list[str]) -> list[object]:
     """The tabs and what is below them, in the order of docs/pages.md."""
     listed = (DOCS / "pages.md").read_text(encoding="utf-8")
-    tabs: list[object] = [{"Home": ["index.md", "search.md", "changes.md", "contributing.md"]}]
+    tabs: list[object] = [{"Home": ["index.md", "search.md", "changes.md", "contributing.md", "security.md"]}]
     tabs.append({"Gallery": ["gallery.md", *sorted(place for place in places if place.startswith("gallery/"))]})
     for shelf, title in SHELVES.items():
         own = [place for place in places if place.startswith(f"{shelf}/")]

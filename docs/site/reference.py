@@ -83,7 +83,7 @@ TOPICS: dict[str, list[str]] = {
         "runtime.schemes.runge_kutta.DormandPrince8",
         "runtime.schemes.radau.Radau",
     ],
-    "Handing on": [
+    "Exporting": [
         "runtime.export.c_bundle.export_c",
         "runtime.export.fmu.export_fmu",
         "runtime.baselines.ode.ode",

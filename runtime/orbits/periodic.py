@@ -156,7 +156,7 @@ class _Asked:
 
     def __post_init__(self) -> None:
         if (self.period is None) == (self.speed is None):
-            raise ArgumentError("period", "or speed must be given, and one of them only", "give period=0.1, or speed")
+            raise ArgumentError("period", "give either period or speed", "for example period=0.1")
         if self.speed is not None:
             known = [one.name for one in self.model.parameters]
             if self.speed not in known:

@@ -118,7 +118,7 @@ class EnergyBalance:
         known = f"{self.largest:.3g} J"
         if self.resolved:
             return known
-        return f"{known}, not resolved by the samples (their work is known to {self.uncertainty[-1]:.2g} J)"
+        return f"{known}, too few samples to check below {self.uncertainty[-1]:.2g} J"
 
 
 def energy_balance(

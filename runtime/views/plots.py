@@ -133,7 +133,7 @@ def energy_balance(solution: Solution, path: str | Path | None = None) -> Figure
     legend(top)
     top.set_xlabel("")
     part = found.largest / max(float(np.abs(shown.values).max()), 1e-300)
-    told = "" if found.resolved else ", not resolved by the samples"
+    told = "" if found.resolved else ", too few samples to check"
     name = f"balance error, at most {part:.1e} of the energy{told}"
     panel(bottom, solution.t, Curves(name, "J", [""], found.error[None]))
     bottom.axhline(0.0, color="0.6", lw=0.7)

@@ -54,7 +54,7 @@ def demo(arguments: argparse.Namespace) -> Outcome:
     lines = summary(solution)
     if not chosen:
         own = run_model(model, arguments)
-        lines.append(f"{own.scheme} with dt = {own.dt:g} s, as the scene has it, stands beside it in difference.png")
+        lines.append(f"difference.png compares with scheme {own.scheme} at its dt = {own.dt:g} s")
         plots.difference(own, solution, folder / "difference.png")
         files["difference.png"] = str(folder / "difference.png")
     with Progress("symgen") as progress:

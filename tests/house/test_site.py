@@ -82,7 +82,7 @@ def test_every_page_of_the_repository_is_in_the_site(site: Path, pages: dict[Pat
     docs = ROOT / "docs"
     names = [path.relative_to(docs).with_suffix(".html") for path in docs.rglob("*.md")]
     wanted = {name.with_name("index.html") if name.stem == "README" else name for name in names}
-    wanted |= {Path("index.html"), Path("changes.html"), Path("contributing.html")}
+    wanted |= {Path("index.html"), Path("changes.html"), Path("contributing.html"), Path("security.html")}
     wanted |= {Path("gallery") / f"{path.stem}.html" for path in (ROOT / "examples").glob("*.py")}
     assert wanted <= {path.relative_to(site) for path in pages}
 

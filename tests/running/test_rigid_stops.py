@@ -495,7 +495,7 @@ def test_an_impact_on_a_driven_cart_tells_apart_what_the_stop_took(model_of: Bui
     took = 0.5 * (0.1 + 1.5 * 0.4**2) * 2.0**2 * (1 - 0.6**2)
     gave = -3.0 * 1.5 * 0.4 * np.cos(0.5) * -(1 + 0.6) * 2.0
     (text,) = [one.text for one in run.events if one.kind == "impact"]
-    assert text.endswith(f"2 and left at 1.2, {took:.6g} J lost, {gave:.6g} J given by what is prescribed")
+    assert text.endswith(f"2 and left at 1.2, {took:.6g} J lost, work done by the prescribed motion: {gave:.6g} J")
     assert run.balance.largest < 1e-8
 
 

@@ -125,7 +125,7 @@ def losses(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray, fou
     own, hits = elements(model, at, c), [(model.mode_events[hit.k], hit.impulse) for hit in found.hits]
     passing = own["v_rel"] + 0.5 * own["G"] @ found.push
     lost = -sum(one.side * p * float(passing[one.row]) for one, p in hits)
-    given = f", {gained + lost:.6g} J given by what is prescribed" if moves_in_time(model) else ""
+    given = f", work done by the prescribed motion: {gained + lost:.6g} J" if moves_in_time(model) else ""
     return f", {lost:.6g} J lost{given}"
 
 

@@ -76,7 +76,7 @@ def _outputs(
         raise ArgumentError("outputs", f"must be a list of names, not the text {outputs!r}", f"give [{outputs!r}]")
     kept = list(dict.fromkeys(list(reduce or {}) if outputs is None else outputs))
     if not kept:
-        raise ArgumentError("outputs", "nothing is asked for", "name coordinates, rates, measures or energies")
+        raise ArgumentError("outputs", "no outputs were requested", "name coordinates, rates, measures or energies")
     for name in kept:
         column(model, name)
     for name in reduce or {}:
