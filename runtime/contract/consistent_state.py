@@ -1,4 +1,4 @@
-"""Consistent initial state: positions and velocities that satisfy the constraints (Eqs. 21, 24).
+"""Consistent initial conditions (assembly): positions and velocities that satisfy the constraints (Eqs. 21, 24).
 
 What the user fixed or gave stays exactly as long as what was left open can satisfy the constraints. Only if it
 cannot do given values move, as little as possible in the least-squares sense (case F1 violates one by 2e-10).

@@ -1,4 +1,8 @@
-"""Parameters and initial values of a model from measured outputs: least squares with the derivatives of the run."""
+"""Parameter identification: parameters and initial values from measured outputs, by nonlinear least squares.
+
+The derivatives are those of the run; of the Hessian of the sum of squares the part J^T J is taken (Gauss-Newton), in a
+trust region. Its inverse is the covariance.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A run along directions, and a run with its way back: outputs at saved times and their derivatives.
+"""Forward and reverse mode: a run along directions, and a run with its way back (the adjoint); derivatives of outputs.
 
 Forward, each lane carries one direction. Backward, the outputs' bars are given and flow to the beginning: what steps
 and outputs read is on tapes. A short run is recorded whole. A long one keeps its state at some sqrt(n) steps and is run

@@ -5,11 +5,12 @@ from v- to v+ and accelerations from a- to a+, a state that goes on from there h
 
     dq = (v- - v+) dT,    dv = (a- - a+) dT                                      (saltation)
 
-dT is data where a load jumps. An event happens where g(q, q', t, p) = 0 and sets w = A(q, q', t, p), so that with the
-rates g' and A' along the motion dT = -dg / g', dw = dA + A' dT. Impacts, and what holds from there on, add r to the
-rates (impacts.py), so that dv has dr + r' dT, too. Which event it is, what is struck, and the modes behind it are data.
-A stage measures g, g', a-, a+ and r, which do not count as differentiated; the next one adds terms such as
-(a- - a+) (g measured - g) / g', whose value is zero and whose derivative is dv.
+which is what the saltation matrix does to a tangent. dT is data where a load jumps. An event happens where g(q, q', t,
+p) = 0 and sets w = A(q, q', t, p), so that with the rates g' and A' along the motion dT = -dg / g', dw = dA + A' dT.
+Impacts, and what holds from there on, add r to the rates (impacts.py), so that dv has dr + r' dT, too. Which event it
+is, what is struck, and the modes behind it are data. A stage measures g, g', a-, a+ and r, which do not count as
+differentiated; the next one adds terms such as (a- - a+) (g measured - g) / g', whose value is zero and whose
+derivative is dv.
 """
 
 from __future__ import annotations

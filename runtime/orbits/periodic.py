@@ -1,4 +1,4 @@
-"""The search for a motion that repeats: the door `periodic`."""
+"""The search for a motion that repeats, a limit cycle or a forced response: the function `periodic`."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """The map of a period, x(t0) -> x(t0 + T), with its exact derivatives, and Newton's method on x(t0 + T) = x(t0).
 
-The period is cut into K parts of equal length. The unknowns are the states x_k = (q_i, q_i_dot) at their starts, the
-period T where it is free, and the conditions
+This is multiple shooting: the period is cut into K parts of equal length. The unknowns are the states x_k = (q_i,
+q_i_dot) at their starts, the period T where it is free, and the conditions
 
     F_k(x_k, T, p) - x_{k+1} = 0,    k < K - 1
     F_{K-1}(x_{K-1}, T, p) - x_0 - turn = 0

@@ -1,4 +1,4 @@
-"""The error of a motion, by coordinate: the difference of two ways to make the same motion, over its amplitudes.
+"""The global error of a motion, by coordinate: the difference of two ways to make the same motion, over its amplitudes.
 
 Everything that speaks of an error of a motion (runs, ladders, advice, comparisons) means the norms of this file.
 """

@@ -407,7 +407,7 @@ class Samples(WithLater):
 
     @arguments()
     def joint_force(self, joint: str) -> np.ndarray:
-        """Return force and moment of a joint on its body b, at marker b, in world axes.
+        """Return the reaction force and moment of a joint on its body b, at marker b, in world axes.
 
         Parameters
         ----------

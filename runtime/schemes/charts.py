@@ -5,6 +5,13 @@
 The turn that a step made is put into the chart at its end: chart <- chart o exp(theta), theta <- 0. A turn d of the
 last step is d in the new chart too, and its beginning is at -d there, component by component: so it is all the same
 whether a component is independent or follows from a closed loop.
+
+In the words of Lie group integrators (Munthe-Kaas): theta are coordinates in the tangent space of the manifold of
+rotations SO(3) at the chart, and exp is the retraction that brings a step back to it.
+
+References
+----------
+E. Hairer, C. Lubich, G. Wanner: Geometric Numerical Integration, 2nd ed., Springer 2006, section IV.8.
 """
 
 from __future__ import annotations

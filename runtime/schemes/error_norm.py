@@ -1,4 +1,4 @@
-"""The norm of an estimated error: root mean square of (dq, h dv) relative to the amplitudes of the coordinates.
+"""The norm of an estimated local error: root mean square of (dq, h dv) relative to the amplitudes of the coordinates.
 
 As that of Hairer, Norsett & Wanner, II.4, (4.11), but for what an error is measured by: they take the size of a
 component at the ends of the step, which passes through zero; here it is the amplitude of the motion so far.

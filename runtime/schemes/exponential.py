@@ -1,4 +1,4 @@
-"""Exponential Rosenbrock steps: one Jacobian a major step and two or three evaluations, whatever the stiffness.
+"""An exponential integrator, exponential Rosenbrock steps: one Jacobian a major step, two or three evaluations.
 
 For y' = F(y) linearised at the start of the step, N(y) = F(y) - A y and D_i = N(Y_i) - N(y_n), at nodes c_i:
 

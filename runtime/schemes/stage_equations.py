@@ -1,4 +1,8 @@
-"""The model's equations inside a stage: its emitted functions called on SX, the closure and velocities around them."""
+"""The model's equations inside a stage: its emitted functions called on SX, the closure and velocities around them.
+
+The closure brings each stage to the constraint manifold by Newton's method on the loop unknowns, so that constraints do
+not drift and need no stabilisation (Baumgarte).
+"""
 
 from __future__ import annotations
 

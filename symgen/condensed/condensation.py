@@ -4,6 +4,9 @@ Every dependent acceleration is one substitution  x_d'' = sum e_j x_j'' + c.  Wi
 M_hat = S^T M S and Q_hat = S^T (Q* - M s). Neither S nor an inverse is ever formed: M_hat comes from one congruence
 per substitution (tip to root, which is the composite-body recursion for a chain), Q_hat from one sweep out and one
 back. Loop closures are solved block by block and then are substitutions like any other.
+
+The DAE of index 3 becomes an ordinary differential equation so (index reduction by coordinate partitioning, Wehage &
+Haug 1982): the columns of S span the null space of the constraint Jacobian C_q, onto which the equations are projected.
 """
 
 from __future__ import annotations

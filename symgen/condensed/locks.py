@@ -1,4 +1,4 @@
-"""Elements that stick: the condensed equations with the directions that are stuck locked (38).
+"""Stiction and closed stops: the condensed equations with the directions of elements that stick locked (38).
 
 Element k is a row G_k of q_i with v_k = G_k q_i' and v_k' = G_k q_i'' + b_k; w_k is one where it sticks, else zero.
 With

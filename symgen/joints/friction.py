@@ -1,4 +1,4 @@
-"""Friction of a joint's one free direction: the law while it slides, and the bound while it sticks."""
+"""Friction of a joint's one free direction: the law while it slides, and the bound while it sticks (stiction)."""
 
 from __future__ import annotations
 

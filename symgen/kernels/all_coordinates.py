@@ -44,7 +44,9 @@ def augmented(system: Condensed) -> Kernel:
 
 
 def reactions(system: Condensed, held: ca.SX | None = None) -> Kernel:
-    """lam from the rows of the dependent coordinates (Eq. 37), solved along the structure, and joint forces.
+    """Lagrange multipliers lam (Eq. 37), and joint forces (reaction forces).
+
+    lam follow from the rows of the dependent coordinates, solved along the structure.
 
     lam_R: multipliers of redundant rows, which no equation determines; those of the other rows follow from them.
     joint_forces (3 or 6 x joints): world force [N] and moment [N m] of each joint on its body b, at marker b.

@@ -1,4 +1,4 @@
-"""Across a singular position in one step of order 8, none of whose stages comes near it.
+"""Across a singular position (a singular configuration) in one step of order 8, none of whose stages comes near it.
 
 At a singular position of the mechanism C_q loses rank, and with it every choice of q_i; the motion on its branch is
 smooth all the same. So the right-hand side is evaluated before and after it only: the singular time t_s is placed in

@@ -4,9 +4,9 @@ With v' = b + A f, A = G M_hat^-1 G^T,
 
     f at its lower bound: v' >= 0,    f between its bounds: v' = 0,    f at its upper bound: v' <= 0.
 
-It is solved by pivots: all hold; the one whose force is beyond its bound by most, measured by what that would
-accelerate, lets go; one that would then accelerate against its force holds again. Where rows say the same, A is
-singular: then those that hold do so with the least sum of (f / bound)^2.
+It is solved by pivots on the active set of those that hold: all hold; the one whose force is beyond its bound by most,
+measured by what that would accelerate, lets go; one that would then accelerate against its force holds again. Where
+rows say the same, A is singular: then those that hold do so with the least sum of (f / bound)^2.
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
-"""Where in a step an event happens: the step itself, ended sooner, tells.
+"""Event location: where in a step an event happens (a zero crossing) the step itself, ended sooner, tells.
 
 A step from the same state to a share of its length is the interpolant: it is what the scheme would have done, stiff
-modes included. The bracket of a change is narrowed until it is LOCATED long; its end, just after the change, is the
-event, so that the value is past zero from there on and one passage counts once.
+modes included. The bracket of a change is narrowed by bisection and inverse quadratic interpolation until it is LOCATED
+long; its end, just after the change, is the event, so that the value is past zero from there on and one passage counts
+once.
 """
 
 from __future__ import annotations

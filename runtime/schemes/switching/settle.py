@@ -1,4 +1,6 @@
-"""Which elements are held and which move, where that is open: at the start of a run, and where forces or rates jump.
+"""Stick and slip, contact and separation: which elements are held and which move, at the start of a run and at jumps.
+
+This is the active set of stiction and of unilateral contact, decided where forces or rates jump.
 
 An element is a direction v = G q_i' with a force f on it between two bounds: of friction -F and F, of a stop that is
 touched 0 and infinity, of both the sums. First what comes upon a stop is thrown back, see stops.py. Then what is at

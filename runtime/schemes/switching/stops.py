@@ -1,4 +1,6 @@
-"""Impacts on rigid stops, by Newton's law of restitution, and bounces that come too close.
+"""Impacts on rigid stops, by Newton's law of restitution, and bounces that come too close (Zeno behaviour).
+
+The impulses solve a linear complementarity problem (unilateral constraints, Moreau's impact law).
 
 A stop is an end of the way of a direction v = G q_i': its gap changes with v_s = side v. Of all that touch, and do not
 leave, the impulses p >= 0 along v_s solve

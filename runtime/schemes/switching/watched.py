@@ -1,4 +1,4 @@
-"""Events in the state of a scheme: their values after the last step, and the first step in which one passed zero.
+"""Events (zero crossings) in the state of a scheme: their values after the last step, and the first step of a crossing.
 
 An event with a cool-down is not looked for until `event_quiet`, the time at which that of its last happening is over.
 Where a load kinks by the motion is watched as events are, behind those that the scene declares: steps end there. Kinks

@@ -1,5 +1,7 @@
 """The mass matrix of a tree of frames: the composite-rigid-body algorithm, from the tips to the root (Eq. 38).
 
+R. Featherstone, Rigid Body Dynamics Algorithms, Springer 2008, ch. 6.
+
 The composite inertia I^C of all that is beyond a transform has the momentum I^C S for a unit rate of each of its
 coordinates, which goes to the root and is met there by the other coordinates: a transform costs each momentum two
 rotations. What rates of several modes do alike (`TwistColumn`) is met once, and each has its share. Where a flexible

@@ -1,4 +1,6 @@
-"""Forces that a motion needs: one sweep out and one back along the tree of frames (Eqs. 20, 38).
+"""Inverse dynamics, the recursive Newton-Euler algorithm: the forces that a motion needs (Eqs. 20, 38).
+
+One sweep out and one back along the tree of frames (R. Featherstone, Rigid Body Dynamics Algorithms, 2008, ch. 5).
 
 Out: omega, alpha and a of each frame, with -gravity as the acceleration of the ground. Back: the wrench that moves the
 masses beyond each transform, whose power on the transform's twists is the generalised force.
