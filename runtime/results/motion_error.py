@@ -97,6 +97,21 @@ class MotionError:
         """The largest relative error; NaN where nothing was measured."""
         return self.relative[self._worst] if self.relative else np.nan
 
+    def with_larger(self, other: MotionError) -> MotionError:
+        """With what is larger of another one of the same motion, of each coordinate."""
+
+        def larger(one: dict[str, float], another: dict[str, float]) -> dict[str, float]:
+            return {name: max(value, another[name]) for name, value in one.items()}
+
+        times = [one.reliable_until for one in (self, other) if one.reliable_until is not None]
+        return replace(
+            self,
+            over_motion=larger(self.over_motion, other.over_motion),
+            relative=larger(self.relative, other.relative),
+            judged=larger(self.judged, other.judged),
+            reliable_until=min(times, default=None),
+        )
+
     def scaled(self, factor: float) -> MotionError:
         """With all errors multiplied."""
 

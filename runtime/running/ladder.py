@@ -16,23 +16,20 @@ from typing import Any
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
-from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
-from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.running.comparison_times import comparison_steps, refined, shared
-from runtime.running.monitor import known_slopes
+from runtime.running.fastest_mode import RESOLVED, fastest_mode, slopes_at_start
 from runtime.running.outcome import (
-    FINER,
     LARGEST,
     chattering_of,
-    compared,
     early_steps,
     finished,
     loads_missed,
     marks_of,
     passed_by,
+    with_what_is_damped,
 )
 from runtime.running.problem import (
     AUTO,
@@ -67,7 +64,7 @@ BISECTIONS = 40  # of the order that is shown
 SEEN = 1000  # samples of a rung that is kept
 MOST_STEPS = 10**8
 MOST_OPERATIONS = 10**12  # of all rungs: some minutes
-RESOLVED, MOST_RESOLVING = 0.5, 10**10  # rad of the fastest mode a step; operations of a rung that does so: seconds
+MOST_RESOLVING = 10**10  # operations of a rung that resolves the fastest mode: seconds
 STAGNANT = 0.5  # of a difference: rungs that do not come below it any more will not
 SOON, LATE = 6, 11  # rungs before that is said, and where the motion is not resolved yet
 RICHARDSON = 3.0  # times the error by extrapolation where the order shows: on the safe side
@@ -234,9 +231,13 @@ class Ladder:
             if rungs and not rung.lost and not rungs[-1].lost:
                 self.judge(rungs, rung, order)
                 if plan.scheme.damps and rung.error <= self.tolerance:  # rungs that have lost a vibration agree
-                    told = compared(rung.run, rung.marks, rung.sampled, 1 / FINER, True)
-                    if told.measured and self._asked(told) > rung.error:
-                        rung.error, rung.told = self._asked(told), told
+                    try:
+                        rung.told = with_what_is_damped(rung.run, rung.marks, rung.sampled, rung.told)
+                    except KeyboardInterrupt:
+                        rung.told = MotionError(reason="stopped by the user while it was measured")
+                        yield rung
+                        return
+                    rung.error = max(rung.error, self._asked(rung.told))
             rungs.append(rung)
             yield rung
             spent += plan.steps * rung.run.segment.stepper.operations
@@ -254,7 +255,7 @@ class Ladder:
     def first(self, method: Method) -> int:
         """Steps of a first rung: such as see what loads do, within the stability limit at the start."""
         scheme = self.plan(method, FIRST).scheme
-        return max(_seen_loads(self.problem), _stable_steps(scheme, _slopes(self.problem), self.span))
+        return max(_seen_loads(self.problem), _stable_steps(scheme, slopes_at_start(self.problem), self.span))
 
     def _seen_on_the_way(self, rung: Rung) -> int:
         """Steps, in units, that see what acts on a short part of the way that a rung took."""
@@ -373,13 +374,8 @@ class Ladder:
 
         Rungs that leave it out agree no better with each other than by what it moves.
         """
-        slopes = _slopes(self.problem)
-        if slopes is None:
-            return 0
-        A_q, A_v = slopes
-        n = len(A_q)
-        fastest = np.abs(np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [A_q, A_v]]))).max()
-        return ceil(self.span * float(fastest) / RESOLVED / self.unit)
+        fastest = fastest_mode(self.problem)
+        return 0 if fastest is None else ceil(self.span * fastest / RESOLVED / self.unit)
 
     def solution(self, rungs: list[Rung], total: float) -> Solution:
         """What the last whole rung is, with its error, and how the ladder ended."""
@@ -471,7 +467,7 @@ def chosen_method(problem: Problem) -> tuple[Method, str]:
 
 
 def _chosen(problem: Problem) -> tuple[Method, str]:
-    slopes, seen = _slopes(problem), _seen_loads(problem)
+    slopes, seen = slopes_at_start(problem), _seen_loads(problem)
     prices: list[tuple[float, Method]] = []
     evaluation = 0
     for name in (*EXPLICIT, *_exponentials(problem.model)):
@@ -545,16 +541,6 @@ MOST_DENSE = 400_000  # operations of such a step: some 30 s of the compiler
 def affordable(model: EmittedModel) -> bool:
     """Is a step with dense matrices short enough to be compiled?"""
     return DENSE * len(model.q_i) ** 3 <= MOST_DENSE
-
-
-def _slopes(problem: Problem) -> tuple[np.ndarray, np.ndarray] | None:
-    """A_q, A_v (n_i x n_i) of w'' = A_q w + A_v w' at the start; None where they are not known."""
-    model = problem.model
-    if not ModeSolver.possible(model):
-        return None
-    q_i, rates = independent(model, problem.state.q, problem.state.q_dot)
-    state = State(problem.t0, q_i, rates, loop_part(model, problem.state.q))
-    return known_slopes(model, model.constants(problem.p), state)
 
 
 # How many steps see what loads do. Coarse motions that miss a load agree with each other, as do those that see a fast

@@ -9,7 +9,7 @@ comparison_times.py.
 from __future__ import annotations
 
 import time
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import ceil
 from typing import Any
 
@@ -17,11 +17,13 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import euler_angles, followed
+from runtime.contract.model import EmittedModel
 from runtime.contract.status import Event, Status
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.results.undefined import undefined_measures
 from runtime.running.chattering import chattering
 from runtime.running.comparison_times import common_steps, comparison_steps, coprime
+from runtime.running.fastest_mode import RESOLVED, fastest_mode
 from runtime.running.going_on import driven_inputs
 from runtime.running.powers import powers_at
 from runtime.running.problem import Plan, Problem
@@ -209,6 +211,9 @@ def with_limits(solution: Solution) -> Solution:
 FIRST_PART = 1 / 20  # of a motion, in which methods that damp are compared with far shorter steps
 SHORTER = 2  # times shorter steps, of which a regular error of order 2 leaves a quarter: where a run may be condemned
 EARLY, FINER = 8, 4  # times there, and how much shorter those steps are
+LONGER = 4  # times: the next part, where the difference still grows
+GROWS = 1.2  # times the difference in the first half of a part: a regular error has some 2.6 in the second
+DOUBTED = 2.0  # times the error that was told: what vibrations might bring it to at most
 START_FINER = 8  # the same for methods whose steps pass by what dies out or lets go within one of them
 SAVED = 20  # samples of a companion, which nobody sees but who looks for trouble
 LEAST = 4  # steps in the time in which a load acts
@@ -256,11 +261,54 @@ def measured(run: Run, solution: Solution) -> MotionError:
         if not found.measured:
             found = compared(run, marks, seen, 1 / FINER)
         if found.measured and plan.scheme.damps:
-            early = compared(run, marks, seen, 1 / FINER, early=True)
-            found = max((one for one in (found, early) if one.measured), key=lambda one: max(one.judged.values()))
+            found = with_what_is_damped(run, marks, seen, found)
     except KeyboardInterrupt:
         return MotionError(reason="stopped by the user while it was measured")
     return found
+
+
+def with_what_is_damped(run: Run, marks: Marks, seen: np.ndarray, told: MotionError) -> MotionError:
+    """The error of a run: `told`, by steps of about its length, or what is lost to its steps where that is larger.
+
+    Steps of about one length lose alike the vibrations that they damp. FINER times shorter ones keep these for longer,
+    which the first part of the motion shows. An amplitude that decays, or a phase that drifts, is off in proportion to
+    time at most: where the difference grows to the end of that part and could be more than was told at the end of the
+    motion, a part LONGER times as long is looked at, and so on. Where jumps of loads or events begin vibrations that
+    are not resolved, it is the whole motion.
+    """
+    found, share, at = told, FIRST_PART, marks.early
+    sizes = amplitudes(run.problem.model, seen[0])  # of the whole motion
+    while True:
+        pair = beside(run, marks, at, 1, 1 if run.plan.scheme.adaptive else FINER, 1 / FINER)
+        if isinstance(pair, MotionError):
+            break
+        error = pair.error(slice(None), sizes, seen[1])
+        found = found.with_larger(error)
+        most = _sizes(error) / share
+        if half := len(pair.t) // 2:
+            first, second = (_sizes(pair.error(part, sizes, seen[1])) for part in (slice(half), slice(half, None)))
+            most[second <= GROWS * first] = 0.0
+        excited = _excited_later(run)
+        if share == 1.0 or not (excited or (most > DOUBTED * _sizes(told)).any()):
+            break
+        share = 1.0 if excited else min(1.0, LONGER * share)
+        at = marks.at[marks.at <= share * marks.at[-1]]
+    return found
+
+
+def _sizes(error: MotionError) -> np.ndarray:
+    """(2,) the largest that is told, and that is judged, of rates, too."""
+    return np.array([error.largest, max(error.judged.values())])
+
+
+def _excited_later(run: Run) -> bool:
+    """May a vibration that the steps of a run do not resolve begin behind its start?"""
+    plan = run.record.segments[0].plan
+    happens = run.segment.switches or run.schedule or any(event.time > plan.t0 for event in run.events)
+    if plan.scheme.adaptive or not happens:
+        return False
+    fastest = fastest_mode(run.problem)
+    return not plan.scheme.limited() if fastest is None else plan.grid.dt_L * fastest > RESOLVED
 
 
 def _ratio(plan: Plan) -> float:
@@ -274,38 +322,58 @@ def _common_steps(problem: Problem, plan: Plan) -> int:
     return common_steps(max(1, whole), _ratio(plan), base if base is not None and base < whole else None)
 
 
+@dataclass(frozen=True)
+class Pair:
+    """What tells a run and its companion, and their rates, (2, N, n_told) each, at times t (N,) [s]."""
+
+    model: EmittedModel
+    t: np.ndarray
+    run: np.ndarray
+    companion: np.ndarray
+
+    def error(self, part: slice, sizes: np.ndarray, rates: np.ndarray) -> MotionError:
+        """Their difference in a part of the times, by amplitudes (n_told,) and rates (M, n_told) of the motion."""
+        (q, v), (other_q, other_v) = self.run[:, part], self.companion[:, part]
+        return motion_error(self.model, self.t[part], q, other_q, sizes, (v, other_v), rates)
+
+
 def compared(run: Run, marks: Marks, seen: np.ndarray, ratio: float, early: bool = False) -> MotionError:
     """The difference to a companion whose steps are about `ratio` times as long; or why there is none.
 
     seen (2, N, n_told): of the whole run and of its rates, which tells its amplitudes. early: in its first part only.
     """
-    problem, plan = run.problem, run.record.segments[0].plan
-    a = 1 if plan.scheme.adaptive or early else _common_steps(problem, plan)
+    plan = run.record.segments[0].plan
+    a = 1 if plan.scheme.adaptive or early else _common_steps(run.problem, plan)
     b = 1 if plan.scheme.adaptive else FINER if early else coprime(a, ratio)
-    at = marks.early if early else marks.at
+    pair = beside(run, marks, marks.early if early else marks.at, a, b, ratio)
+    if isinstance(pair, MotionError):
+        return pair
+    motion = seen[0] if early else np.concatenate([pair.companion[0], seen[0]])
+    return pair.error(slice(None), amplitudes(pair.model, motion), seen[1])
+
+
+def beside(run: Run, marks: Marks, at: np.ndarray, a: int, b: int, ratio: float) -> Pair | MotionError:
+    """A run and a companion with b steps for each a of its, at steps of the run that are multiples of a; or why not."""
+    problem, plan = run.problem, run.record.segments[0].plan
     at = at[among(at, np.array(marks.steps()))]
     if not len(at):
         return MotionError(reason="the run is too short for it")
-    beside = Marks(at // a * b)
-    stepped = stepped_by(problem, plan, plan.grid.dt_L * a / b, int(beside.at[-1]), ratio)
-    other = begun(problem, stepped, beside, quiet=True, like=run)
+    other_marks = Marks(at // a * b)
+    stepped = stepped_by(problem, plan, plan.grid.dt_L * a / b, int(other_marks.at[-1]), ratio)
+    other = begun(problem, stepped, other_marks, quiet=True, like=run)
     if ratio == 1 / INSIDE and (missed := [one for one in loads_missed(other) if one.kind == "load_missed"]):
         return MotionError(reliable_until=missed[0].time, reason=missed[0].text)
     status = integrate(other)
     if status.name == "interrupted":
         raise KeyboardInterrupt
-    both = among(beside.at, np.array(beside.steps()))
+    both = among(other_marks.at, np.array(other_marks.steps()))
     if status.ok and not both.any():
         return MotionError(reason="it ends before it is looked at twice")
     if not status.ok:
         reason = f"made again with steps of {other.segment.plan.grid.dt_L:.3g} s the motion ends as {status.name}"
         return MotionError(reliable_until=status.time, reason=f"{reason} at t = {status.time:.4g} s")
     model = problem.model
-    mine, v = marks.told(model, at[both])
-    theirs, other_v = beside.told(model, beside.at[both])
-    t = np.array([plan.time(step) for step in at[both].tolist()])
-    sizes = amplitudes(model, seen[0] if early else np.concatenate([theirs, seen[0]]))  # of the whole motion
-    return motion_error(model, t, mine, theirs, sizes, (v, other_v), seen[1])
+    return Pair(model, plan.times(at[both]), marks.told(model, at[both]), other_marks.told(model, other_marks.at[both]))
 
 
 def compared_behind_start(run: Run, marks: Marks, seen: np.ndarray, ratio: float) -> MotionError:
