@@ -30,7 +30,14 @@ from symgen.algebra.vectors import (
     weighted,
     zeros,
 )
-from symgen.bodies.spatial_moments import Bent, Deformation, LocalMotion, SpatialIntegrals, SpatialMoments, SpatialPoint
+from symgen.bodies.spatial_moments import (
+    Deformation,
+    DeformedMarker,
+    LocalMotion,
+    SpatialIntegrals,
+    SpatialMoments,
+    SpatialPoint,
+)
 from symgen.bodies.spatial_orientation import Orientation, fixed_orientation
 
 
@@ -135,7 +142,7 @@ class SpatialCoordinates:
         return SpatialCoordinates([], zeros(), [], [], zeros(), [], [])
 
     @property
-    def turning(self) -> list[int]:
+    def orientation_columns(self) -> list[int]:
         """Columns of theta."""
         return self.columns[3 : 3 + len(self.theta)]
 
@@ -168,9 +175,9 @@ class SpatialBody:
     """A rigid (nf = 0) or flexible body in space; ground is a body without coordinates or mass."""
 
     def __init__(
-        self, name: str, coordinates: SpatialCoordinates, turning: Orientation, integrals: SpatialIntegrals | None
+        self, name: str, coordinates: SpatialCoordinates, orientation: Orientation, integrals: SpatialIntegrals | None
     ) -> None:
-        self.name, self.coordinates, self.orientation, self.integrals = name, coordinates, turning, integrals
+        self.name, self.coordinates, self.orientation, self.integrals = name, coordinates, orientation, integrals
 
     @staticmethod
     def ground() -> SpatialBody:
@@ -190,7 +197,7 @@ class SpatialBody:
     def _arms(self) -> list[Vector]:
         """d(A h)/dtheta_k: the first moment's part in the translation."""
         world = self.orientation.rotate(self._moments.h)
-        return [self.orientation.turned(k, world) for k in range(len(self.coordinates.theta))]
+        return [self.orientation.derivative(k, world) for k in range(len(self.coordinates.theta))]
 
     def mass_entries(self) -> list[tuple[int, int, ca.SX]]:
         """Upper triangle of the body's mass matrix (Eq. 20) as (row, column, value) in system columns.
@@ -199,18 +206,22 @@ class SpatialBody:
         in common are the moments of the body.
         """
         moments, data, axes = self._moments, self._require_mass(), self.orientation.body_axes
-        columns, turning, elastic = self.coordinates.columns, self.coordinates.turning, self.coordinates.elastic
+        columns, turns, elastic = (
+            self.coordinates.columns,
+            self.coordinates.orientation_columns,
+            self.coordinates.elastic,
+        )
         M_RR = data.mass
         found = [(columns[i], columns[i], M_RR) for i in range(3)]
-        for k, column in enumerate(turning):
+        for k, column in enumerate(turns):
             M_Rtheta, turned = self._arms[k], inertia_times(moments.J, axes[k])
             found += [(columns[i], column, M_Rtheta[i]) for i in range(3)]
             M_thetatheta = [dot(axes[other], turned) for other in range(k + 1)]
-            found += [(turning[other], column, value) for other, value in enumerate(M_thetatheta)]
+            found += [(turns[other], column, value) for other, value in enumerate(M_thetatheta)]
         for a, column in enumerate(elastic):
             M_Rf, M_thetaf = self._pulls[a], [dot(axis, moments.B[a]) for axis in axes]
             found += [(columns[i], column, M_Rf[i]) for i in range(3)]
-            found += [(turning[k], column, value) for k, value in enumerate(M_thetaf)]
+            found += [(turns[k], column, value) for k, value in enumerate(M_thetaf)]
             found += [(column, elastic[b], data.M_ff[a][b]) for b in range(a, len(elastic))]
         return [(row, column, value) for row, column, value in found if not value.is_zero()]
 
@@ -230,7 +241,7 @@ class SpatialBody:
         linear = minus(cross(plus(cross(w, moments.h), scaled(ca.SX(2), moments.hd)), w), moments.hn)
         moment = minus(cross(w, times(moments.J, w)), traced(weighted(moments.L, coordinates.q_f_dot), twice, False))
         force = dict(zip(coordinates.columns, self.orientation.rotate(linear), strict=False))
-        for column, axis in zip(coordinates.turning, self.orientation.body_axes, strict=True):
+        for column, axis in zip(coordinates.orientation_columns, self.orientation.body_axes, strict=True):
             force[column] = dot(axis, moment)
         square = dot(w, w)
         for L, Gd, column in zip(moments.L, moments.Gd, coordinates.elastic, strict=True):
@@ -246,7 +257,7 @@ class SpatialBody:
         """Generalised force of a uniform field of acceleration `gravity` (m/s^2)."""
         columns, mass = self.coordinates.columns, self._require_mass().mass
         force = {columns[i]: mul(mass, gravity[i]) for i in range(3)}
-        for k, column in enumerate(self.coordinates.turning):
+        for k, column in enumerate(self.coordinates.orientation_columns):
             force[column] = dot(self._arms[k], gravity)
         for column, pull in zip(self.coordinates.elastic, self._pulls, strict=True):
             force[column] = dot(pull, gravity)
@@ -259,18 +270,18 @@ class SpatialBody:
 
     def marker(self, point: SpatialPoint) -> SpatialMarker:
         """Motion of a point of the body and of the axes there (Eq. 19)."""
-        q, turning = self.coordinates, self.orientation
+        q, orientation = self.coordinates, self.orientation
         local = LocalMotion(point, q.q_f, q.q_f_dot)
-        arm, b, nu = (turning.rotate(vector) for vector in (local.rho, local.rho_dot, local.nu))
+        arm, b, nu = (orientation.rotate(vector) for vector in (local.rho, local.rho_dot, local.nu))
         rows: list[Row] = [{column: ONE} for column in q.columns[:3]] or [{}, {}, {}]
-        for k, column in enumerate(q.turning):
-            for i, entry in enumerate(turning.turned(k, arm)):
+        for k, column in enumerate(q.orientation_columns):
+            for i, entry in enumerate(orientation.derivative(k, arm)):
                 add_to(rows[i], column, entry)
         for a, column in enumerate(q.elastic):
-            for i, entry in enumerate(turning.rotate(local.shapes[a])):
+            for i, entry in enumerate(orientation.rotate(local.shapes[a])):
                 add_to(rows[i], column, entry)
-        inner = plus(cross(turning.omega, arm), b)
-        bias = plus(cross(turning.omega, plus(inner, b)), nu)
+        inner = plus(cross(orientation.omega, arm), b)
+        bias = plus(cross(orientation.omega, plus(inner, b)), nu)
         spin = _MarkerSpin(self, point, local)
         return SpatialMarker(
             plus(q.R_o, arm),
@@ -288,7 +299,7 @@ class SpatialBody:
         """The frame's."""
         if not self.coordinates.columns:
             return fixed_quaternion([ONE, ZERO, ZERO, ZERO])
-        return free_quaternion(self.coordinates.theta, self.coordinates.theta_dot, self.coordinates.turning)
+        return free_quaternion(self.coordinates.theta, self.coordinates.theta_dot, self.coordinates.orientation_columns)
 
     def _require_mass(self) -> SpatialIntegrals:
         assert self.integrals is not None, "the ground has no mass"
@@ -299,24 +310,24 @@ class _MarkerSpin:
     """Axes and angular velocity of a marker: the frame's, and the rotation by deformation."""
 
     def __init__(self, body: SpatialBody, point: SpatialPoint, local: LocalMotion) -> None:
-        q, turning = body.coordinates, body.orientation
+        q, orientation = body.coordinates, body.orientation
         self.rows: list[Row] = [{}, {}, {}]
-        for k, column in enumerate(q.turning):
-            for i, entry in enumerate(turning.world_axes[k]):
+        for k, column in enumerate(q.orientation_columns):
+            for i, entry in enumerate(orientation.world_axes[k]):
                 add_to(self.rows[i], column, entry)
         columns = LocalMotion.turn_rows(point, q.elastic)
-        self.omega, self.bias, axes = turning.omega, zeros(), point.axes
+        self.omega, self.bias, axes = orientation.omega, zeros(), point.axes
         if any(columns):
-            axes = self._deformed(turning, Deformation(point, q.q_f, q.q_f_dot, q.elastic).now, q.elastic)
-        self.axes = [turning.rotate([axes[i][j] for i in range(3)]) for j in range(3)]
+            axes = self._deformed(orientation, Deformation(point, q.q_f, q.q_f_dot, q.elastic).now, q.elastic)
+        self.axes = [orientation.rotate([axes[i][j] for i in range(3)]) for j in range(3)]
         self.local = small_turn(local.psi, local.psi_dot, columns).times(fixed_quaternion(point.quaternion))
 
-    def _deformed(self, turning: Orientation, bent: Bent, elastic: list[int]) -> list[Vector]:
+    def _deformed(self, orientation: Orientation, deformed: DeformedMarker, elastic: list[int]) -> list[Vector]:
         """Add the deformation's share to omega, bias and rows; the marker's axes in the frame."""
         for a, column in enumerate(elastic):
-            for i, entry in enumerate(turning.rotate(bent.turned[a])):
+            for i, entry in enumerate(orientation.rotate(deformed.spins[a])):
                 add_to(self.rows[i], column, entry)
-        world = turning.rotate(bent.omega)
-        self.bias = plus(self.bias, cross(turning.omega, world), turning.rotate(bent.fading))
+        world = orientation.rotate(deformed.omega)
+        self.bias = plus(self.bias, cross(orientation.omega, world), orientation.rotate(deformed.fading))
         self.omega = plus(self.omega, world)
-        return bent.R
+        return deformed.R

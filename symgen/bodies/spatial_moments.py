@@ -113,11 +113,11 @@ class LocalMotion:
         for a, q in enumerate(q_f):
             self.rho = plus(self.rho, scaled(q, point.shapes[a]))
         for i, H in enumerate(point.H):
-            bent = times(H, q_f)
-            self.rho[i] = sub(self.rho[i], mul(ca.SX(0.5), dot(q_f, bent)))
+            quadratic = times(H, q_f)
+            self.rho[i] = sub(self.rho[i], mul(ca.SX(0.5), dot(q_f, quadratic)))
             self.nu[i] = neg(dot(q_f_dot, times(H, q_f_dot)))
             for a in range(len(q_f)):
-                self.shapes[a][i] = sub(self.shapes[a][i], bent[a])
+                self.shapes[a][i] = sub(self.shapes[a][i], quadratic[a])
         self.rho_dot = combination(self.shapes, q_f_dot)
         self.psi, self.psi_dot = combination(point.turns, q_f), combination(point.turns, q_f_dot)
 
@@ -131,8 +131,8 @@ class LocalMotion:
 
 
 class SpatialMoments:
-    """Of one body as it is bent: h = int rho dm, J = int rho rho^T dm, s_a = int phi_a dm, L_a = int rho phi_a^T dm and
-    B_a = int rho x phi_a dm; hd = int rho' dm, hn what is left of int rho'' dm, Gd_a = int rho' x phi_a dm.
+    """Of one body as it is deformed: h = int rho dm, J = int rho rho^T dm, s_a = int phi_a dm, L_a = int rho phi_a^T dm
+    and B_a = int rho x phi_a dm; hd = int rho' dm, hn what is left of int rho'' dm, Gd_a = int rho' x phi_a dm.
     """
 
     def __init__(self, data: SpatialIntegrals, q_f: Vector, q_f_dot: Vector) -> None:
@@ -140,11 +140,11 @@ class SpatialMoments:
         self.s = [list(data.Sb[a]) for a in range(nf)]
         self.h, self.hn = plus(data.S1, combination(data.Sb, q_f)), zeros()
         for i, S_H in enumerate(data.S_H):
-            bent = times(S_H, q_f)
-            self.h[i] = sub(self.h[i], mul(ca.SX(0.5), dot(q_f, bent)))
+            quadratic = times(S_H, q_f)
+            self.h[i] = sub(self.h[i], mul(ca.SX(0.5), dot(q_f, quadratic)))
             self.hn[i] = neg(dot(q_f_dot, times(S_H, q_f_dot)))
             for a in range(nf):
-                self.s[a][i] = sub(self.s[a][i], bent[a])
+                self.s[a][i] = sub(self.s[a][i], quadratic[a])
         self.hd = combination(self.s, q_f_dot)
         self.L = [self._pairs(a, q_f) for a in range(nf)]
         self.J = [[data.J0[i][j] for j in range(3)] for i in range(3)]
@@ -184,10 +184,10 @@ def _less(block: Matrix, left: Vector, right: Vector) -> Matrix:
 
 
 @dataclass(frozen=True)
-class Bent:
-    """Place and axes R (by columns) of the point, both by q_f: rho, drho/dq_a = shapes, omega by q_a_dot = turned.
+class DeformedMarker:
+    """Place and axes R (by columns) of the point, both by q_f: rho, drho/dq_a = shapes, omega by q_a_dot = spins.
 
-    turning: by a rate of each component of psi. psi and inverse are zero where no mode turns the axes.
+    psi_spins: omega by a rate of each component of psi. psi and inverse are zero where no mode turns the axes.
     rho_dot, omega and the bias terms nu (of rho_ddot) and fading (of omega_dot in body axes) go with q_f_dot.
     """
 
@@ -197,8 +197,8 @@ class Bent:
     R: Matrix
     rho: Vector
     shapes: list[Vector]
-    turning: list[Vector]
-    turned: list[Vector]
+    psi_spins: list[Vector]
+    spins: list[Vector]
     rho_dot: Vector
     nu: Vector
     omega: Vector
@@ -211,7 +211,7 @@ class Bent:
         return sum(any(not turn[k].is_zero() for turn in turning) for k in range(3)) < len(turning)
 
     def on_turns(self, moment: Vector) -> Vector:
-        """(moment + moment x psi / 2) / k: its product with turn_a is the power on `turned` of mode a."""
+        """(moment + moment x psi / 2) / k: its product with turn_a is the power on `spins` of mode a."""
         if self.inverse.is_zero():
             return zeros()
         return scaled(self.inverse, plus(moment, scaled(ca.SX(0.5), cross(moment, self.psi))))
@@ -239,9 +239,9 @@ class SharedMotion:
     theta: Vector
     shape: Vector
 
-    def turned(self, bent: Bent) -> Vector:
+    def spin(self, deformed: DeformedMarker) -> Vector:
         """The angular velocity for a unit rate."""
-        return combination(bent.turning, self.theta)
+        return combination(deformed.psi_spins, self.theta)
 
 
 @dataclass(frozen=True)
@@ -274,41 +274,41 @@ class Deformation:
         ]
 
     @cached_property
-    def still(self) -> Bent:
+    def still(self) -> DeformedMarker:
         """Without rates."""
         return self.at({})
 
     @property
-    def now(self) -> Bent:
+    def now(self) -> DeformedMarker:
         """With the rates q_f_dot."""
-        return self._bent(self.q_f_dot)
+        return self._deformed(self.q_f_dot)
 
-    def at(self, rates: Row) -> Bent:
+    def at(self, rates: Row) -> DeformedMarker:
         """With rates by column, zero where absent."""
-        return self._bent(self.of(rates))
+        return self._deformed(self.of(rates))
 
     def of(self, values: Row) -> Vector:
         """The modes' own part of a vector by column."""
         return [values.get(column, ZERO) for column in self.columns]
 
-    def _bent(self, rates: Vector) -> Bent:
+    def _deformed(self, rates: Vector) -> DeformedMarker:
         local = LocalMotion(self.point, self.q_f, rates)
         kinds = local.rho, local.shapes, local.rho_dot, local.nu
         if all(component.is_zero() for turn in self.point.turns for component in turn):
             still, none = [zeros() for _ in self.columns], zeros()
             place = self.point, none, ZERO, self.point.axes, kinds[0], kinds[1]
-            return Bent(*place, [none] * 3, still, kinds[2], kinds[3], none, none)
+            return DeformedMarker(*place, [none] * 3, still, kinds[2], kinds[3], none, none)
         psi, rate, half = local.psi, local.psi_dot, ca.SX(0.5)
         k = add(ONE, mul(ca.SX(0.25), dot(psi, psi)))
         inverse = div(ONE, k)
         x, y, z = scaled(mul(half, inverse), psi)
-        turning = [[inverse, z, neg(y)], [neg(z), inverse, x], [y, neg(x), inverse]]
-        turned = [combination(turning, turn) for turn in self.point.turns]
-        omega = combination(turning, rate)
+        psi_spins = [[inverse, z, neg(y)], [neg(z), inverse, x], [y, neg(x), inverse]]
+        spins = [combination(psi_spins, turn) for turn in self.point.turns]
+        omega = combination(psi_spins, rate)
         fading = scaled(neg(mul(mul(half, dot(psi, rate)), inverse)), omega)
         R = product(_rotation(psi, inverse), self.point.axes)
         place = self.point, psi, inverse, R, kinds[0], kinds[1]
-        return Bent(*place, turning, turned, kinds[2], kinds[3], omega, fading)
+        return DeformedMarker(*place, psi_spins, spins, kinds[2], kinds[3], omega, fading)
 
 
 def _rotation(psi: Vector, inverse: ca.SX) -> Matrix:

@@ -41,7 +41,7 @@ class Orientation:
         """World components of a vector in body axes."""
         return times(self.A, body_vector)
 
-    def turned(self, k: int, world_vector: Vector) -> Vector:
+    def derivative(self, k: int, world_vector: Vector) -> Vector:
         """d(A v)/dtheta_k of a vector v fixed in the body, whose world components are given."""
         return cross(self.world_axes[k], world_vector)
 

@@ -167,7 +167,7 @@ def sliding_rows(
 def unit_length(body: SpatialBody) -> ConstraintRow:
     """(e.e - 1) / 2 = 0 for a body whose Euler parameters no joint gives."""
     q = body.coordinates
-    row = dict(zip(q.turning, q.theta, strict=True))
+    row = dict(zip(q.orientation_columns, q.theta, strict=True))
     gamma = neg(dot(q.theta_dot, q.theta_dot))
     return ConstraintRow(
         f"{body.name}.norm", "", "norm", (dot(q.theta, q.theta) - 1) / 2, row, ZERO, gamma, tuple(zeros(6))

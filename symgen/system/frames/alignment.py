@@ -358,4 +358,4 @@ def _split(inertia: Inertia, transforms: list[JointTransform]) -> Parts | None:
 
 def moved(inertia: Inertia, place: SE3) -> Inertia:
     """Inertia in the axes and about the origin from which its own frame is displaced."""
-    return inertia.turned(place.R).shifted(place.r)
+    return inertia.rotated(place.R).shifted(place.r)

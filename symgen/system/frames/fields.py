@@ -125,10 +125,10 @@ def relative_motion(transform: Node, moved: TransformState) -> RelativeMotion:
     """Of a transform."""
     if isinstance(transform, MarkerNode):
         body = moved.after if transform.back else moved.before
-        bent = transform.deformation.at(moved.rates)
-        r, V = bent.rho, plus(bent.rho_dot, cross(body.omega, bent.rho))
-        own = combination(bent.shapes, transform.deformation.of(moved.accelerations))
-        A = plus(times(body.G, r), bent.drift(body.omega), own)
+        deformed = transform.deformation.at(moved.rates)
+        r, V = deformed.rho, plus(deformed.rho_dot, cross(body.omega, deformed.rho))
+        own = combination(deformed.shapes, transform.deformation.of(moved.accelerations))
+        A = plus(times(body.G, r), deformed.drift(body.omega), own)
         return RelativeMotion(negative(r), negative(V), negative(A)) if transform.back else RelativeMotion(r, V, A)
     r, speed, own = transform.r, zeros(), zeros()
     if transform.column is not None and not transform.turns:
@@ -149,8 +149,11 @@ def joint_parts(transform: JointNode, moved: TransformState) -> list[FieldPart]:
     return []
 
 
-def turned(twist: Motion, wrench: Force) -> Force:
-    """What a displacement of the frame after a transform does to the wrench there, which goes with it."""
+def cross_wrench(twist: Motion, wrench: Force) -> Force:
+    """twist x* wrench: what a displacement of the frame after a transform does to the wrench there, which goes with it.
+
+    The spatial cross product for forces of R. Featherstone, Rigid Body Dynamics Algorithms, 2008, section 2.9.
+    """
     return Force(cross(twist.omega, wrench.f), plus(cross(twist.omega, wrench.n), cross(twist.v, wrench.f)))
 
 

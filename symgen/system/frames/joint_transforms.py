@@ -46,8 +46,8 @@ from symgen.system.frames.spatial_algebra import (
     Motion,
     WorldFrame,
     only_axis,
+    rotated_back,
     transposed,
-    turned_back,
 )
 
 
@@ -184,12 +184,12 @@ class JointNode(JointTransform):
         """A vector in the axes after the transform."""
         if self.about is None:
             return vector if self.R is None else transposed_times(self.R, vector)
-        return turned_about(vector, self.axis, self.about[0], neg(self.about[1]))
+        return rotated_about(vector, self.axis, self.about[0], neg(self.about[1]))
 
     def _back(self, vector: Vector) -> Vector:
         if self.about is None:
             return vector if self.R is None else times(self.R, vector)
-        return turned_about(vector, self.axis, *self.about)
+        return rotated_about(vector, self.axis, *self.about)
 
     def wrench(self, after: Force) -> Force:
         """Seen before the transform."""
@@ -201,7 +201,7 @@ class JointNode(JointTransform):
         if self.about is not None:
             after = after.about(self.axis, *self.about)
         elif self.R is not None:
-            after = after.turned(self.R)
+            after = after.rotated(self.R)
         return after if all(value.is_zero() for value in self.r) else after.shifted(self.r)
 
     def lead(self, path: Path) -> None:
@@ -217,11 +217,11 @@ class JointNode(JointTransform):
             path.turn_by(self.R)
 
 
-def turned_about(vector: Vector, axis: int, cosine: ca.SX, sine: ca.SX) -> Vector:
+def rotated_about(vector: Vector, axis: int, cosine: ca.SX, sine: ca.SX) -> Vector:
     """A vector in the axes from which a frame is turned about one of them, from those in the frame."""
     i, j = (axis + 1) % 3, (axis + 2) % 3
     result = list(vector)
-    result[i], result[j] = turned_back(vector[i], vector[j], cosine, sine)
+    result[i], result[j] = rotated_back(vector[i], vector[j], cosine, sine)
     return result
 
 
@@ -267,13 +267,13 @@ class MarkerNode(JointTransform):
     @property
     def twist_columns(self) -> list[TwistColumn]:
         """By what modes do to the marker; with the marker at rest, the frame moves against that."""
-        bent, found = self.deformation.still, []
+        deformed, found = self.deformation.still, []
         for one in self.deformation.shared:
-            turned = one.turned(bent)
+            spin = one.spin(deformed)
             if self.back:
-                twist = Motion(negative(turned), minus(cross(turned, bent.rho), one.shape))
+                twist = Motion(negative(spin), minus(cross(spin, deformed.rho), one.shape))
             else:
-                twist = Motion(transposed_times(bent.R, turned), transposed_times(bent.R, one.shape))
+                twist = Motion(transposed_times(deformed.R, spin), transposed_times(deformed.R, one.shape))
             found.append(TwistColumn(one.shares, twist))
         return found
 
@@ -286,24 +286,26 @@ class MarkerNode(JointTransform):
 
     def at_marker(self, after: Force) -> tuple[Vector, Vector]:
         """Force and moment about the marker of a wrench of the frame after the transform, in body axes."""
-        bent = self.deformation.still
+        deformed = self.deformation.still
         if self.back:
-            return after.f, minus(after.n, cross(bent.rho, after.f))
-        return times(bent.R, after.f), times(bent.R, after.n)
+            return after.f, minus(after.n, cross(deformed.rho, after.f))
+        return times(deformed.R, after.f), times(deformed.R, after.n)
 
     def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
         """Motion after the transform."""
-        bent, own = self.deformation.at(rates), self.deformation.of(accelerations)
+        deformed, own = self.deformation.at(rates), self.deformation.of(accelerations)
         given = before.omega, before.alpha, before.a
-        omega, alpha, a = [times(bent.R, vector) for vector in given] if self.back else given
-        body = minus(omega, bent.omega) if self.back else omega
-        turning = plus(combination(bent.turned, own), bent.fading, cross(body, bent.omega))
-        moving = plus(bent.drift(body), combination(bent.shapes, own))
+        omega, alpha, a = [times(deformed.R, vector) for vector in given] if self.back else given
+        body = minus(omega, deformed.omega) if self.back else omega
+        turning = plus(combination(deformed.spins, own), deformed.fading, cross(body, deformed.omega))
+        moving = plus(deformed.drift(body), combination(deformed.shapes, own))
         if self.back:
             alpha = minus(alpha, turning)
-            return FrameMotion(body, alpha, minus(a, plus(FrameMotion(body, alpha, zeros()).carried(bent.rho), moving)))
-        marker = plus(omega, bent.omega), plus(alpha, turning), plus(before.carried(bent.rho), moving)
-        omega, alpha, a = (transposed_times(bent.R, vector) for vector in marker)
+            return FrameMotion(
+                body, alpha, minus(a, plus(FrameMotion(body, alpha, zeros()).carried(deformed.rho), moving))
+            )
+        marker = plus(omega, deformed.omega), plus(alpha, turning), plus(before.carried(deformed.rho), moving)
+        omega, alpha, a = (transposed_times(deformed.R, vector) for vector in marker)
         return FrameMotion(omega, alpha, a)
 
     def seen(self, vector: Vector) -> Vector:
@@ -313,17 +315,17 @@ class MarkerNode(JointTransform):
 
     def wrench(self, after: Force) -> Force:
         """Seen before the transform."""
-        bent, (f, n) = self.deformation.still, self.at_marker(after)
+        deformed, (f, n) = self.deformation.still, self.at_marker(after)
         if self.back:
-            return Force(transposed_times(bent.R, f), transposed_times(bent.R, n))
-        return Force(f, plus(n, cross(bent.rho, f)))
+            return Force(transposed_times(deformed.R, f), transposed_times(deformed.R, n))
+        return Force(f, plus(n, cross(deformed.rho, f)))
 
     def composite(self, after: Mass) -> Mass:
         """Seen before the transform."""
-        bent = self.deformation.still
+        deformed = self.deformation.still
         if self.back:
-            return after.shifted(negative(bent.rho)).turned(transposed(bent.R))
-        return after.turned(bent.R).shifted(bent.rho)
+            return after.shifted(negative(deformed.rho)).rotated(transposed(deformed.R))
+        return after.rotated(deformed.R).shifted(deformed.rho)
 
     def lead(self, path: Path) -> None:
         """Continue a path through the transform."""
@@ -353,7 +355,7 @@ class ToWorld(JointTransform):
 
     def composite(self, after: Mass) -> Mass:
         """A mass at the origin."""
-        return after.turned_mass(lambda: [list(row) for row in zip(*self._P, strict=True)])
+        return after.rotated_mass(lambda: [list(row) for row in zip(*self._P, strict=True)])
 
 
 @dataclass(frozen=True)
@@ -379,7 +381,7 @@ class Across(JointTransform):
 
     def composite(self, after: Mass) -> Mass:
         """A mass at the point."""
-        return after.turned_mass(lambda: [list(row) for row in zip(*self.A, strict=True)]).shifted(self.arm)
+        return after.rotated_mass(lambda: [list(row) for row in zip(*self.A, strict=True)]).shifted(self.arm)
 
     def lead(self, path: Path) -> None:
         """Continue a path to the point."""
@@ -429,7 +431,7 @@ class Ball(JointTransform):
 
     def composite(self, after: Mass) -> Mass:
         """The mass alone."""
-        return after.turned_mass(lambda: self.A)
+        return after.rotated_mass(lambda: self.A)
 
     def lead(self, path: Path) -> None:
         """Continue a path through the transform."""

@@ -38,10 +38,10 @@ from symgen.system.frames.fields import (
     Field,
     FieldPart,
     TransformState,
+    cross_wrench,
     field_along,
     joint_parts,
     share_of,
-    turned,
 )
 from symgen.system.frames.joint_transforms import JointNode, MarkerNode, Node
 from symgen.system.frames.paths import Path
@@ -166,7 +166,7 @@ class FramePlace:
         """Of the wrench that moves the masses, by a change of the motion and a further change."""
         return more if self.state is None else self.state.tangent.wrench(change).plus(more)
 
-    def turned_forces(self, tau: Vector) -> Force:
+    def rotated_forces(self, tau: Vector) -> Force:
         """Change of the wrench of the forces of joints, as seen in a frame that turns by tau."""
         found = NOTHING
         for arm, force in self.forces:
@@ -191,7 +191,7 @@ class FramePlace:
         start = 0
         for step in self.steps:
             for place, part in enumerate(step.parts, start):
-                carried = turned(part.field.twist, wrench)
+                carried = cross_wrench(part.field.twist, wrench)
                 for earlier in range(start):
                     found[earlier][place] = carried.along(parts[earlier].field.twist)
             start += len(step.parts)
@@ -227,7 +227,7 @@ def loop_changes(
     """F_q and F_v (n x directions), of which S^T F_q and S^T F_v are the derivatives by all x and x'.
 
     moving: rates and accelerations of the coordinates by column. loops: each with its force in world axes. None where
-    several joints bind bent markers of a body, or ways do not begin at the ground.
+    several joints bind deformed markers of a body, or ways do not begin at the ground.
     """
     if not loops or any(way.base != GROUND for loop, _ in loops for way in (loop.a, loop.b)):
         return None
@@ -318,7 +318,7 @@ class _Sums:
         geometric, state = place.carried(self._directions), place.state
         for j, (one, direction) in enumerate(zip(fields, self._directions, strict=True)):
             by_position, by_rate = one.by_position(place.motion.a), one.by_rate
-            more_q, more_v = place.turned_forces(one.turning[0]), NOTHING
+            more_q, more_v = place.rotated_forces(one.turning[0]), NOTHING
             if state is not None and direction.column in state.rows:
                 more_q = more_q.plus(state.by_position[direction.column])
                 more_v = more_v.plus(state.by_rate[direction.column])

@@ -14,7 +14,7 @@ from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ONE, ZERO, neg
 from symgen.algebra.vectors import Matrix, Vector, combination, cross, plus, scaled, zeros
 from symgen.bodies.spatial_body import SpatialMarker, fixed_quaternion
-from symgen.bodies.spatial_moments import Bent
+from symgen.bodies.spatial_moments import DeformedMarker
 
 
 @dataclass(frozen=True)
@@ -101,37 +101,37 @@ class Path:
             self.entries.append(PathColumn(column, axis, None, end))
         self.omega, self.alpha = self.along(omega), zeros()
 
-    def bend(self, columns: list[int], bent: Bent, back: bool) -> None:
+    def bend(self, columns: list[int], deformed: DeformedMarker, back: bool) -> None:
         """To a marker of a flexible body, or `back` from there to the body's frame."""
         sign = neg(ONE) if back else ONE
         if back:
-            self.turn_by([list(column) for column in zip(*bent.R, strict=True)])
+            self.turn_by([list(column) for column in zip(*deformed.R, strict=True)])
         else:
-            self.shift(bent.rho)
+            self.shift(deformed.rho)
         self._reach()
-        own, speed = scaled(sign, self.along(bent.omega)), self.along(bent.rho_dot)
+        own, speed = scaled(sign, self.along(deformed.omega)), self.along(deformed.rho_dot)
         omega = plus(self.omega, own)
         body = omega if back else self.omega
-        drift = plus(scaled(ca.SX(2), cross(body, speed)), self.along(bent.nu))
-        self.alpha = plus(self.alpha, cross(body, own), scaled(sign, self.along(bent.fading)))
+        drift = plus(scaled(ca.SX(2), cross(body, speed)), self.along(deformed.nu))
+        self.alpha = plus(self.alpha, cross(body, own), scaled(sign, self.along(deformed.fading)))
         self.a, self.r_dot = plus(self.a, scaled(sign, drift)), plus(self.r_dot, scaled(sign, speed))
         self.omega = omega
-        self._add_modes(columns, bent, back)
+        self._add_modes(columns, deformed, back)
         if back:
-            self.shift(scaled(sign, bent.rho))
+            self.shift(scaled(sign, deformed.rho))
         else:
-            self.turn_by(bent.R)
+            self.turn_by(deformed.R)
 
-    def _add_modes(self, columns: list[int], bent: Bent, back: bool) -> None:
+    def _add_modes(self, columns: list[int], deformed: DeformedMarker, back: bool) -> None:
         sign, turning = neg(ONE) if back else ONE, None
-        if bent.common_axes:
-            turning = [scaled(sign, self.along(axis)) for axis in bent.turning]
+        if deformed.common_axes:
+            turning = [scaled(sign, self.along(axis)) for axis in deformed.psi_spins]
         for a, column in enumerate(columns):
-            slides, shared = scaled(sign, self.along(bent.shapes[a])), None
+            slides, shared = scaled(sign, self.along(deformed.shapes[a])), None
             if turning is None:
-                turns = scaled(sign, self.along(bent.turned[a]))
+                turns = scaled(sign, self.along(deformed.spins[a]))
             else:
-                shared = turning, bent.point.turns[a]
+                shared = turning, deformed.point.turns[a]
                 turns = combination(*shared)
             self.entries.append(PathColumn(column, turns, slides, len(self._arms), turning=shared))
 

@@ -45,7 +45,7 @@ from symgen.algebra.vectors import (
     weighted,
     zeros,
 )
-from symgen.bodies.spatial_moments import Bent, Deformation, SharedMotion
+from symgen.bodies.spatial_moments import Deformation, DeformedMarker, SharedMotion
 from symgen.system.frames.fields import (
     TWO,
     Change,
@@ -53,9 +53,9 @@ from symgen.system.frames.fields import (
     FieldPart,
     Rates,
     TransformState,
+    cross_wrench,
     joint_parts,
     relative_motion,
-    turned,
 )
 from symgen.system.frames.joint_transforms import JointNode, MarkerNode, Node
 from symgen.system.frames.spatial_algebra import (
@@ -64,7 +64,7 @@ from symgen.system.frames.spatial_algebra import (
     FrameMotion,
     Inertia,
     Motion,
-    both_turned_back,
+    both_rotated_back,
     gather,
     no_masses,
     transposed,
@@ -134,13 +134,13 @@ class Tangent:
     def about(self, axis: int, cosine: ca.SX, sine: ca.SX) -> Tangent:
         """In axes from which the frame's are turned about one of them."""
         at_p = Inertia(ZERO, self.p, [zeros() for _ in range(3)]).about(axis, cosine, sine).h
-        Lambda = both_turned_back(self.Lambda, axis, cosine, sine, symmetric=False)
+        Lambda = both_rotated_back(self.Lambda, axis, cosine, sine, symmetric=False)
         return Tangent(self.inertia.about(axis, cosine, sine), at_p, Lambda)
 
-    def turned(self, R: Matrix) -> Tangent:
+    def rotated(self, R: Matrix) -> Tangent:
         """In axes in which those of the frame are the columns of R."""
-        turned = product(product(R, self.Lambda), transposed(R))
-        return Tangent(self.inertia.turned(R), times(R, self.p), turned)
+        rotated = product(product(R, self.Lambda), transposed(R))
+        return Tangent(self.inertia.rotated(R), times(R, self.p), rotated)
 
     def shifted(self, arm: Vector, twice_velocity: Vector) -> Tangent:
         """About the point from which the origin is at `arm`, moving with half of twice_velocity."""
@@ -212,7 +212,7 @@ class _Bending:
     accelerations: Row
 
     @cached_property
-    def bent(self) -> Bent:
+    def deformed(self) -> DeformedMarker:
         return self.deformation.at(self.rates)
 
     @cached_property
@@ -232,18 +232,18 @@ class _Bending:
     def _turning(self) -> tuple[Vector, Vector, ca.SX, ca.SX]:
         """psi' and psi'' with 1 / (2 k), k' / k and k'' / k, where k = 1 + psi.psi / 4."""
         turns, (speeds, own) = self.deformation.point.turns, self._own
-        first, second, bent = combination(turns, speeds), combination(turns, own), self.bent
-        half = mul(HALF, bent.inverse)
-        rate = mul(half, dot(bent.psi, first))
-        bending = mul(half, add(dot(first, first), dot(bent.psi, second)))
+        first, second, deformed = combination(turns, speeds), combination(turns, own), self.deformed
+        half = mul(HALF, deformed.inverse)
+        rate = mul(half, dot(deformed.psi, first))
+        bending = mul(half, add(dot(first, first), dot(deformed.psi, second)))
         return scaled(half, first), scaled(half, second), rate, bending
 
-    def turned(self, one: SharedMotion) -> Rates:
+    def spin(self, one: SharedMotion) -> Rates:
         """The axis about which the marker turns for a unit rate, its D and D^2."""
         if _nothing(one.theta):
             return zeros(), zeros(), zeros()
-        bent, theta = self.bent, one.theta
-        value = scaled(bent.inverse, plus(theta, scaled(HALF, cross(bent.psi, theta))))
+        deformed, theta = self.deformed, one.theta
+        value = scaled(deformed.inverse, plus(theta, scaled(HALF, cross(deformed.psi, theta))))
         first, second, rate, bending = self._turning
         own = minus(cross(first, theta), scaled(rate, value))
         more = minus(cross(second, theta), plus(scaled(mul(TWO, rate), own), scaled(bending, value)))
@@ -260,8 +260,8 @@ class _Bending:
 
     def on_turns_changed(self, one: SharedMotion, moment: Vector) -> Vector:
         """d(on_turns(moment)) for a unit of what is shared, at a fixed moment."""
-        half, bent = mul(HALF, self.bent.inverse), self.bent
-        fewer = scaled(mul(half, dot(bent.psi, one.theta)), bent.on_turns(moment))
+        half, deformed = mul(HALF, self.deformed.inverse), self.deformed
+        fewer = scaled(mul(half, dot(deformed.psi, one.theta)), deformed.on_turns(moment))
         return minus(scaled(half, cross(moment, one.theta)), fewer)
 
 
@@ -285,7 +285,7 @@ class BendChanges:
         return [FieldPart(one.shares, self._field(one)) for one in self._deformation.shared]
 
     def _field(self, one: SharedMotion) -> Field:
-        turning, moving = self._bending.turned(one), self._bending.shape(one)
+        turning, moving = self._bending.spin(one), self._bending.shape(one)
         if not self._back:
             return Field(turning, moving).seen(self._move)
         (t, t1, t2), (s, s1, s2) = ([negative(vector) for vector in rates] for rates in (turning, moving))
@@ -297,14 +297,14 @@ class BendChanges:
         shares = [(one, one.shares[column]) for one in self._deformation.shared if column in one.shares]
         f, moment = self._move.at_marker(wrench)
         df, dn = self._move.at_marker(change)
-        turning = bending.bent.on_turns(plus(dn, *(self._carried(one, share, f, moment) for one, share in shares)))
+        turning = bending.deformed.on_turns(plus(dn, *(self._carried(one, share, f, moment) for one, share in shares)))
         for one, share in shares:
             turning = plus(turning, scaled(share, bending.on_turns_changed(one, moment)))
             if not self._back:
-                df = plus(df, scaled(share, cross(bending.turned(one)[0], f)))
+                df = plus(df, scaled(share, cross(bending.spin(one)[0], f)))
         found, b = {}, self._deformation.columns.index(column)
         for a, other in enumerate(self._deformation.columns):
-            value = add(dot(bending.bent.shapes[a], df), dot(point.turns[a], turning))
+            value = add(dot(bending.deformed.shapes[a], df), dot(point.turns[a], turning))
             for i, H in enumerate(point.H):
                 value = sub(value, mul(H[a][b], f[i]))
             found[other] = neg(value) if self._back else value
@@ -316,9 +316,9 @@ class BendChanges:
         f, moment = self._move.at_marker(wrench)
         found = [[ZERO] * len(shared) for _ in shared]
         for k, one in enumerate(shared):
-            turning = self._bending.bent.on_turns(self._carried(one, ONE, f, moment))
+            turning = self._bending.deformed.on_turns(self._carried(one, ONE, f, moment))
             turning = plus(turning, self._bending.on_turns_changed(one, moment))
-            df = zeros() if self._back else cross(self._bending.turned(one)[0], f)
+            df = zeros() if self._back else cross(self._bending.spin(one)[0], f)
             for i, row in enumerate(shared):
                 value = add(dot(row.shape, df), dot(row.theta, turning))
                 for axis, H in enumerate(point.H):
@@ -329,7 +329,7 @@ class BendChanges:
 
     def _carried(self, one: SharedMotion, share: ca.SX, f: Vector, moment: Vector) -> Vector:
         """Change of the moment in body axes: the wrench turns with the marker, or the marker moves along its force."""
-        own = negative(cross(one.shape, f)) if self._back else cross(self._bending.turned(one)[0], moment)
+        own = negative(cross(one.shape, f)) if self._back else cross(self._bending.spin(one)[0], moment)
         return scaled(share, own)
 
 
@@ -432,7 +432,7 @@ class ForceSweep:
                 self._shared(self.D, row, part, form.of(by_rate))
             gather(state.by_position, _shares(part, state.tangent.wrench(by_position)))
             gather(state.by_rate, _shares(part, state.tangent.wrench(by_rate)))
-            gather(carried, _shares(part, turned(part.field.twist, state.wrench)))
+            gather(carried, _shares(part, cross_wrench(part.field.twist, state.wrench)))
         for column, wrench in state.by_position.items():
             own = bending is not None and column in carried
             powers = bending.powers(column, state.wrench, wrench) if bending and own else transform.powers(wrench)
@@ -479,8 +479,8 @@ def _tangent_before(transform: Node, velocity: Vector, tangent: Tangent) -> Tang
     if isinstance(transform, JointNode):
         if transform.about is not None:
             return tangent.about(transform.axis, *transform.about)
-        return (tangent if transform.R is None else tangent.turned(transform.R)).shifted(transform.r, velocity)
-    bent = transform.deformation.still
+        return (tangent if transform.R is None else tangent.rotated(transform.R)).shifted(transform.r, velocity)
+    deformed = transform.deformation.still
     if transform.back:
-        return tangent.shifted(negative(bent.rho), velocity).turned(transposed(bent.R))
-    return tangent.turned(bent.R).shifted(bent.rho, velocity)
+        return tangent.shifted(negative(deformed.rho), velocity).rotated(transposed(deformed.R))
+    return tangent.rotated(deformed.R).shifted(deformed.rho, velocity)

@@ -1,4 +1,4 @@
-"""From bodies and the joints that place them to frames, one at each joint and at each bent marker."""
+"""From bodies and the joints that place them to frames, one at each joint and at each deformed marker."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ def _ball(turning: Turning) -> Ball:
 
 
 def place_of(marker: Deformation) -> Deformation:
-    """A marker whose axes are those of its body, however it is bent."""
+    """A marker whose axes are those of its body, however it is deformed."""
     point = replace(marker.point, axes=identity(), turns=[zeros() for _ in marker.point.turns])
     return replace(marker, point=point)
 

@@ -195,7 +195,7 @@ class Inertia:
         Sigma = [plus(row, more) for row, more in zip(self.Sigma, other.Sigma, strict=True)]
         return Inertia(add(self.m, other.m), plus(self.h, other.h), Sigma)
 
-    def turned(self, R: Matrix) -> Inertia:
+    def rotated(self, R: Matrix) -> Inertia:
         """In axes in which those of the frame are the columns of R."""
         half = product(R, self.Sigma)
         upper = [[dot(half[i], R[j]) if i <= j else ZERO for j in range(3)] for i in range(3)]
@@ -205,8 +205,8 @@ class Inertia:
         """In axes from which the frame's are turned about one of them."""
         i, j = (axis + 1) % 3, (axis + 2) % 3
         h = list(self.h)
-        h[i], h[j] = turned_back(h[i], h[j], cosine, sine)
-        return Inertia(self.m, h, both_turned_back(self.Sigma, axis, cosine, sine))
+        h[i], h[j] = rotated_back(h[i], h[j], cosine, sine)
+        return Inertia(self.m, h, both_rotated_back(self.Sigma, axis, cosine, sine))
 
     def shifted(self, arm: Vector) -> Inertia:
         """About the point from which the origin is at `arm`."""
@@ -220,7 +220,7 @@ class Inertia:
         ]
         return Inertia(self.m, h, symmetric_of(upper))
 
-    def turned_mass(self, R: Callable[[], Matrix]) -> Inertia:
+    def rotated_mass(self, R: Callable[[], Matrix]) -> Inertia:
         """The mass alone, in axes in which those of the frame are the columns of R."""
         return Inertia(self.m, zeros(), [zeros() for _ in range(3)])
 
@@ -253,12 +253,12 @@ def only_axis(arms: Sequence[Vector]) -> int | None:
     return found.pop() if len(found) == 1 else None
 
 
-def turned_back(x: ca.SX, y: ca.SX, cosine: ca.SX, sine: ca.SX) -> tuple[ca.SX, ca.SX]:
+def rotated_back(x: ca.SX, y: ca.SX, cosine: ca.SX, sine: ca.SX) -> tuple[ca.SX, ca.SX]:
     """Components in the axes from which a frame is turned, from those in the frame."""
     return sub(mul(cosine, x), mul(sine, y)), add(mul(sine, x), mul(cosine, y))
 
 
-def both_turned_back(block: Matrix, axis: int, cosine: ca.SX, sine: ca.SX, symmetric: bool = True) -> Matrix:
+def both_rotated_back(block: Matrix, axis: int, cosine: ca.SX, sine: ca.SX, symmetric: bool = True) -> Matrix:
     """R block R^T for a turn R about an axis: 16 operations for a symmetric block, 23 for any."""
     i, j, k = (axis + 1) % 3, (axis + 2) % 3, axis
     result = [list(row) for row in block]
@@ -267,11 +267,11 @@ def both_turned_back(block: Matrix, axis: int, cosine: ca.SX, sine: ca.SX, symme
     across, along = mul(sine, off), mul(cosine, off)
     result[i][i], result[j][j] = sub(block[i][i], across), add(block[j][j], across)
     result[i][j], result[j][i] = sub(along, block[j][i]), sub(along, block[i][j])
-    result[i][k], result[j][k] = turned_back(block[i][k], block[j][k], cosine, sine)
+    result[i][k], result[j][k] = rotated_back(block[i][k], block[j][k], cosine, sine)
     if symmetric:
         result[j][i], result[k][i], result[k][j] = result[i][j], result[i][k], result[j][k]
     else:
-        result[k][i], result[k][j] = turned_back(block[k][i], block[k][j], cosine, sine)
+        result[k][i], result[k][j] = rotated_back(block[k][i], block[k][j], cosine, sine)
     return result
 
 
@@ -312,22 +312,22 @@ class ArticulatedInertia:
     def _blocks(self) -> tuple[Matrix, Matrix, Matrix]:
         return self.A, self.H, self.J
 
-    def turned(self, R: Matrix) -> ArticulatedInertia:
+    def rotated(self, R: Matrix) -> ArticulatedInertia:
         """In axes in which those of the frame are the columns of R."""
         back = transposed(R)
         A, H, J = (product(product(R, block), back) for block in self._blocks)
         return ArticulatedInertia(symmetric_of(A), H, symmetric_of(J))
 
-    def turned_mass(self, R: Callable[[], Matrix]) -> ArticulatedInertia:
-        """What a freed ball leaves: no moment, whatever the motion. In axes as in `turned`."""
+    def rotated_mass(self, R: Callable[[], Matrix]) -> ArticulatedInertia:
+        """What a freed ball leaves: no moment, whatever the motion. In axes as in `rotated`."""
         axes = R()
         A = symmetric_of(product(product(axes, self.A), transposed(axes)))
         return ArticulatedInertia(A, [zeros() for _ in range(3)], [zeros() for _ in range(3)])
 
     def about(self, axis: int, cosine: ca.SX, sine: ca.SX) -> ArticulatedInertia:
         """In axes from which the frame's are turned about one of them."""
-        A, J = (both_turned_back(block, axis, cosine, sine) for block in (self.A, self.J))
-        return ArticulatedInertia(A, both_turned_back(self.H, axis, cosine, sine, symmetric=False), J)
+        A, J = (both_rotated_back(block, axis, cosine, sine) for block in (self.A, self.J))
+        return ArticulatedInertia(A, both_rotated_back(self.H, axis, cosine, sine, symmetric=False), J)
 
     def shifted(self, arm: Vector) -> ArticulatedInertia:
         """About the point from which the origin is at `arm`: n gains arm x f, a loses arm x alpha."""

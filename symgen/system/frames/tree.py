@@ -48,7 +48,7 @@ class FlexibleNode:
 
     @cached_property
     def rigid(self) -> Inertia:
-        """The body as it is bent."""
+        """The body as it is deformed."""
         return Inertia(self.data.mass, self._still.h, self._still.J)
 
     @cached_property
