@@ -12,7 +12,7 @@ The packages, from what everything stands on to what stands on everything:
     start       where a motion starts
     baselines   established integrators on the same equations
     running     a run: its loop, its checks, singular positions, checkpoints
-    export      a model handed on: plain C, FMUs
+    export      a model handed on: plain C, FMUs, JAX
     gradients   derivatives of a run, and fits by them
     orbits      motions that repeat: shooting, Floquet, branches, sensitivity
     studies     many runs: ensembles, stability, work-precision, advice
@@ -33,6 +33,8 @@ if TYPE_CHECKING:
     from runtime.contract.status import Status
     from runtime.gradients.differentiable_run import DifferentiableRun, gradient, output_jacobian
     from runtime.gradients.fit import fit
+    from runtime.gradients.run_in_jax import as_jax
+    from runtime.gradients.run_in_torch import as_torch
     from runtime.model import Model, load_model
     from runtime.operating.campbell import campbell, unbalance_response
     from runtime.operating.equilibrium import Equilibrium, NoEquilibrium, equilibrium
@@ -70,6 +72,8 @@ __all__ = [
     "Status",
     "SymgenError",
     "animation",
+    "as_jax",
+    "as_torch",
     "campbell",
     "ensemble",
     "equilibrium",
@@ -102,6 +106,8 @@ _HOMES = {
     "Status": "contract.status",
     "DifferentiableRun": "gradients.differentiable_run",
     "fit": "gradients.fit",
+    "as_jax": "gradients.run_in_jax",
+    "as_torch": "gradients.run_in_torch",
     "gradient": "gradients.differentiable_run",
     "output_jacobian": "gradients.differentiable_run",
     "Equilibrium": "operating.equilibrium",

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from runtime.baselines.ode import ode as _ode
     from runtime.export.c_bundle import export_c as _export_c
     from runtime.export.fmu import export_fmu as _export_fmu
+    from runtime.export.jax_functions import to_jax as _to_jax
     from runtime.gradients.differentiable_run import gradient as _gradient
     from runtime.gradients.differentiable_run import output_jacobian as _output_jacobian
     from runtime.gradients.fit import fit as _fit
@@ -48,7 +49,7 @@ class Model(EmittedModel):
     quasi_static_motion. Motions that repeat: periodic, periodic_over. Derivatives: gradient, output_jacobian, fit.
     Methods: advise, report, stability. Modelling: convergence. Dynamics: mass_matrix, coriolis, gravity,
     inverse_dynamics, forward_dynamics, jacobian, ode. Names: q_i, q_d, coordinates, parameters, inputs, measures,
-    joints, constraints. Functions: function, evaluate. Handed on: export_c, export_fmu.
+    joints, constraints. Functions: function, evaluate. Handed on: export_c, export_fmu, to_jax.
     """
 
     # Each of these is the function that it names, with the model as its first argument.
@@ -75,6 +76,7 @@ class Model(EmittedModel):
         ode = _ode
         export_c = _export_c
         export_fmu = _export_fmu
+        to_jax = _to_jax
     else:
 
         @LazyMethod
@@ -208,6 +210,12 @@ class Model(EmittedModel):
             from runtime.export.fmu import export_fmu
 
             return export_fmu
+
+        @LazyMethod
+        def to_jax():
+            from runtime.export.jax_functions import to_jax
+
+            return to_jax
 
     def _dynamics(self) -> Dynamics:
         from runtime.operating.dynamics import Dynamics

@@ -60,6 +60,9 @@ TOPICS: dict[str, list[str]] = {
         "runtime.gradients.differentiable_run.output_jacobian",
         "runtime.gradients.differentiable_run.DifferentiableRun",
         "runtime.gradients.fit.fit",
+        "runtime.gradients.recorded_run.RecordedRun",
+        "runtime.gradients.run_in_jax.as_jax",
+        "runtime.gradients.run_in_torch.as_torch",
     ],
     "Judging": [
         "runtime.studies.convergence.convergence",
@@ -86,6 +89,8 @@ TOPICS: dict[str, list[str]] = {
     "Exporting": [
         "runtime.export.c_bundle.export_c",
         "runtime.export.fmu.export_fmu",
+        "runtime.export.jax_functions.to_jax",
+        "runtime.export.jax_functions.JaxFunction",
         "runtime.baselines.ode.ode",
     ],
     "Pictures": [

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from runtime.contract.arguments import BY_NAME, NAMES, Kind, arguments
-from runtime.contract.errors import ArgumentError, ModelError, NoResult
+from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import EmittedModel
 from runtime.engine.derivatives import Recorder, TangentCode, most_lanes
 from runtime.engine.native import NativeProgram
@@ -19,7 +19,8 @@ from runtime.gradients.course import Course, MovingJumps, Stop, Turn, course
 from runtime.gradients.objectives import Objective
 from runtime.gradients.observed_program import ObservedProgram, check_outputs, observed_program
 from runtime.gradients.passages import Passages
-from runtime.gradients.passes import Backward, Weigh, forward
+from runtime.gradients.passes import Backward, forward
+from runtime.gradients.recorded_run import RecordedRun, require_finite
 from runtime.gradients.start_of_run import Beginning, Begun, StartOfRun
 from runtime.gradients.switches import Switches
 from runtime.gradients.turns import TurnProgram
@@ -274,7 +275,7 @@ class DifferentiableRun:
         y, slopes, last = forward(self.program, codes.tangents, codes.turns, course, begun, directions)
         begun.watch.end(last)
         self._switches.check(begun, course, codes.turned)
-        self._require_finite(slopes)
+        require_finite(slopes, self.by)
         return OutputJacobian(self.t, self.outputs, self.by, y, slopes)
 
     @arguments(objective=OBJECTIVE)
@@ -300,44 +301,99 @@ class DifferentiableRun:
         ArgumentError, NoResult
             As of `jacobian`.
         """
-        if mode not in MODES:
-            raise ArgumentError("mode", f"is {mode!r}", f"give one of {', '.join(MODES)}")
+        chosen = self.mode_of(mode)
         missing = [name for name in objective.outputs if name not in self.outputs]
         if missing:
             raise ArgumentError("objective", f"needs the output {missing[0]!r}", "name it when the run is prepared")
         columns = [self.outputs.index(name) for name in objective.outputs]
-        found: list[float] = []
+        run = self.record(x, chosen)
+        value, slope = objective.weighed(self.t, run.values[:, columns])
+        bars = np.zeros_like(run.values)
+        bars[:, columns] = slope
+        derivatives = run.back(bars)
+        require_finite(derivatives, self.by)
+        outputs = {name: run.values[:, k] for k, name in enumerate(self.outputs)}
+        return Gradient(value, self.by, derivatives, chosen, self.t, outputs)
 
-        def weigh(y: np.ndarray) -> np.ndarray:
-            value, slope = objective.weighed(self.t, y[:, columns])
-            found.append(value)
-            bars = np.zeros_like(y)
-            bars[:, columns] = slope
-            return bars
+    def record(self, x: Values, mode: str = "auto") -> RecordedRun:
+        """Run with the values x, and keep what vector-Jacobian products need.
 
-        chosen = mode if mode != "auto" else "forward" if len(self.by) <= most_lanes() else "reverse"
+        Parameters
+        ----------
+        x : (n,) array, or dict by name
+            Where the products are taken [SI units]; `x0` holds the values of the start.
+        mode : str
+            ``forward``, ``reverse``, or ``auto``: what costs less.
+
+        Returns
+        -------
+        RecordedRun
+            Outputs (N, n_y), and `pull_back`. It holds the Jacobian, or the tapes of some steps.
+
+        Raises
+        ------
+        ArgumentError, NoResult
+            As of `jacobian`.
+        """
+        chosen = self.mode_of(mode)
         if chosen == "forward":
-            jacobian = self.jacobian(x)
-            y = jacobian.values
-            derivatives = np.einsum("ny,nyk->k", weigh(y), jacobian.derivatives)
-        else:
-            y, derivatives = self._reverse(x, weigh)
-        self._require_finite(derivatives[None, None, :])
-        outputs = {name: y[:, k] for k, name in enumerate(self.outputs)}
-        return Gradient(found[0], self.by, derivatives, chosen, self.t, outputs)
-
-    # ---- inside ---------------------------------------------------------------------------------------------
-
-    def _reverse(self, x: Values, weigh: Weigh) -> tuple[np.ndarray, np.ndarray]:
+            slopes = self.jacobian(x)
+            y, derivatives = slopes.values, slopes.derivatives
+            return self._recorded(y, chosen, lambda bars: np.einsum("ny,nyk->k", bars, derivatives))
         begun = self._begun(x)
         course = self._across(begun)
         backward = self._backward if course is self.course else self._way_back(course)
-        y, adjoint, held, of_parameters, last = backward.run(begun, weigh)
-        begun.watch.end(last)
+        recording = backward.record(begun)
+        begun.watch.end(recording.last)
         self._switches.check(begun, course, self._codes.turned)
-        of_x = self._codes.beginning.pulled_back(self._place, begun.x, adjoint)
-        of_x[: len(of_parameters)] += of_parameters
-        return y, begun.slopes.T @ of_x + held
+
+        def back(bars: np.ndarray) -> np.ndarray:
+            adjoint, held, of_parameters = recording.back(bars)
+            of_x = self._codes.beginning.pulled_back(self._place, begun.x, adjoint)
+            of_x[: len(of_parameters)] += of_parameters
+            return np.asarray(begun.slopes.T @ of_x + held)
+
+        return self._recorded(recording.y, chosen, back)
+
+    def pull_back(self, x: Values, cotangents: np.ndarray, mode: str = "auto") -> np.ndarray:
+        """Run with the values x, and multiply the Jacobian of its outputs by cotangents from the left.
+
+        Parameters
+        ----------
+        x : (n,) array, or dict by name
+            Where the product is taken [SI units]; `x0` holds the values of the start.
+        cotangents : (N, n_y) array
+            The derivative of a number by each of the outputs.
+        mode : str
+            ``forward``, ``reverse``, or ``auto``: what costs less.
+
+        Returns
+        -------
+        (n,) array
+            The derivative of that number by the values of `by`.
+
+        Raises
+        ------
+        ArgumentError, NoResult
+            As of `jacobian`; ArgumentError also for cotangents of another shape or that are not finite.
+
+        Notes
+        -----
+        The vector-Jacobian product that reverse-mode frameworks ask for; `as_jax` and `as_torch` are made of it. For
+        several products at one x keep a `record`.
+        """
+        return self.record(x, mode).pull_back(cotangents)
+
+    def mode_of(self, mode: str) -> str:
+        """What ``auto`` means here: ``forward`` where all directions fit side by side. Raises ArgumentError."""
+        if mode not in MODES:
+            raise ArgumentError("mode", f"is {mode!r}", f"give one of {', '.join(MODES)}")
+        return mode if mode != "auto" else "forward" if len(self.by) <= most_lanes() else "reverse"
+
+    # ---- inside ---------------------------------------------------------------------------------------------
+
+    def _recorded(self, y: np.ndarray, mode: str, back: Callable[[np.ndarray], np.ndarray]) -> RecordedRun:
+        return RecordedRun(self.t, self.outputs, self.by, y, mode, back)
 
     def _across(self, begun: Begun) -> Course:
         """The course with its steps in parts where something jumps or happens."""
@@ -377,16 +433,6 @@ class DifferentiableRun:
                 f"samples of {', '.join(dict.fromkeys(names))}",
                 f"change during the run, and when something in model {self.model.name} jumps depends on inputs",
                 "give a constant or a function of time",
-            )
-
-    def _require_finite(self, slopes: np.ndarray) -> None:
-        bad = ~np.isfinite(slopes).all(axis=(0, 1))
-        if bad.any():
-            names = ", ".join(name for name, wrong in zip(self.by, bad, strict=True) if wrong)
-            raise NoResult(
-                f"derivative by {names}",
-                "is not finite: the run passes a point where a function has none (a root at zero, a division)",
-                "start a little beside that point",
             )
 
 

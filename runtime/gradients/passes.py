@@ -66,9 +66,6 @@ def forward(
     return y, slopes, arrays.z[: len(z), 0].copy()
 
 
-Weigh = Callable[[np.ndarray], np.ndarray]  # outputs (N, n_y) -> derivative of the objective by them, of that shape
-
-
 class Backward:
     """A run with its way back.  codes: recorders of the step and of the outputs."""
 
@@ -106,36 +103,50 @@ class Backward:
                 left = replace(left, steps=left.steps - taken)
         return segments
 
-    def run(self, begun: Begun, weigh: Weigh) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """(outputs (N, n_y), adjoint of the active entries of z and constants at the beginning, that of x by what is
-        held later (n,), that of p through the times of jumps (n_p,), the last z).
-        """
-        active, outputs, constants = self.program.active, self.program.outputs, begun.ready
-        y = np.zeros((len(self.course.times), outputs.stop - outputs.start))
-        z, kept = begun.z.copy(), []
-        tapes = _Tapes(self, begun, y)
-        first = np.zeros(self.observing.records + 1)
-        self.observing.record(z, constants, first, 1)
-        y[0] = z[outputs]
-        for part in self.parts:
-            kept.append(z.copy())
-            tapes.forward(z, part)
-        last = z.copy()
-        bars = weigh(y)
-        adjoint, held = np.zeros(active.size), np.zeros(len(begun.values))
-        for part, start in zip(reversed(self.parts), reversed(kept), strict=True):
-            if part is not self.parts[-1]:
-                z = start.copy()
-                tapes.forward(z, part)
-            tapes.back(adjoint, held, bars, part)
-        adjoint[self.rows] = bars[0]
-        self.observing.reverse(adjoint, constants, first, 1)
-        return y, adjoint, held, tapes.of_parameters, last
+    def record(self, begun: Begun) -> Recording:
+        """Run forward, on tapes."""
+        return Recording(self, begun)
 
     @property
     def rows(self) -> slice:
         """Where the outputs lie in an adjoint."""
         return slice(self.program.output_rows[0], self.program.output_rows[-1] + 1)
+
+
+class Recording:
+    """A run that went forward on tapes. y (N, n_y): its outputs; last: the last z."""
+
+    def __init__(self, run: Backward, begun: Begun) -> None:
+        self._run, self._begun = run, begun
+        outputs = run.program.outputs
+        self.y = np.zeros((len(run.course.times), outputs.stop - outputs.start))
+        self._tapes = _Tapes(run, begun, self.y)
+        self._first = np.zeros(run.observing.records + 1)
+        self._kept: list[np.ndarray] = []  # z at the beginning of each part
+        z = begun.z.copy()
+        run.observing.record(z, begun.ready, self._first, 1)
+        self.y[0] = z[outputs]
+        for part in run.parts:
+            self._kept.append(z.copy())
+            self._tapes.forward(z, part)
+        self.last = z
+        self._on_tapes = True  # the last part; going back takes it off
+
+    def back(self, bars: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """(adjoint of the active entries of z and constants at the beginning, that of x by what is held later (n,),
+        that of p through the times of jumps (n_p,)) from bars (N, n_y) of the outputs.
+        """
+        run, tapes = self._run, self._tapes
+        adjoint, held = np.zeros(run.program.active.size), np.zeros(len(self._begun.values))
+        tapes.of_parameters[:] = 0.0
+        for part, start in zip(reversed(run.parts), reversed(self._kept), strict=True):
+            if not self._on_tapes:
+                tapes.forward(start.copy(), part)
+            self._on_tapes = False
+            tapes.back(adjoint, held, bars, part)
+        adjoint[run.rows] = bars[0]
+        run.observing.reverse(adjoint, self._begun.ready, self._first, 1)
+        return adjoint, held, tapes.of_parameters
 
 
 class _Tapes:
