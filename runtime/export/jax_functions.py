@@ -50,6 +50,7 @@ class JaxFunction:
     compiled: Callable[[dict[str, Any]], dict[str, Any]] = field(repr=False)
     instead: Mapping[str, tuple[str, int]] = field(default_factory=dict, repr=False)
     optional: frozenset[str] = frozenset()
+    timed: bool = False  # is t asked for by u only, as the model has it?
 
     def __call__(self, *values: Any, **by_name: Any) -> dict[str, Any]:
         """Evaluate at arrays or tracers.
@@ -85,8 +86,9 @@ class JaxFunction:
         replaced = {self.instead[name][0] for name in given if name in self.instead}
         for name in replaced & given.keys():
             raise ArgumentError(f"argument {name!r} of function {self.name}", "is given beside c", "give one of them")
+        unread = replaced | ({"t"} if self.timed and "u" in given else set())
         for name in self.inputs:
-            if name not in given and name not in replaced:
+            if name not in given and name not in unread:
                 if name in self.defaults:
                     given[name] = self.defaults[name]
                 elif name not in self.optional:
@@ -188,41 +190,41 @@ def _of_kernel(model: EmittedModel, name: str) -> JaxFunction:
     model.kernel(name)  # refuses a function that was not generated
     count, size = len(model.description.orientations), model.emitted_c_size
     own, constants = (as_called(model.builders[key](), count, Signals([]), size) for key in (name, "constants"))
-    signals, kernel = model.signals, _Traced(name, own, _scalars(model, name))
-    of_p, of_w = None if "c" not in own.name_in() else _Traced("constants", constants), None
+    kernel = _Traced(name, own, _scalars(model, name))
+    of_p = _Traced("constants", constants) if "c" in own.name_in() else None
     sizes = {key: length for key, length in zip(own.name_in(), kernel.tape.input_sizes, strict=True) if key != "c"}
-    values = model.parameter_vector()
-    n_p = len(values) - signals.size
-    held = values[n_p:]
-    if "u" in sizes and signals.inputs:
-        of_w = _Traced("inputs", _inputs_over_time(signals))
-    sizes.setdefault("p", n_p)
+    values, n_w = model.parameter_vector(), model.signals.size
+    sizes.setdefault("p", len(values) - n_w)
+    held = values[sizes["p"] :]
+    of_w = _Traced("inputs", _inputs_over_time(model.signals)) if "u" in sizes else None
+    timed = (
+        of_w is not None and "t" not in sizes and any(node.op == ca.OP_INPUT and not node.a for node in of_w.tape.nodes)
+    )
+    if timed:
+        sizes = {"t": 1, **sizes}
 
     def run(given: dict[str, Any]) -> dict[str, Any]:
         if of_p is not None and "c" not in given:
             given = {**given, "c": of_p({"p": given["p"]})["c"]}
         if of_w is not None and "u" not in given:
-            t = given["t"] if "t" in given else np.zeros(1)
-            given = {**given, "u": of_w({"t": t, "w": held})["u"]}
+            given = {**given, "u": of_w({"t": given.get("t", 0.0), "w": held})["u"]}
         return kernel(given)
 
-    if of_w is not None and "t" not in sizes and signals.sources:
-        of_w = None  # a function of time asks for t: u is to be given
-    c_size = own.size1_in("c") if of_p is not None else 0
     return JaxFunction(
         name,
         sizes,
         kernel.shapes,
         kernel.tape.operations + (of_p.tape.operations if of_p is not None else 0),
-        {"p": values[:n_p]},
+        {"p": values[: sizes["p"]]},
         jax.jit(run),
-        {"c": ("p", c_size)} if of_p is not None else {},
+        {"c": ("p", own.size1_in("c"))} if of_p is not None else {},
         frozenset({"u"} if of_w is not None else ()),
+        timed,
     )
 
 
 def _inputs_over_time(signals: Signals) -> ca.Function:
-    """(t, w) -> u."""
+    """(t, w) -> u as the model has it."""
     t, w = ca.SX.sym("t"), ca.SX.sym("w", signals.size)
     return ca.Function("inputs", [t, w], [ca.densify(signals.u(t, w))], ["t", "w"], ["u"])
 
@@ -391,7 +393,6 @@ def _operations() -> _Operations:
     unary |= {
         ca.OP_NEG: lax.neg,
         ca.OP_FABS: lax.abs,
-        ca.OP_ERFINV: lax.erf_inv,
         ca.OP_SQ: lambda a: lax.mul(a, a),
         ca.OP_TWICE: lambda a: lax.add(a, a),
         ca.OP_INV: lambda a: lax.div(np.float64(1.0), a),

@@ -1,0 +1,91 @@
+"""Vector-Jacobian products of runs: the Jacobian from the left, both ways, as often as asked for; what is refused."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from runtime import DifferentiableRun, Model
+from runtime.contract.errors import ArgumentError, NoResult
+from runtime.gradients import passes
+from symgen.scene import Scene, SceneRecord
+
+Build = Callable[[SceneRecord], Model]
+
+
+def thrown() -> SceneRecord:
+    """A mass on a line under a constant force: x = x0 + v0 t + push t^2 / 2."""
+    return (
+        Scene("thrown")
+        .parameter("push", 0.5)
+        .rigid("mass", mass=1.0, inertia=1.0)
+        .prismatic("line", "ground.origin", "mass.origin")
+        .force("push", "mass.origin", "push", 0.0)
+        .simulation(t_end=1.0, dt=0.01, scheme="rk4")
+        .build()
+    )
+
+
+@pytest.fixture(scope="module")
+def run(model_of: Build) -> DifferentiableRun:
+    return DifferentiableRun(
+        model_of(thrown()),
+        ["mass.x", "mass.x_dot"],
+        ["push", "mass.x", "mass.x_dot"],
+        initial={"mass.x": 0.1, "mass.x_dot": 2.0},
+        seen_every=0.25,
+    )
+
+
+@pytest.mark.parametrize("mode", ["forward", "reverse", "auto"])
+@pytest.mark.parametrize("whole", [True, False], ids=["whole", "in parts"])
+def test_products_follow_the_closed_form(
+    run: DifferentiableRun, mode: str, whole: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """x moves by t^2 / 2, 1 and t, its rate by t, 0 and 1; recorded whole, and by segments that are run again."""
+    if not whole:
+        monkeypatch.setattr(passes, "TAPE_NUMBERS", 1)
+        run = run.over(0.0, 1.0)
+    t, one = run.t, np.ones_like(run.t)
+    jacobian = np.array([[t**2 / 2, one, t], [t, 0 * t, one]]).transpose(2, 0, 1)
+    kept = run.record(run.x0, mode)
+    np.testing.assert_allclose(kept.values, run.values(run.x0), rtol=1e-14)
+    for seed in (0, 1, 0):  # again, too: going back takes nothing away
+        bars = np.random.default_rng(seed).normal(size=(len(t), 2))
+        expected = np.einsum("ny,nyk->k", bars, jacobian)
+        np.testing.assert_allclose(kept.pull_back(bars), expected, rtol=0, atol=1e-12)
+        np.testing.assert_allclose(run.pull_back(run.x0, bars, mode), expected, rtol=0, atol=1e-12)
+
+
+def test_records_do_not_disturb_each_other(run: DifferentiableRun) -> None:
+    """Two at a time, taken back in the order in which they were made."""
+    points = [run.x0, run.x0 * 1.5]
+    bars = np.ones((len(run.t), 2))
+    first, second = (run.record(x, "reverse") for x in points)
+    for kept, x in ((first, points[0]), (second, points[1])):
+        assert np.array_equal(kept.pull_back(bars), run.pull_back(x, bars, "reverse"))
+
+
+@pytest.mark.parametrize(
+    "bars, message",
+    [
+        (np.zeros((5, 1)), r"has shape \(5, 1\); give \(5, 2\): 5 saved times, outputs mass.x, mass.x_dot"),
+        (np.full((5, 2), np.nan), "is nan for mass.x at t = 0 s"),
+        ("all", "is no array of numbers"),
+    ],
+)
+def test_cotangents_that_cannot_be_used_are_named(run: DifferentiableRun, bars: Any, message: str) -> None:
+    with pytest.raises(ArgumentError, match=f"cotangents: {message}"):
+        run.pull_back(run.x0, bars)
+
+
+def test_other_wrong_arguments(run: DifferentiableRun) -> None:
+    with pytest.raises(ArgumentError, match="mode: is 'back'"):
+        run.record(run.x0, "back")
+    with pytest.raises(ArgumentError, match="x: the value of push is inf"):
+        run.pull_back([np.inf, 0.0, 0.0], np.zeros((5, 2)))
+    with pytest.raises(NoResult, match="derivative by push, mass.x, mass.x_dot"):
+        run.pull_back(run.x0, np.full((5, 2), 1e308), "reverse")
