@@ -28,6 +28,7 @@ GUIDE, THEORY, EVIDENCE = (DOCS / shelf for shelf in ("guide", "theory", "eviden
 MEASURED = EVIDENCE / "benchmarks.md"  # written by the benchmark program
 PAGES = [README, ROOT / "CHANGELOG.md", *(page for page in sorted(DOCS.rglob("*.md")) if page != MEASURED)]
 LAST_EQUATION = 72
+EXTRAS = {"training": "jax"}  # what the Python of a page imports
 
 
 def read(page: Path) -> str:
@@ -58,6 +59,8 @@ def page_id(page: Path) -> str:
 @pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "python")], ids=page_id)
 def test_python_runs(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """All Python of a page, as one program, in an empty folder."""
+    if page.stem in EXTRAS:
+        pytest.importorskip(EXTRAS[page.stem], reason=f"needs the extra {EXTRAS[page.stem]}")
     monkeypatch.chdir(tmp_path)
     script = tmp_path / "page.py"
     script.write_text("\n".join(blocks(page, "python")), encoding="utf-8")
