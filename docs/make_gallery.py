@@ -34,6 +34,7 @@ SECTIONS = {
         "speed_loop",
         "crane_mpc",
         "optimise_torque",
+        "train_controller",
         "parameter_study",
         "monte_carlo",
         "design_rod",

@@ -136,6 +136,13 @@ def test_crane_mpc(said) -> None:
     assert force == pytest.approx(8.0, abs=1e-3)
 
 
+@pytest.mark.skipif(find_spec("jax") is None, reason="needs the extra jax: pip install 'symgen[jax]'")
+def test_train_controller(said) -> None:
+    """The network learns, to within 3 % of what no controller can go below."""
+    first, last, _, least = line(said("train_controller"), "cost")
+    assert first > 10 * least and least < last < 1.03 * least
+
+
 def test_quarter_car(said) -> None:
     text = said("quarter_car")
     assert numbers(text.splitlines()[0])[-1] < 1e-6  # m, off two equations by hand
