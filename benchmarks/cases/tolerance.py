@@ -20,7 +20,7 @@ from benchmarks.harness.result import Line, Result
 from benchmarks.harness.tolerance_runs import Case, SampledLadder, cheapest, runs_of_an_oracle
 from benchmarks.scenes.hard_suite import CASES, HARD_SUITE
 from runtime.running.ladder import Rung, chosen_method
-from runtime.running.run import Further
+from runtime.running.run_options import RunOptions
 
 TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
 SMALLEST = {"CASES": (replace(HARD_SUITE["overdamped"], t_end=0.1),), "TOLERANCES": (1e-2,)}
@@ -52,7 +52,7 @@ def measured(case: Case) -> dict[str, Any]:
     for tolerance in TOLERANCES:
         rungs: list[Rung] = []
         began = process_time()
-        rungs.extend(SampledLadder(case.problem, tolerance, None, Further()).climb(method))
+        rungs.extend(SampledLadder(case.problem, tolerance, None, RunOptions()).climb(method))
         seconds = process_time() - began
         answer = next((one for one in reversed(rungs) if not one.lost), rungs[-1])
         best = cheapest(single, tolerance)

@@ -17,7 +17,7 @@ from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import floored
 from runtime.running.ladder import FIRST, Ladder, Method, Rung
 from runtime.running.problem import Plan, Problem
-from runtime.running.run import Further
+from runtime.running.run_options import RunOptions
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 from runtime.schemes.stepper import Stepper
@@ -86,7 +86,7 @@ class Case:
         return whole(self.model, found["q_i"], found["q_d"])[:, followed(self.model)[1]]
 
     def _with_jumps(self, steps: int, every: int) -> np.ndarray:
-        ladder = Ladder(self.problem, 1e-12, self.t_end / KEPT, Further())
+        ladder = Ladder(self.problem, 1e-12, self.t_end / KEPT, RunOptions())
         rung = ladder.rung(replace(ladder.plan(Method("dop853"), steps), seen_steps=every))
         return rung.run.record.solution((0, rung.run.z)).q[:, followed(self.model)[1]]
 
@@ -124,7 +124,7 @@ def runs_of_an_oracle(case: Case, tolerances: Iterable[float], methods: Iterable
     Methods that would take ten times the operations of the best are given up.
     """
     ladder, least, found, best = (
-        SampledLadder(case.problem, 1e-12, None, Further()),
+        SampledLadder(case.problem, 1e-12, None, RunOptions()),
         min(tolerances),
         list[Made](),
         np.inf,

@@ -43,7 +43,8 @@ from runtime.running.problem import (
     refuse_alike,
 )
 from runtime.running.record import Marks, among
-from runtime.running.run import Further, Run, begun, integrate
+from runtime.running.run import Run, begun
+from runtime.running.run_options import RunOptions
 from runtime.running.time_functions import OfTime, force_of_time
 from runtime.running.turns import frequency_at_start, frequency_at_states
 from runtime.schemes.catalogue import scheme_kind
@@ -149,7 +150,7 @@ def by_ladder(
     m: list[int] | None,
     options: Mapping[str, Any],
     spacing: float | None,
-    further: Further,
+    further: RunOptions,
 ) -> Solution:
     """The motion to a tolerance, as the last rung of a ladder. spacing [s]: of the samples; None: as the steps are.
 
@@ -180,7 +181,7 @@ class Ladder:
     problem: Problem
     tolerance: float
     spacing: float | None = None
-    further: Further = field(default_factory=Further)
+    further: RunOptions = field(default_factory=RunOptions)
     graded: Sequence[str] = ()
 
     def __post_init__(self) -> None:
@@ -285,10 +286,10 @@ class Ladder:
         steps, whole = round(self.span / plan.grid.dt_L), plan.whole_steps  # all, those within the motion
         at = [comparison_steps(whole, max(1, steps // (units * self.unit))) for units in common]
         marks = Marks(np.unique(np.concatenate(at)), early_steps(whole) if plan.scheme.damps else ())
-        further = Further(progress=self.further.progress)
+        further = RunOptions(progress=self.further.progress)
         run = begun(self.problem, replace(plan, outputs=()), marks, further, quiet=True, like=like)
         began = time.process_time()
-        status = integrate(run)
+        status = run.integrate()
         return Rung(steps, run, marks, status, time.process_time() - began)
 
     def judge(self, before: list[Rung], rung: Rung, order: int) -> None:

@@ -28,7 +28,7 @@ from runtime.running.going_on import driven_inputs
 from runtime.running.powers import powers_at
 from runtime.running.problem import Plan, Problem
 from runtime.running.record import Marks, among
-from runtime.running.run import Run, begun, integrate
+from runtime.running.run import Run, begun
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import INSIDE, check_time_functions
 from runtime.schemes.options import LARGEST_TOLERANCE
@@ -60,7 +60,7 @@ def passed_by(run: Run, steps: float) -> list[Any]:
 
 
 def _ended(run: Run, error: MotionError | None) -> Solution:
-    status = integrate(run)
+    status = run.integrate()
     if status.ok:
         run.events += [one.told for one in passed_by(run, 1.0)[:1]]
     run.record.flush()
@@ -363,7 +363,7 @@ def beside(run: Run, marks: Marks, at: np.ndarray, a: int, b: int, ratio: float)
     other = begun(problem, stepped, other_marks, quiet=True, like=run)
     if ratio == 1 / INSIDE and (missed := [one for one in loads_missed(other) if one.kind == "load_missed"]):
         return MotionError(reliable_until=missed[0].time, reason=missed[0].text)
-    status = integrate(other)
+    status = other.integrate()
     if status.name == "interrupted":
         raise KeyboardInterrupt
     both = among(other_marks.at, np.array(other_marks.steps()))
@@ -391,7 +391,7 @@ def compared_behind_start(run: Run, marks: Marks, seen: np.ndarray, ratio: float
         return MotionError(reason="it cannot be begun with other steps")
     fine = stepped_by(problem, plan, plan.grid.dt_L / START_FINER, first * START_FINER, 1 / START_FINER)
     start = begun(problem, fine, None, quiet=True, like=run)
-    status = integrate(start)
+    status = start.integrate()
     if status.name == "interrupted":
         raise KeyboardInterrupt
     if not status.ok:
@@ -401,7 +401,7 @@ def compared_behind_start(run: Run, marks: Marks, seen: np.ndarray, ratio: float
     beside = Marks((at - first) // a * b)
     stepped = stepped_by(later, replace(plan, t0=later.t0), plan.grid.dt_L * a / b, int(beside.at[-1]), ratio)
     other = begun(later, stepped, beside, quiet=True)
-    status = integrate(other)
+    status = other.integrate()
     if status.name == "interrupted":
         raise KeyboardInterrupt
     both = among(beside.at, np.array(beside.steps()))

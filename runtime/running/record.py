@@ -49,6 +49,10 @@ class Record:
     def flush(self) -> None:
         """Write what waits."""
 
+    def forget_waiting(self) -> None:
+        """Lose what was not written."""
+        self.samples = []
+
     def close(self) -> None:
         """Nothing follows."""
 

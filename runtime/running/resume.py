@@ -15,11 +15,13 @@ from runtime.contract.model import EmittedModel
 from runtime.contract.status import Event
 from runtime.results.motion_error import MotionError
 from runtime.running.checkpoint import Checkpoint, read_checkpoint
+from runtime.running.chunk_length import ChunkLength
 from runtime.running.inputs import InputValue, bound
 from runtime.running.outcome import NOT_ASKED, finished, marks_of
 from runtime.running.problem import Plan, Problem
 from runtime.running.recording import record_of
-from runtime.running.run import ChunkLength, Further, Progress, Run, with_reads
+from runtime.running.run import Run
+from runtime.running.run_options import Progress, RunOptions
 from runtime.running.singular.exchange import variant_of
 from runtime.running.singular.singularity_monitor import SingularityMonitor
 from runtime.running.stepped_model import SteppedModel
@@ -74,7 +76,7 @@ def resume(
     kept, model = read_checkpoint(path), bound(model, inputs)
     header = kept.header
     kept.check_model(model, path)
-    further = Further(progress=progress, checkpoint=checkpoint or path, checkpoint_every=checkpoint_every).checked()
+    further = RunOptions(progress=progress, checkpoint=checkpoint or path, checkpoint_every=checkpoint_every).checked()
     started = time.perf_counter()
     segments = _segments(model, kept, engine, path)
     segment, z = segments[header["segment"]], kept.z.copy()
@@ -103,6 +105,7 @@ def resume(
         singularity=SingularityMonitor.remembered(header["guard"]),
         earlier=kept.arrays.get("earlier"),
         marks=marks_of(problem, plan) if "mark_samples" in kept.arrays else None,
+        started=started,
     )
     if run.marks is not None:
         marks = {name: kept.arrays[f"mark_{name}"] for name in ("sample_segments", "samples")}
@@ -112,8 +115,7 @@ def resume(
     run.event_handler.resume(header["happened"])
     schedule = problem.schedule(plan.grid.dt_L)
     schedule.resume(header["schedule"])
-    run.schedule = with_reads(schedule, run)
-    run.set_up = time.perf_counter() - started
+    run.follow(schedule)
     return finished(run, MotionError(reason=NOT_ASKED) if run.marks is None else None)
 
 

@@ -2,150 +2,48 @@
 
 from __future__ import annotations
 
-import signal
-import threading
 import time
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
-from types import FrameType
-from typing import Self
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from runtime.contract.consistent_state import start_events
 from runtime.contract.files import OutputError
 from runtime.contract.status import Event, Status
+from runtime.running.chunk_length import FINER, ChunkLength
 from runtime.running.events import EventHandler, ImpulseNotes, rest_until
 from runtime.running.inputs import EndlessInput, Schedule
-from runtime.running.monitor import Failure
-from runtime.running.problem import Plan, Problem, whole_number
+from runtime.running.interrupts import Interrupts
+from runtime.running.monitor import Failure, Monitor
+from runtime.running.problem import Plan, Problem
 from runtime.running.record import Marks, Record
 from runtime.running.recording import record_of
+from runtime.running.run_options import RunOptions
 from runtime.running.singular.singularity_monitor import SingularityMonitor
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import check_time_functions
 from runtime.schemes.options import SchemeError
 from runtime.solutions.solution import Solution
 
-# ---- How long a native call lasts, so that progress and Ctrl-C stay responsive, and who hears Ctrl-C ------------
+if TYPE_CHECKING:
+    from runtime.running.singular.passage import Continuation
 
-CALL_SECONDS = 0.25  # a call lasts about this long
-OPERATIONS = 5_000_000  # of a first call
-LONGEST_CALL = 1 << 20
-FIRST_SAVED = 32  # of the first look: what goes wrong and heals within a chunk is not seen
-FINER = 8  # times shorter: a chunk that is made again where there is trouble between two saved states
-MOST_SAVED = 256  # states that are saved between two looks
+CHECKPOINT_SECONDS = 60.0
+ROUNDING = 1e-13  # m or rad: less is the dust of an assembly
 
 
-@dataclass
-class ChunkLength:
-    """steps: most of a call; saves: the save at which it ends; slow_until: until then it ends at the next one; finer:
-    or after so many steps, if any.
-
-    Looks cost as much as some hundred steps of a small mechanism, so there are few of them while all is well.
-    """
+class Chunk(NamedTuple):
+    """Steps that one native call makes, from the state `before`; memory: of the monitor there."""
 
     steps: int
-    saves: int = FIRST_SAVED
-    slow_until: int = 0
-    finer: int = 0
-
-    @classmethod
-    def of(cls, operations: int) -> ChunkLength:
-        """Of steps that take so many operations."""
-        return cls(max(1, 1 << (OPERATIONS // max(1, operations)).bit_length() - 1))
-
-    def slow(self, step: int) -> bool:
-        """Is each saved state looked at closely here?"""
-        return step < self.slow_until
-
-    def next_steps(self, step: int, seen_steps: int) -> int:
-        """The length of the next call."""
-        slow = self.slow(step)
-        most = min(self.steps, (1 if slow else self.saves) * seen_steps - step % seen_steps)
-        return min(most, self.finer) if slow and self.finer else most
-
-    def took(self, seconds: float) -> None:
-        """Double or halve: the interpreted engine builds one Function per batch length, so there should be few."""
-        if seconds < CALL_SECONDS / 4:
-            self.steps = min(self.steps * 2, LONGEST_CALL)
-        elif seconds > CALL_SECONDS:
-            self.steps = max(1, self.steps // 2)
-
-    def went_well(self) -> None:
-        """Nothing was found: look at twice as many saved states at once."""
-        self.saves = min(2 * self.saves, MOST_SAVED)
-
-    def went_wrong(self, until: int, finer: int = 0) -> None:
-        """Steps until there are made again, one save at a time, or so many steps."""
-        self.saves, self.slow_until, self.finer = 1, until, finer
-
-
-class Interrupts:
-    """Hears Ctrl-C inside a `with`. asked: was it pressed? A second press stops at once.
-
-    Outside the main thread, and where the caller has a handler, nothing changes.
-    """
-
-    asked = False
-    _ours = False
-
-    def __enter__(self) -> Self:
-        own = signal.getsignal(signal.SIGINT) is signal.default_int_handler
-        self._ours = own and threading.current_thread() is threading.main_thread()
-        if self._ours:
-            signal.signal(signal.SIGINT, self._heard)
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        if self._ours:
-            signal.signal(signal.SIGINT, signal.default_int_handler)
-
-    def _heard(self, number: int, frame: FrameType | None) -> None:
-        if self.asked:
-            raise KeyboardInterrupt
-        self.asked = True
-
-
-# ---- A run ----------------------------------------------------------------------------------------------------------
-
-Progress = Callable[[float, float], None]
-CHECKPOINT_SECONDS = 60.0
-
-
-@dataclass(frozen=True)
-class Further:
-    """How a run goes, and what is kept of it; see `simulate`."""
-
-    progress: Progress | bool | None = None
-    force: bool = False
-    outputs: Sequence[str] | None = None
-    stream: str | Path | None = None
-    checkpoint: str | Path | None = None
-    checkpoint_every: int | None = None
+    before: np.ndarray
+    memory: dict[str, list[float]]
 
     @property
-    def bounded(self) -> bool:
-        """Do whole states not stay in memory?"""
-        return self.outputs is not None or self.stream is not None
-
-    def checked(self) -> Further:
-        """The same: checkpoints can be written. Raises SchemeError or OutputError."""
-        every = self.checkpoint_every
-        if every is not None and not (whole_number(every) or 0) >= 1:
-            raise SchemeError(
-                "checkpoint_every",
-                f"must be a whole number of major steps of at least 1, not {every!r}",
-                "leave it out for a checkpoint every minute",
-            )
-        if every is not None and self.checkpoint is None:
-            raise SchemeError("checkpoint_every", "needs a file", "give checkpoint = ...")
-        if self.checkpoint is not None:
-            from runtime.running.checkpoint import claim
-
-            claim(self.checkpoint)
-        return self
+    def end(self) -> int:
+        """The step at which it ends."""
+        return int(self.before[1]) + self.steps
 
 
 @dataclass
@@ -153,15 +51,15 @@ class Run:
     """A run of a problem under way, and all of its state: z (flat) belongs to `segment`.
 
     initial_changes: what of the start was corrected. earlier: a state of the segment at least a step before z, if there
-    is one. left: the step at which segments, by identity, were left last. set_up, seconds: that it took to come to the
-    start, and that its steps took.
+    is one. left: the step at which segments, by identity, were left last. started: when it was begun to be set up, by
+    time.perf_counter; set_up, seconds: that it took to come to the start, and that its steps took.
     """
 
     problem: Problem
     segment: SteppedModel
     z: np.ndarray
     record: Record
-    further: Further
+    further: RunOptions
     initial_changes: str
     chunk_length: ChunkLength
     events: list[Event] = field(default_factory=list)
@@ -172,6 +70,7 @@ class Run:
     earlier: np.ndarray | None = None
     interrupts: Interrupts = field(default_factory=Interrupts)
     left: dict[int, int] = field(default_factory=dict)
+    started: float = field(default_factory=time.perf_counter)
     set_up: float = 0.0
     seconds: float = 0.0
     written: float = 0.0  # when a checkpoint was, by time.monotonic
@@ -214,6 +113,162 @@ class Run:
     def near_singular(self) -> bool:
         """Was a determinant of a loop block small in the last steps?"""
         return self.singularity.near_singular(*self.segment.determinants(self.z))
+
+    # ---- from chunk to chunk ---------------------------------------------------------------------------------
+
+    def start(self, schedule: Schedule, like: Monitor | None = None) -> None:
+        """Settle what sticks at the first state, look at it, and keep it. like: who has looked at the same start."""
+        self.settle(told=False)
+        with self.record.closed_on_error():
+            self.status = self.status or self.segment.monitor.first(self.segment.state(self.z), like)
+            self.record.add(self.segment, self.z[None])
+            self.follow(schedule)
+
+    def follow(self, schedule: Schedule) -> None:
+        """Take inputs from a schedule. Raises SchemeError for a checkpoint that cannot keep a controller's memory."""
+        for controller in schedule.controllers:
+            if controller.memory is None and self.further.checkpoint is not None:
+                raise SchemeError(
+                    "checkpoint",
+                    f"what the controller of {controller.name!r} remembers cannot be kept",
+                    "give its numbers as Sampled(..., memory=[...]), memory=() if it has none, or leave the checkpoint "
+                    "out",
+                )
+            controller.read_from(self.segment.plan.scheme, self.segment.c)
+        self.schedule = schedule if schedule.samples or schedule.controllers else None
+
+    def integrate(self) -> Status:
+        """Step to the end of the plan, to trouble or to Ctrl-C; the record ends with the last good state."""
+        began, self.written = time.perf_counter(), time.monotonic()
+        self.set_up = self.set_up or began - self.started
+        with self.interrupts:
+            try:
+                while self.status is None and self.step < self.plan.steps and not self.interrupts.asked:
+                    self.take_inputs()
+                    self._advance()
+                    self.report()
+            except KeyboardInterrupt:
+                pass  # a second Ctrl-C: what is there is kept
+            except EndlessInput as error:
+                self.status = error.status
+            except OutputError as error:
+                self._lose_samples(error)
+            if self.status is None and self.step < self.plan.steps:
+                self._stop_here()
+        self._end()
+        self.seconds += time.perf_counter() - began
+        return self.status or Status("completed", self.plan.t_end)
+
+    def _advance(self) -> None:
+        """Make a chunk of steps in one native call, and accept it or act on what is found at its end.
+
+        A chunk that ends in trouble is made again, state by state and in the end step by step, so that the trouble is
+        found where it begins. Whatever happens is decided by states alone.
+        """
+        clock = time.perf_counter()
+        chunk = Chunk(self.next_chunk(), self.z.copy(), self.segment.monitor.memory())
+        seen = self.segment.run_and_save(self.z, self.to_be_seen(chunk.steps))
+        rows: np.ndarray | None = seen
+        at, near_singular = self.segment.first_event(self.z), self.near_singular()
+        if at is not None and not near_singular:  # a singular position comes first
+            rows, near_singular = self.to_event(at, chunk.before, seen), self.near_singular()
+            if not self.plan.scheme.adaptive:
+                chunk = chunk._replace(steps=max(1, at - 1 - int(chunk.before[1])))
+        status = None if rows is None or near_singular else self.checked(samples=len(rows))
+        if rows is None:
+            self.keep(self.z[None])  # an event has happened: what it leads to is checked
+        elif len(rows) > 1 and (near_singular or status is not None):
+            self._make_again(chunk)
+        elif status is not None and chunk.steps > 1:  # where it begins does not depend on what is saved
+            self._make_again(chunk, finer=max(1, chunk.steps // FINER))
+        elif near_singular:
+            self._pass_by(chunk)
+        elif status is not None:
+            self.status = status
+        else:
+            self._accept(chunk, rows)
+        self.chunk_length.took(time.perf_counter() - clock)
+
+    def _accept(self, chunk: Chunk, rows: np.ndarray) -> None:
+        """Nothing was found in its states (N, n_z)."""
+        self.singularity.accept(*self.segment.determinants(self.z))
+        self.earlier = chunk.before
+        self.chunk_length.went_well()
+        self.keep(rows)
+        self.note_impulses()
+
+    def _make_again(self, chunk: Chunk, finer: int = 0) -> None:
+        """Go back to before the chunk; its steps are made again one save at a time, or so many steps."""
+        self.chunk_length.went_wrong(until=chunk.end, finer=finer)
+        self.segment.monitor.recall(chunk.memory)
+        self.z = chunk.before
+
+    def _pass_by(self, chunk: Chunk) -> None:
+        """A determinant of a loop block is small within the chunk: decide how the run goes on, and go on."""
+        from runtime.running.singular.passage import continuation
+
+        self.z = chunk.before.copy()  # what Ctrl-C during the search leaves
+        found = continuation(self, chunk.before, chunk.steps)
+        if found.monitored:
+            self._go_on(found)
+        else:
+            self._step_unmonitored(found.z)
+        self.status = self.status or self.checked()
+        self.note_impulses()
+        self.keep(self.z[None])
+
+    def _go_on(self, found: Continuation) -> None:
+        """Take over another segment, the states on the way, and what is told of them."""
+        handler, event = self.event_handler, found.event
+        if event is not None and (event.kind != "no_variant" or not any(event.text == one.text for one in self.events)):
+            handler.told.append(event)  # said once
+        self.events += sorted(handler.told, key=lambda event: event.time)
+        handler.told.clear()
+        if found.drop_from is not None:
+            self.record.drop_from(found.drop_from)
+            if self.marks is not None:
+                self.marks.drop_from(found.drop_from)
+        for sample in found.samples:
+            self.keep(sample[None])
+        self.status = found.status
+        if found.segment is not self.segment:
+            self.left[id(self.segment)] = int(found.z[1])
+            self.segment = found.segment
+            self.singularity = SingularityMonitor.of(len(found.segment.determinants(found.z)[0]))
+            if found.segment not in self.record.segments:
+                self.record.segments.append(found.segment)
+        self.z, self.earlier = found.z, found.earlier
+
+    def _step_unmonitored(self, z: np.ndarray) -> None:
+        """Step where nothing better was found: if the other checks find nothing wrong, the branch is lost."""
+        self.z, self.earlier = z.copy(), None
+        self.segment.run(self.z, 1)
+        self.status = self.checked(closely=True)
+        if self.status is None:
+            self.z = z
+            self.status = self.failed("branch")
+
+    def _stop_here(self) -> None:
+        """Ctrl-C was pressed: end with a state that is good, and a checkpoint."""
+        self.status = self.checked(closely=True)
+        if self.status is None:
+            self.status = self.failed("user")
+            self.write_checkpoint()
+
+    def _end(self) -> None:
+        """Write what waits; where it ended early, the last good state is kept, too."""
+        if self.status is not None:
+            self.record.drop_from(self.step)
+            self.record.add(self.segment, self.z[None])
+        try:
+            self.record.flush()
+        except OutputError as error:
+            self._lose_samples(error)
+
+    def _lose_samples(self, error: OutputError) -> None:
+        """The place for the samples takes no more: those that wait are lost, the state is not."""
+        self.record.forget_waiting()
+        self.status = self.failed("output", str(error))
 
     # ---- inputs and events -----------------------------------------------------------------------------------
 
@@ -353,88 +408,11 @@ class Run:
         self.written = time.monotonic()
 
 
-def integrate(run: Run) -> Status:
-    """Step to the end of the plan, to trouble or to Ctrl-C; the record ends with the last good state.
-
-    One native call makes a chunk of steps, whose states to be seen are rows. A chunk that ends in trouble is made
-    again, state by state and in the end step by step, so that the trouble is found where it begins. Whatever
-    happens is decided by states alone.
-    """
-    began, run.written = time.perf_counter(), time.monotonic()
-    with run.interrupts:
-        try:
-            while run.status is None and run.step < run.plan.steps and not run.interrupts.asked:
-                run.take_inputs()
-                clock, n = time.perf_counter(), run.next_chunk()
-                before, known = run.z.copy(), run.segment.monitor.memory()
-                seen = run.segment.run_and_save(run.z, run.to_be_seen(n))
-                rows: np.ndarray | None = seen
-                at, near_singular = run.segment.first_event(run.z), run.near_singular()
-                if at is not None and not near_singular:  # a singular position comes first
-                    rows, near_singular = run.to_event(at, before, seen), run.near_singular()
-                    n = n if run.plan.scheme.adaptive else max(1, at - 1 - int(before[1]))
-                status = None if rows is None or near_singular else run.checked(samples=len(rows))
-                if rows is None:
-                    run.keep(run.z[None])  # an event has happened: what it leads to is checked
-                elif len(rows) > 1 and (near_singular or status is not None):
-                    run.chunk_length.went_wrong(until=int(before[1]) + n)
-                    run.segment.monitor.recall(known)
-                    run.z = before
-                elif status is not None and n > 1:  # where it begins does not depend on what is saved
-                    run.chunk_length.went_wrong(until=int(before[1]) + n, finer=max(1, n // FINER))
-                    run.segment.monitor.recall(known)
-                    run.z = before
-                elif near_singular:
-                    from runtime.running.singular.passage import pass_by
-
-                    pass_by(run, before, n)
-                    run.keep(run.z[None])
-                elif status is not None:
-                    run.status = status
-                else:
-                    run.singularity.accept(*run.segment.determinants(run.z))
-                    run.earlier = before
-                    run.chunk_length.went_well()
-                    run.keep(rows)
-                    run.note_impulses()
-                run.chunk_length.took(time.perf_counter() - clock)
-                run.report()
-        except KeyboardInterrupt:
-            run.interrupts.asked = True
-        except EndlessInput as error:
-            run.status = error.status
-        except OutputError as error:
-            run.status = output_failed(run, error)
-        if run.status is None and run.step < run.plan.steps:
-            run.status = run.checked(closely=True)
-            if run.status is None:
-                run.status = run.failed("user")
-                run.write_checkpoint()
-    if run.status is not None:  # end with the last good state, which need not be one that was to be saved
-        run.record.drop_from(run.step)
-        run.record.add(run.segment, run.z[None])
-    try:
-        run.record.flush()
-    except OutputError as error:
-        run.status = output_failed(run, error)
-    run.seconds += time.perf_counter() - began
-    return run.status or Status("completed", run.plan.t_end)
-
-
-def output_failed(run: Run, error: OutputError) -> Status:
-    """The place for the samples takes no more: those that wait are lost, the state is not."""
-    run.record.samples = []
-    return run.failed("output", str(error))
-
-
-ROUNDING = 1e-13  # m or rad: less is the dust of an assembly
-
-
 def begun(
     problem: Problem,
     plan: Plan,
     marks: Marks | None,
-    further: Further | None = None,
+    further: RunOptions | None = None,
     quiet: bool = False,
     like: Run | None = None,
 ) -> Run:
@@ -445,7 +423,7 @@ def begun(
     Raises ModelError, OutputError or CompilerError.
     """
     started = time.perf_counter()
-    state, further = problem.state, (further or Further()).checked()
+    state, further = problem.state, (further or RunOptions()).checked()
     segment = SteppedModel.of_run(problem.model, plan, problem.p, problem.engine, state)
     events = start_events(state, plan.t0)
     if not quiet:
@@ -467,30 +445,12 @@ def begun(
         events,
         singularity=singularity,
         marks=marks,
+        started=started,
     )
     if marks is not None:
         marks.segments = record.segments
-    run.settle(told=False)
-    with record.closed_on_error():
-        known = None if like is None else like.record.segments[0].monitor
-        run.status = run.status or segment.monitor.first(segment.state(z), known)
-        record.add(segment, z[None])
-        run.schedule = with_reads(problem.schedule(plan.grid.dt_L), run)
-    run.set_up = time.perf_counter() - started
+    run.start(problem.schedule(plan.grid.dt_L), None if like is None else like.record.segments[0].monitor)
     return run
-
-
-def with_reads(schedule: Schedule, run: Run) -> Schedule | None:
-    """The schedule for a run, None if it changes nothing. Raises SchemeError for a checkpoint with an unkept memory."""
-    for controller in schedule.controllers:
-        if controller.memory is None and run.further.checkpoint is not None:
-            raise SchemeError(
-                "checkpoint",
-                f"what the controller of {controller.name!r} remembers cannot be kept",
-                "give its numbers as Sampled(..., memory=[...]), memory=() if it has none, or leave the checkpoint out",
-            )
-        controller.read_from(run.segment.plan.scheme, run.segment.c)
-    return schedule if schedule.samples or schedule.controllers else None
 
 
 def _differ(given: float, used: float) -> bool:

@@ -28,7 +28,8 @@ from runtime.running.problem import (
     span_of,
     tolerance_of,
 )
-from runtime.running.run import Further, Progress, begun
+from runtime.running.run import begun
+from runtime.running.run_options import Progress, RunOptions
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 from runtime.solutions.solution import Solution
@@ -159,7 +160,7 @@ def simulate(
         raise SchemeError(f"error must be {MEASURED} or {OFF}, not {error!r}")
     if checkpoint_every is not None and checkpoint_every < 1:
         raise ArgumentError("checkpoint_every", f"cannot be {checkpoint_every}", "give a number of steps from 1 on")
-    further = Further(progress, force, outputs, stream, checkpoint, checkpoint_every)
+    further = RunOptions(progress, force, outputs, stream, checkpoint, checkpoint_every)
     model = bound(model, inputs)
     begin, end = span_of(model, t0, t_end)
     seen = seen_every_of(seen_every, samples, begin, end)
@@ -238,7 +239,7 @@ def _driven(
     parameters: Mapping[str, float] | None,
     initial: Initial,
     seen: float | None,
-    further: Further,
+    further: RunOptions,
     inputs: Mapping[str, InputValue] | None,
 ) -> Solution:
     """The motion of a model in which every coordinate is driven: nothing is stepped, whatever the scheme."""

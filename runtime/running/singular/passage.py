@@ -6,7 +6,7 @@ All of it depends on states only, never on how many steps a native call made, so
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -27,11 +27,12 @@ if TYPE_CHECKING:
 FOLLOWED = 0.02  # of the largest determinant: how far a motion is followed to see where it leads
 
 
-@dataclass
+@dataclass(frozen=True)
 class Continuation:
     """How a run goes on: at z on a segment (another one after an exchange), with samples of the steps in between.
 
-    drop_from: the first step whose earlier samples do not hold; None: all hold.
+    drop_from: the first step whose earlier samples do not hold; None: all hold. earlier: a state of the segment before
+    z, if one is known. monitored: are determinants looked at in the next step? Else it is the last that is tried.
     """
 
     segment: SteppedModel
@@ -40,6 +41,8 @@ class Continuation:
     drop_from: int | None = None
     event: Event | None = None
     status: Status | None = None
+    earlier: np.ndarray | None = None
+    monitored: bool = True
 
 
 def locate(
@@ -75,58 +78,20 @@ def locate(
     return low_z, previous, True
 
 
-def pass_by(run: Run, before: np.ndarray, n: int) -> None:
-    """A determinant of a loop block is small within n steps from `before`: decide how the run goes on, and see that."""
-    _go_on(run, before, n)
-    run.status = run.status or run.checked()
-    run.note_impulses()
-
-
-def _go_on(run: Run, before: np.ndarray, n: int) -> None:
-    run.z = before.copy()  # what Ctrl-C during the search leaves
+def continuation(run: Run, before: np.ndarray, n: int) -> Continuation:
+    """Decide how a run goes on from `before`, within n steps of which a determinant of a loop block is small."""
     z, previous, near_singular = locate(run.segment, run.singularity, run.earlier, before, n)
     if not near_singular:
-        run.z, run.earlier = z, before
-        return
+        return Continuation(run.segment, z, [], earlier=before)
     if run.singularity.threshold < FLOOR:
-        _step_unmonitored(run, z)
-        return
+        return Continuation(run.segment, z, [], monitored=False)
     last = z if previous is None else previous
     found = Passage(run).go_on(last)
     if run.left.get(id(found.segment)) == int(found.z[1]):  # exchanges would go in a circle
-        _step_unmonitored(run, last)
-        return
-    handler, event = run.event_handler, found.event
-    if event is not None and (event.kind != "no_variant" or not any(event.text == one.text for one in run.events)):
-        handler.told.append(event)  # said once
-    run.events += sorted(handler.told, key=lambda event: event.time)
-    handler.told.clear()
+        return Continuation(run.segment, last, [], monitored=False)
     if found.drop_from is None and found.status is None:  # look again later
-        run.z, run.earlier = z, previous
-        return
-    if found.drop_from is not None:
-        run.record.drop_from(found.drop_from)
-        if run.marks is not None:
-            run.marks.drop_from(found.drop_from)
-    for sample in found.samples:
-        run.keep(sample[None])
-    run.status = found.status
-    if found.segment is not run.segment:
-        run.left[id(run.segment)] = int(found.z[1])
-        run.segment, run.singularity = found.segment, SingularityMonitor.of(len(found.segment.determinants(found.z)[0]))
-        if found.segment not in run.record.segments:
-            run.record.segments.append(found.segment)
-    run.z, run.earlier = found.z, None
-
-
-def _step_unmonitored(run: Run, z: np.ndarray) -> None:
-    """A step that nothing better was found for: if the other checks find nothing wrong, the branch is lost."""
-    run.z, run.earlier = z.copy(), None
-    run.segment.run(run.z, 1)
-    run.status = run.checked(closely=True)
-    if run.status is None:
-        run.z = z
-        run.status = run.failed("branch")
+        return replace(found, segment=run.segment, z=z, earlier=previous)
+    return found
 
 
 class Passage:

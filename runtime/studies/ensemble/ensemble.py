@@ -12,9 +12,10 @@ from runtime.contract.arguments import BY_NAME, CALLED, NAMES, arguments
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import EmittedModel
 from runtime.results.meter import Meter
+from runtime.running.interrupts import Interrupts
 from runtime.running.planning import make_plan
 from runtime.running.problem import seen_every_of, span_of, whole_number
-from runtime.running.run import Interrupts, Progress
+from runtime.running.run_options import Progress
 from runtime.running.time_functions import check_time_functions
 from runtime.schemes.switching.times import switching_times
 from runtime.start.start_state import start_state
