@@ -88,10 +88,10 @@ MAX_ITERATIONS = 100
 LARGEST_STEP = 0.5  # rad or m per iteration: keeps Newton on the branch the user started
 POSITION_TOLERANCE = 1e-13  # m or rad, times the largest coordinate if above 1
 VELOCITY_TOLERANCE = 1e-12
-ROUNDING = 1e-13  # of the largest entry of C_q
+JACOBIAN_ROUNDING = 1e-13  # of the largest entry of C_q
 OTHER_STARTS, TURN_OPEN = 6, 0.6  # rad or m
 AS_NEAR = 1.25  # times as far away is another branch that may have been meant
-SAME = 1e-6  # rad or m between places that are one
+SAME_PLACE = 1e-6  # rad or m between places that are one
 REMEDY = {
     "position": "free one of the fixed values, correct lengths and axes, take a joint that leaves more free, or start "
     "closer to an assembled position",
@@ -228,13 +228,13 @@ def _first_closed(
 
 def _other_branch(start: np.ndarray, q: np.ndarray, moving: np.ndarray, position: Residual) -> np.ndarray | None:
     """The branch on the other side of the start, if it lies about as near as q."""
-    if np.abs(q - start).max(initial=0.0) <= SAME:
+    if np.abs(q - start).max(initial=0.0) <= SAME_PLACE:
         return None
     slope = position(q)[1][:, moving]
     if np.array_equal(slope, position(start)[1][:, moving]) or not _is_isolated(slope):  # a plane has one side
         return None
     found = _positions(2 * start - q, moving, position)
-    if found is None or np.abs(less_turns(found - q)).max() <= SAME:
+    if found is None or np.abs(less_turns(found - q)).max() <= SAME_PLACE:
         return None
     return (
         found if np.linalg.norm(less_turns(found - start)) <= AS_NEAR * np.linalg.norm(less_turns(q - start)) else None
@@ -243,7 +243,7 @@ def _other_branch(start: np.ndarray, q: np.ndarray, moving: np.ndarray, position
 
 def _is_isolated(slope: np.ndarray) -> bool:
     """Do the constraints leave nothing open of what moves (columns)?"""
-    return bool(np.linalg.matrix_rank(slope, tol=SAME) == slope.shape[1])
+    return bool(np.linalg.matrix_rank(slope, tol=SAME_PLACE) == slope.shape[1])
 
 
 def less_turns(change: np.ndarray) -> np.ndarray:
@@ -310,7 +310,7 @@ def _least_dear_change(C_q: np.ndarray, side: np.ndarray, free: np.ndarray, chea
     if rank_deficient:  # a placed body whose own rows do not give all of it: treat all alike
         return _least_change(C_q, side, free)
     beyond = C_q - Q @ (Q.T @ C_q)  # what they cannot satisfy; nothing at all where only rounding is left
-    beyond[np.abs(beyond) < ROUNDING * np.abs(C_q).max()] = 0.0
+    beyond[np.abs(beyond) < JACOBIAN_ROUNDING * np.abs(C_q).max()] = 0.0
     step = _least_change(beyond, side - Q @ (Q.T @ side), free & ~cheap)
     return np.asarray(step + _least_change(C_q, side - C_q @ step, free & cheap))
 
@@ -470,7 +470,7 @@ def with_words(state: ConsistentState, coordinates: Sequence[Coordinate], given:
             )
     if state.other is not None:
         other = state.other
-        apart = [k for k in _left_open(coordinates, given) if abs(less_turns(other[k] - state.q[k])) > SAME]
+        apart = [k for k in _left_open(coordinates, given) if abs(less_turns(other[k] - state.q[k])) > SAME_PLACE]
         places = [f"{coordinates[k].name} = {other[k]:.4g}, not {state.q[k]:.4g}" for k in apart]
         if places:
             told.append(f"another branch lies about as near: {_shown(places)}. Give one of them to choose it")

@@ -25,7 +25,7 @@ from runtime.engine.llvm_ir import TRIGONOMETRIC, WIDTHS, Group, divided, partne
 from runtime.engine.program import Program, Repeat, Until
 from runtime.engine.table_code import numbers_of, table_name
 
-LONGEST = 12_000  # operations of one function; a third as many statements
+MAX_CODE_OPERATIONS = 12_000  # operations of one function; a third as many statements
 CHUNK = 100
 WIDEST = 160  # characters of a value that stands where it is used
 
@@ -211,7 +211,7 @@ class _Writer:
         live = below(tape.nodes, [node for _, node in stores])
         order = [k for k in live if tape.nodes[k].op not in (ca.OP_INPUT, ca.OP_CONST)]
         self.beside: dict[int, Group] = {}
-        if style.own and len(order) <= LONGEST:
+        if style.own and len(order) <= MAX_CODE_OPERATIONS:
             order, self.beside = side_by_side(tape.nodes, order)
         self.partner = partners(tape.nodes, [k for k in order if k not in self.beside]) if style.own else {}
         self.order = self._paired(order)
@@ -241,7 +241,7 @@ class _Writer:
 
     def code(self) -> Code:
         """One function, or several."""
-        text, work = self._chunked() if len(self.order) > LONGEST else (self._single(), 0)
+        text, work = self._chunked() if len(self.order) > MAX_CODE_OPERATIONS else (self._single(), 0)
         return Code(text, work, tuple(dict.fromkeys(node.value for node in self.tape.nodes if node.op == ca.OP_CALL)))
 
     def _operand(self, k: int, names: dict[int, str]) -> str:

@@ -375,7 +375,7 @@ class _ReversalWriter:
 # back.
 
 ADJOINT = 4  # operations of a stage with its adjoint, of one of the stage
-LONGEST = 1000  # statements of a function of the first code
+MAX_CODE_STATEMENTS = 1000  # statements of a function of the first code
 Entry = Callable[[int, int, int, int, int], None]
 
 
@@ -449,7 +449,7 @@ class Recorder:
         size = ADJOINT * program_length(program)
         chunk, inline = (300, False) if size > OPTIMISED else (0, written_out(program) <= INLINED)
         best = Tier(Form(1, "own", chunk, inline), BEST)
-        first = Tier(Form(1, "own", LONGEST, False), FIRST)
+        first = Tier(Form(1, "own", MAX_CODE_STATEMENTS, False), FIRST)
         self.tiers = Tiers(_ReversalCompiler(program, active), first, best, size, wait)
         self.records = self.tiers.code.records
         self._work = np.zeros(1)

@@ -23,7 +23,7 @@ from runtime.engine.object_cache import ObjectCache
 from runtime.engine.prepare import Prepared
 from runtime.engine.program import Call, Program, Repeat, Sequence, Until
 
-LONGEST = 20_000  # operations of the stages: reading what is longer saves less, and takes room
+MAX_KEPT_OPERATIONS = 20_000  # operations of the stages: reading what is longer saves less, and takes room
 PACKAGES = ("contract", "engine", "schemes", "running")  # whose code programs and looks follow from
 
 
@@ -45,7 +45,7 @@ def key_of(model: EmittedModel, *facts: str) -> str:
 
 def are_short(functions: list[ca.Function]) -> bool:
     """Are they worth keeping? Tables are not: their numbers would be read with each of their calls."""
-    return sum(one.n_instructions() for one in functions) <= LONGEST and not any(
+    return sum(one.n_instructions() for one in functions) <= MAX_KEPT_OPERATIONS and not any(
         one.find_functions() for one in functions
     )
 

@@ -210,7 +210,7 @@ def _refuse(passage: EventPassage) -> NoReturn:
 
 # How the times of jumps move with parameters: g(t, c(p)) = 0 gives dt/dp = -g_p / g_t.
 
-NEAR = 1e-9  # of a run: a condition whose zero is that near to a jump is of it
+NEAR_JUMP = 1e-9  # of a run: a condition whose zero is that near to a jump is of it
 ALIKE = 1e-9  # of the largest entry: derivatives of the times of two conditions
 
 
@@ -235,7 +235,7 @@ class MovingJumps:
         found = switching_times(self._model, self._model.constants(p), plan.t0, plan.t_end)
         if not found and not passages and plan.end is None:
             return course
-        near, grid = NEAR * (plan.t_end - plan.t0), Breaks(plan.t0, plan.grid.dt_L, found, end=plan.end)
+        near, grid = NEAR_JUMP * (plan.t_end - plan.t0), Breaks(plan.t0, plan.grid.dt_L, found, end=plan.end)
         return across(course, grid, plan.grid.m, lambda there: self._moves(there, p, near), passages)
 
     def _moves(self, there: Sequence[SwitchTime], p: np.ndarray, near: float) -> np.ndarray:

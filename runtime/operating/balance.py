@@ -24,7 +24,7 @@ from runtime.schemes.stage_equations import StageEquations
 
 MAX_ITERATIONS = 200
 LARGEST_STEP = 0.5  # rad or m
-TOLERANCE = 1e-12  # of the largest correction, times the largest unknown
+NEWTON_TOLERANCE = 1e-12  # of the largest correction, times the largest unknown
 STAGNANT = 1e-9  # a correction that small, but no longer shrinking, is rounding
 LEAST_SCALE = 1e-6  # rad or m
 UNBALANCED = 1e-9  # force in directions without stiffness, relative to the largest one met
@@ -79,8 +79,8 @@ def balanced(balance: Evaluate, x: np.ndarray, advance: Advance = added, states:
         size, scale = float(np.abs(step).max()), max(LEAST_SCALE, float(np.abs(x).max()))
         rounding = 1e-14 * float(np.linalg.norm(A, 2)) * max(1.0, float(np.linalg.norm(L)) * scale)
         near = size <= STAGNANT * scale and left <= UNBALANCED * largest + rounding
-        if near and (size <= TOLERANCE * scale or size >= 0.5 * before):
-            polished = advance(x, step) if size <= TOLERANCE * scale else None
+        if near and (size <= NEWTON_TOLERANCE * scale or size >= 0.5 * before):
+            polished = advance(x, step) if size <= NEWTON_TOLERANCE * scale else None
             return Found(x if polished is None else polished, True, r, iteration)
         before = size
         chosen = newton if near or states else _downhill(A, g)

@@ -30,7 +30,7 @@ from runtime.operating.given_state import given_position, given_state
 from runtime.operating.linearisation import modal_analysis
 from runtime.operating.mode_solver import State
 
-ROUNDING = 1e-13  # of the largest stiffness
+STIFFNESS_ROUNDING = 1e-13  # of the largest stiffness
 UNSTEADY = 1e-9  # change of the forces along the motion, relative to what the stiffness makes of it
 
 
@@ -372,7 +372,7 @@ def is_steady(at: PointValues, v: np.ndarray) -> bool:
     """Does d(Q_hat)/dt along the motion with rates v (n_i) vanish against what the stiffness makes of it?"""
     change = np.abs(at.J_q @ v + at.Q_t)
     rows = np.abs(at.J_q).max(axis=1, initial=0.0)
-    allowed = (UNSTEADY * rows + ROUNDING * rows.max(initial=0.0)) * float(np.abs(v).max(initial=0.0))
+    allowed = (UNSTEADY * rows + STIFFNESS_ROUNDING * rows.max(initial=0.0)) * float(np.abs(v).max(initial=0.0))
     return bool(np.all(change <= allowed))
 
 

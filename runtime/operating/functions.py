@@ -14,7 +14,7 @@ from runtime.operating.mode_solver import State, axes_turning, in_moving_axes
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, along_rotations
 
 CLOSURE_ITERATIONS = 4
-CLOSED = 1e-9  # rad or m: a larger error before the last Newton step means that the loops did not close
+CLOSURE_TOLERANCE = 1e-9  # rad or m: a larger error before the last Newton step means that the loops did not close
 ALREADY_CLOSED = 2  # Newton steps from a closed state, through which derivatives are exact to second order
 
 
@@ -58,7 +58,7 @@ class PointValues:
     def usable(self) -> bool:
         """Are all values finite and the loops closed?"""
         finite = all(np.isfinite(values).all() for values in (self.M, self.Q, self.J_q, self.J_v, self.q, self.S))
-        return finite and self.open_by < CLOSED
+        return finite and self.open_by < CLOSURE_TOLERANCE
 
 
 class PointFunctions:

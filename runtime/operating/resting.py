@@ -150,7 +150,7 @@ def held(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray) -> tu
 # With the gaps g >= 0 of stops and their forces f >= 0, g f = 0: an active set. Each round closes the stops that the
 # last equilibrium is beyond and opens those that would pull; a closed stop locks its row in M_hat and Q_hat.
 
-CLOSED = 1e-12  # m or rad
+CLOSED_GAP = 1e-12  # m or rad
 
 
 def on_stops(clamped: Clamped, found: Found, p: np.ndarray) -> tuple[Found, np.ndarray]:
@@ -198,7 +198,7 @@ def _placed(clamped: Clamped, q_i: np.ndarray, closed: np.ndarray) -> np.ndarray
         if at is None:
             return None
         gap, slopes = _rows(clamped, at)
-        if np.abs(gap[closed]).max(initial=0.0) <= CLOSED:
+        if np.abs(gap[closed]).max(initial=0.0) <= CLOSED_GAP:
             return q_i
         step = np.linalg.lstsq(slopes[closed] @ clamped.free(at), -gap[closed], rcond=1e-12)[0]
         step *= min(1.0, LARGEST_STEP / max(float(np.abs(step).max(initial=0.0)), 1e-300))

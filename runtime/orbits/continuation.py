@@ -29,7 +29,7 @@ from runtime.orbits.controllers import period_map, refuse_samples, samples_in
 from runtime.orbits.floquet import FLIP, FOLD, NEIMARK_SACKER, REAL, UNSTABLE, floquet
 from runtime.orbits.motion import PeriodicMotion
 from runtime.orbits.periodic import companion_steps, doubted, periodic, speed_period
-from runtime.orbits.shooting import CLOSED, ROUNDED, Conditions, NoPeriodicMotion, Setting, Shot
+from runtime.orbits.shooting import CLOSED_MOTION, ROUNDED, Conditions, NoPeriodicMotion, Setting, Shot
 from runtime.running.inputs import bound
 
 FIRST, LONGEST, SHORTEST = 0.02, 0.08, 1e-6  # steps along the curve, in parts of the range
@@ -355,7 +355,7 @@ class _Walk:
                 return None
             residual = np.append(conditions.residual(x, shot.ends), row @ y - s)
             before, size = size, float(np.abs(residual).max())
-            if size <= CLOSED or (size <= ROUNDED and size > before / 4):
+            if size <= CLOSED_MOTION or (size <= ROUNDED and size > before / 4):
                 own = self._conditions(shot, period, conditions.turn)
                 return self._point(value, period, shot, own, self._rescaled(at, own)), iteration
             if not np.isfinite(size) or size > 1e3:

@@ -26,7 +26,7 @@ from runtime.contract.model import EmittedModel
 from runtime.gradients.differentiable_run import DifferentiableRun
 from runtime.orbits.states import States
 
-CLOSED = 1e-11  # of each coordinate's scale: what a closed motion may be open by
+CLOSED_MOTION = 1e-11  # of each coordinate's scale: what a closed motion may be open by
 ROUNDED = 1e-8  # the same, where Newton's method gets no nearer
 ITERATIONS, HALVINGS = 25, 8
 SPENT = 1e-7  # s: parts of a period are not shorter
@@ -245,7 +245,7 @@ def closed(map_: PeriodMap, conditions: Conditions, shot: Shot, period: float, v
     for iteration in range(ITERATIONS):
         residual = conditions.residual(shot.x, shot.ends)
         size = float(np.abs(residual).max())
-        if size <= CLOSED:
+        if size <= CLOSED_MOTION:
             return Closed(shot, period, conditions.turn, iteration)
         found = _searched(map_, conditions, shot, period, values, residual)
         if found is None:
@@ -273,7 +273,7 @@ def closed_beside(map_: PeriodMap, conditions: Conditions, found: Closed) -> Clo
     while True:
         residual = conditions.residual(shot.x, shot.ends)
         before, size = size, float(np.abs(residual).max())
-        if size <= CLOSED or (size <= ROUNDED and size > before / 4):
+        if size <= CLOSED_MOTION or (size <= ROUNDED and size > before / 4):
             return Closed(shot, period, conditions.turn, 0)
         if not size <= before / 4:
             return closed(map_, conditions, first, found.period, ())

@@ -66,7 +66,7 @@ def _turn(axis: int, angle: np.ndarray) -> np.ndarray:
 
 # ---- What the joints and loads of a body do to it, as forces on the coordinates of its frame and as wrenches.
 
-LONGEST = 256  # samples at once
+MAX_SAMPLES_AT_ONCE = 256  # samples at once
 T = TypeVar("T")
 
 
@@ -107,13 +107,13 @@ def attached_forces(
     rows = {name: [k for k, row in enumerate(model.description.constraints) if row.joint == name] for name in names}
     acting = {name: np.zeros((N, len(frame))) for name, own in rows.items() if own}
     n_c, n = len(model.constraints), len(model.coordinates)
-    for first in range(0, N if acting else 0, LONGEST):
-        some = {key: value[first : first + LONGEST] for key, value in values.items()}
+    for first in range(0, N if acting else 0, MAX_SAMPLES_AT_ONCE):
+        some = {key: value[first : first + MAX_SAMPLES_AT_ONCE] for key, value in values.items()}
         C_q = evaluate(model.kernel("constraints"), some, c)["C_q"].reshape(-1, n, n_c)
-        lam = solution.lam[first : first + LONGEST]
+        lam = solution.lam[first : first + MAX_SAMPLES_AT_ONCE]
         for name, force in acting.items():
             part = np.einsum("sir,sr->si", C_q[:, list(frame)][:, :, rows[name]], lam[:, rows[name]])
-            force[first : first + LONGEST] = -part
+            force[first : first + MAX_SAMPLES_AT_ONCE] = -part
     found = list(acting.items())
     columns = model.description.load_columns
     if any(owner == body for owner, _ in columns):

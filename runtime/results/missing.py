@@ -68,7 +68,7 @@ def _from_chord(w: np.ndarray, at: np.ndarray) -> np.ndarray:
     return np.asarray(w - (1 - at) * w[:, :1] - at * w[:, -1:])
 
 
-SAME = 1e-9  # of its largest value: the sum over shapes that a measure is
+SAME_SUM = 1e-9  # of its largest value: the sum over shapes that a measure is
 WORDS = {
     "normal": "normal force",
     "shear": "shear force",
@@ -101,7 +101,7 @@ def missing_sections(solution: Samples) -> tuple[dict[str, float], list[Event]]:
             size = float(np.abs(measured).max())
             for part in parts if size > 0.0 else ():
                 apart = np.abs(getattr(shapes, part) - measured[:, None]).max(axis=0)
-                for place in np.flatnonzero(apart <= SAME * size)[:1]:
+                for place in np.flatnonzero(apart <= SAME_SUM * size)[:1]:
                     exact = getattr(whole, part)[:, place]
                     lacking = np.abs(exact - measured)
                     shares[f"missing_force.{name}"] = share = float(lacking.max() / max(np.abs(exact).max(), size))

@@ -27,7 +27,7 @@ from runtime.contract.flexible import (
 )
 from runtime.contract.model import EmittedModel
 from runtime.results.body_motion import (
-    LONGEST,
+    MAX_SAMPLES_AT_ONCE,
     FrameMotion,
     attached_forces,
     attached_markers,
@@ -387,8 +387,8 @@ def by_equilibrium(solution: Samples, beam: Beam, field: SectionField) -> np.nda
     found = np.empty((6, len(solution.t), len(field.sections)))
     places = {name: one_place(name, where, beam.name) for name, where in beam.attached.items()}
     parts = attached_forces(solution, beam.name, [*beam.place, *beam.turning], [*places, *beam.spread])
-    for first in range(0, len(solution.t), LONGEST):
-        rows = slice(first, first + LONGEST)
+    for first in range(0, len(solution.t), MAX_SAMPLES_AT_ONCE):
+        rows = slice(first, first + MAX_SAMPLES_AT_ONCE)
         moved = solution.q[rows], solution.q_dot[rows], solution.q_ddot[rows]
         frame = frame_motion(*(values[:, beam.turning] for values in moved))
         a_o = into_body(frame, vectors(moved[2][:, beam.place]) - gravity)

@@ -34,10 +34,10 @@ from runtime.solutions.observe import assemble_solution
 from runtime.solutions.solution import Solution
 
 SCHEME = "driven"
-CLOSED = 1e-14  # rad or m, times the largest coordinate: correction after which the loops count as closed
+CLOSURE_TOLERANCE = 1e-14  # rad or m, times the largest coordinate: correction after which the loops count as closed
 STAGNANT = 1e-11  # a correction that small, but no longer shrinking, is rounding
 MOST_CLOSURES = 25
-NEAR = 0.2  # rad or m: a correction above this may have left the branch
+MAX_BRANCH_CORRECTION = 0.2  # rad or m: a correction above this may have left the branch
 SEEN = 200  # samples where nothing is said
 MOST_HALVINGS = 12  # of the time from one instant to the next
 
@@ -150,7 +150,7 @@ class _Follower:
         rate = np.asarray(self.model.evaluate("velocities", **values)["q_d_dot"]).ravel()
         guess = q_d + (t - before) * rate
         found = self._closed(guess, t, c) if np.isfinite(guess).all() else None
-        if found is not None and np.abs(found - guess).max() <= NEAR:
+        if found is not None and np.abs(found - guess).max() <= MAX_BRANCH_CORRECTION:
             return found
         if not halvings:
             return None
@@ -168,7 +168,7 @@ class _Follower:
                 return None
             moved, scale = float(np.abs(following - q_d).max()), max(1.0, float(np.abs(following).max()))
             q_d = following
-            if moved <= CLOSED * scale or (moved <= STAGNANT * scale and moved >= 0.5 * before):
+            if moved <= CLOSURE_TOLERANCE * scale or (moved <= STAGNANT * scale and moved >= 0.5 * before):
                 return q_d
             before = moved
         return None

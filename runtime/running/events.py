@@ -38,7 +38,7 @@ CHATTER = 1e-3  # of the time between states that are seen, in place of a step: 
 MOST_TOLD = 100  # impulses of prescribed motions
 AT_THE_END = 1e-10  # s
 LOCATED = 1e-11  # s: within which an event is located
-NEAR = 1e-6  # of a step: what happens at its end
+AT_STEP_END = 1e-6  # of a step: what happens at its end
 
 
 class _Seen(NamedTuple):
@@ -346,6 +346,6 @@ class ImpulseNotes:
                 self._known |= {event.time, float(np.nextafter(event.time, -np.inf))}
         self._read = len(events)
         new = list(takewhile(lambda at: at not in self._known, reversed(segment.impulses)))
-        until = segment.plan.time(step) + NEAR * segment.plan.grid.dt_L
+        until = segment.plan.time(step) + AT_STEP_END * segment.plan.grid.dt_L
         for at in sorted(one for one in new if one <= until)[: max(0, MOST_TOLD - self._told)]:
             events.append(Event(at, "velocity_jump", impulse_text(segment.model, segment.impulses[at])))

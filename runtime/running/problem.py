@@ -25,7 +25,7 @@ from runtime.schemes.scheme import Scheme
 from runtime.start.start_state import start_state
 
 SEEN_AT_LEAST = 100  # samples of a motion whose spacing is the scene's
-SAME = 1e-9  # of a time: two that differ by less are one
+SAME_TIME = 1e-9  # of a time: two that differ by less are one
 ROUNDING = 1e-6  # of an interval: a span is a whole number of them up to this
 
 
@@ -141,7 +141,7 @@ def spacing_of(inputs: Mapping[str, InputValue], t0: float) -> float | None:
 
 def common_time(a: float, b: float) -> float:
     """The largest time of which both are multiples [s], up to rounding."""
-    least = SAME * max(a, b)
+    least = SAME_TIME * max(a, b)
     while b > least:
         a, b = b, a % b
         if a - b < least:  # a remainder that is the divisor but for rounding

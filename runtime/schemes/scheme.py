@@ -413,7 +413,7 @@ def verdict(scheme: Scheme, z: np.ndarray) -> StatusName | None:
 
 # What an iteration can reach in double precision.
 
-ROUNDING = 4e-16  # relative, of the sums of a step
+STEP_ROUNDING = 4e-16  # relative, of the sums of a step
 
 
 # Functions of a scheme's states, called on arrays between steps.

@@ -19,7 +19,15 @@ import numpy as np
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
 from runtime.contract.coordinates import dependent_part, independent, joined, loop_part, whole
 from runtime.contract.model import EmittedModel
-from runtime.operating.balance import LARGEST_STEP, LEAST_SCALE, NO_STIFFNESS, STAGNANT, TOLERANCE, Balance, balanced
+from runtime.operating.balance import (
+    LARGEST_STEP,
+    LEAST_SCALE,
+    NEWTON_TOLERANCE,
+    NO_STIFFNESS,
+    STAGNANT,
+    Balance,
+    balanced,
+)
 from runtime.operating.equilibrium import NoEquilibrium, equilibrium
 from runtime.operating.functions import PointFunctions
 from runtime.operating.linearise import rigid_rates
@@ -96,7 +104,7 @@ def settling(model: EmittedModel) -> ca.Function:
         step = solve(factor(Number(K)), Number(ca.densify(r))).re
         size, scale, work = ca.norm_inf(step), ca.fmax(LEAST_SCALE, ca.norm_inf(q[elastic])), ca.dot(r, step)
         less = work <= CONTRACTION * before
-        not_given = ca.logic_and(size > TOLERANCE * scale, ca.logic_or(less, size > STAGNANT * scale))
+        not_given = ca.logic_and(size > NEWTON_TOLERANCE * scale, ca.logic_or(less, size > STAGNANT * scale))
         usual = ca.logic_and(size <= LARGEST_STEP, ca.logic_or(less, size <= STAGNANT * scale))
         valley = ca.logic_and(usual, ca.logic_and(_is_positive(0.5 * (K + K.T)), ca.sum1(ca.fabs(step)) < LARGEST))
         q_next = ca.SX(q)

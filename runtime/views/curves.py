@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from runtime.solutions.solution import Solution
 
 STILL = 1e-12  # m or rad: what moves less than this against its own size has nothing to show
-FAR = 20.0  # times as far as another moves a curve that gets an axis of its own
-SAME = 1e-9  # of a curve's size, by which it differs from one that covers it
+OWN_AXIS_RATIO = 20.0  # times as far as another moves a curve that gets an axis of its own
+SAME_CURVE = 1e-9  # of a curve's size, by which it differs from one that covers it
 # colours of Okabe and Ito, told apart with every usual kind of colour vision; black is kept for totals
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6a4c93")
 SPECIALS = {"fold": "#d1495b", "flip": "#2e7d32", "Neimark-Sacker": "#7b1fa2", "branch point": "#ef6c00"}
@@ -45,7 +45,7 @@ class Curves:
         groups: list[list[int]] = []
         for k, values in enumerate(self.values):
             size = float(np.abs(values).max(initial=0.0))
-            same = (own for own in groups if np.abs(self.values[own[0]] - values).max(initial=0.0) <= SAME * size)
+            same = (own for own in groups if np.abs(self.values[own[0]] - values).max(initial=0.0) <= SAME_CURVE * size)
             found = next(same, None)
             groups.append([k]) if found is None else found.append(k)
         names = [", ".join(self.names[k] for k in own) for own in groups]
@@ -55,7 +55,7 @@ class Curves:
         """Curves that move about as far share an axis: what moves by millimetres does not show beside metres."""
         spans = np.ptp(self.values, axis=1) if self.values.size else np.zeros(len(self.names))
         order = np.argsort(-spans, kind="stable")
-        parts = np.split(order, np.flatnonzero(spans[order[:-1]] > FAR * spans[order[1:]]) + 1)
+        parts = np.split(order, np.flatnonzero(spans[order[:-1]] > OWN_AXIS_RATIO * spans[order[1:]]) + 1)
         return [
             replace(self, names=[self.names[k] for k in own], values=self.values[own]) for own in map(np.sort, parts)
         ]

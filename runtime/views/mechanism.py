@@ -252,7 +252,7 @@ def _picked(rows: list[Row], chosen: list[int], nf: int) -> Points:
 # rotation), r_k what remains at marker k, and w_k weights that are 1 at marker k, 0 at the others and sum up to 1
 # between them.
 
-SAME = 1e-9  # of the body's size: points this close are one
+SAME_POINT = 1e-9  # of the body's size: points this close are one
 
 
 @dataclass(frozen=True, eq=False)
@@ -271,7 +271,7 @@ class Following:
         if not len(self.at):
             return np.zeros((len(position), 0))
         squares = ((position[:, None, :] - self.at[None]) ** 2).sum(axis=2)
-        near = (SAME * max(float(np.ptp(self.at, axis=0).max()), 1e-6)) ** 2
+        near = (SAME_POINT * max(float(np.ptp(self.at, axis=0).max()), 1e-6)) ** 2
         inverse = 1.0 / np.maximum(squares, near)
         return np.asarray(inverse / inverse.sum(axis=1, keepdims=True))
 

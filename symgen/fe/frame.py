@@ -175,7 +175,7 @@ def _fields(beams: FrameElements, values: Array, slopes: Array) -> Array:
 
 
 APART = 1e-6  # of the size of the body: interfaces that are nearer to each other make no strut
-SAME = 1e-10  # of the largest stiffness: displacements that the others hold already
+SAME_DISPLACEMENT = 1e-10  # of the largest stiffness: displacements that the others hold already
 
 
 def struts(body: FEStructure, shapes: Array, parts: Sequence[Interface]) -> list[dict[str, Any]]:
@@ -220,7 +220,7 @@ def _scaled(body: FEStructure, displacements: Array) -> Array:
     energies = np.sum(displacements * (body.K @ displacements), axis=0)
     unit = displacements[:, energies > 0.0] / np.sqrt(energies[energies > 0.0])
     value, vectors = la.eigh(unit.T @ (body.K @ unit))
-    kept = value > SAME * value[-1]
+    kept = value > SAME_DISPLACEMENT * value[-1]
     return np.asarray(unit @ (vectors[:, kept] / np.sqrt(value[kept])))
 
 

@@ -206,7 +206,7 @@ def _multipliers(system: Condensed, rows: list[int], force: list[ca.SX]) -> list
     return [found[row] for row in rows]
 
 
-ROUNDING = 1e-10  # share of two values by which their sum is zero at a random point
+CANCELLATION_ROUNDING = 1e-10  # share of two values by which their sum is zero at a random point
 
 
 def paired_changes(system: Condensed, accelerations: Row) -> tuple[ca.SX, ca.SX] | None:
@@ -268,9 +268,9 @@ def _of_differences(slopes: list[list[ca.SX]], diagonal: list[ca.SX]) -> np.ndar
     numbers = np.random.default_rng(0).uniform(0.3, 1.0, symbols.numel())
     found = np.asarray(ca.Function("slopes", [symbols], [values])(numbers)).ravel()
     by_pair, own = found[: n * n].reshape(n, n), found[n * n :]
-    if not np.all(np.abs(np.diag(by_pair)) <= ROUNDING * np.abs(own)):
+    if not np.all(np.abs(np.diag(by_pair)) <= CANCELLATION_ROUNDING * np.abs(own)):
         return None
-    return np.asarray(np.abs(by_pair + by_pair.T) <= ROUNDING * (np.abs(by_pair) + np.abs(by_pair.T)))
+    return np.asarray(np.abs(by_pair + by_pair.T) <= CANCELLATION_ROUNDING * (np.abs(by_pair) + np.abs(by_pair.T)))
 
 
 def jacobian_kernels(system: Condensed, a: Arguments) -> dict[str, Callable[[], Kernel]]:

@@ -134,7 +134,7 @@ def test_long_stages_pass_values_through_the_callers_array(
     built_in: Load, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Four instances side by side: each has all of its memory."""
-    monkeypatch.setattr(c_source, "LONGEST", 20)
+    monkeypatch.setattr(c_source, "MAX_CODE_OPERATIONS", 20)
     monkeypatch.setattr(c_source, "CHUNK", 7)
     model = built_in("flexible_slider_crank")
     own, stepper = bundle(model, tmp_path), model.stepper()

@@ -14,7 +14,9 @@ import numpy as np
 from runtime.contract.coordinates import parts, rate_parts
 from runtime.contract.model import EmittedModel
 
-NEAR = 0.15  # of the largest determinant so far: below this a better q_i, or a singular position, is looked for
+NEAR_SINGULAR = (
+    0.15  # of the largest determinant so far: below this a better q_i, or a singular position, is looked for
+)
 LOWERED = 0.3  # times the threshold, where nothing better was found and no singular position lies ahead
 LAST = 0.05  # threshold below which a run without the variant that it needs stops
 FLOOR = 1e-4  # threshold below which looking again is of no use
@@ -26,7 +28,7 @@ class SingularityMonitor:
 
     largest: np.ndarray = field(default_factory=lambda: np.zeros(0))
     sign: np.ndarray = field(default_factory=lambda: np.zeros(0))
-    threshold: float = NEAR
+    threshold: float = NEAR_SINGULAR
 
     @classmethod
     def of(cls, blocks: int) -> SingularityMonitor:
@@ -62,7 +64,7 @@ class SingularityMonitor:
 
     def passed(self) -> None:
         """A singular position lies behind: signs may have changed."""
-        self.sign, self.threshold = np.zeros(len(self.largest)), NEAR
+        self.sign, self.threshold = np.zeros(len(self.largest)), NEAR_SINGULAR
 
     def memory(self) -> list[list[float]]:
         """In plain numbers."""

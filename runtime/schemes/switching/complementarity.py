@@ -16,7 +16,7 @@ import numpy as np
 HOLDS = 0
 MOST = 20  # solutions beyond two for each direction
 SINGULAR = 1e-11  # of the largest of the diagonal: what is left of that of a row that follows from others
-ROUNDING = 1e-12  # of the largest bound, and of the accelerations that forces make
+FORCE_ROUNDING = 1e-12  # of the largest bound, and of the accelerations that forces make
 
 
 def complementary(
@@ -37,9 +37,9 @@ def complementary(
     named = np.zeros(n, dtype=bool) if let_go is None else let_go.astype(bool)
     largest = max(float(np.abs(one[np.isfinite(one)]).max(initial=0.0)) for one in (lower, upper))
     # what presses on a stop by rounding only does not hold it closed
-    alone = ROUNDING * np.abs(b).max() / np.maximum(np.diag(A), 1e-300)
-    dust = ROUNDING * largest + np.where(np.isfinite(lower) & np.isfinite(upper), 0.0, alone + 1e-300)
-    still = ROUNDING * (np.abs(b).max() + np.abs(A).max() * largest)
+    alone = FORCE_ROUNDING * np.abs(b).max() / np.maximum(np.diag(A), 1e-300)
+    dust = FORCE_ROUNDING * largest + np.where(np.isfinite(lower) & np.isfinite(upper), 0.0, alone + 1e-300)
+    still = FORCE_ROUNDING * (np.abs(b).max() + np.abs(A).max() * largest)
     at[named] = _nearest(balancing(A, b, lower, upper, at, shares), lower, upper)[named]
     without = upper <= lower  # friction whose coefficient is zero holds nothing, and goes where it is pulled
     at[without] = 1

@@ -82,7 +82,7 @@ def _zero(k: int, low: Looked, high: Looked, looks: list[Looked]) -> float:
 # of a step: no share of its length is a whole number of others, so that turns are not missed
 NODES = (0.17, 0.53, 0.83)
 SAFE = 3.0  # times the second difference of a step that is looked at closely
-NEAR = 0.05  # of the range of four looks: a fifth one that cubics through them foretell
+FORETOLD_SHARE = 0.05  # of the range of four looks: a fifth one that cubics through them foretell
 ROUNDED = 1e-13  # of the largest of them: what is constant, as the force of what rests, is not looked at for ever
 FINEST = 1e-6  # of a step: intervals are halved no further
 LEAST = 1e-3  # of the time between states that are seen
@@ -219,7 +219,7 @@ def _foretold(s: np.ndarray, e: np.ndarray, k: np.ndarray, x: np.ndarray, new: n
         others = [i for i in range(4) if i != j]
         weight = np.prod([(x - at[:, i]) / (at[:, j] - at[:, i]) for i in others], axis=0)
         cubic += weight[:, None] * seen[:, j]
-    allowed = NEAR * np.ptp(seen, axis=1) + ROUNDED * np.abs(seen).max(axis=1)
+    allowed = FORETOLD_SHARE * np.ptp(seen, axis=1) + ROUNDED * np.abs(seen).max(axis=1)
     return np.asarray((np.abs(new - cubic) <= allowed).all(axis=1))
 
 

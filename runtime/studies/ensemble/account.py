@@ -17,7 +17,7 @@ from runtime.contract.model import EmittedModel
 from runtime.contract.status import StatusName
 from runtime.engine.program import Fields
 from runtime.running.monitor import CLOSURE_LIMIT, CONSTRAINT_LIMIT, GROWTH_LIMIT, MOST_DEFLECTION, MOST_TURN, observed
-from runtime.running.singular.singularity_monitor import NEAR
+from runtime.running.singular.singularity_monitor import NEAR_SINGULAR
 from runtime.running.stepped_model import HIGHEST, LOWEST
 from runtime.schemes.scheme import LARGEST, Scheme
 from runtime.schemes.switching.watched import NEVER, watches
@@ -107,7 +107,7 @@ class LaneAccount:
             least, most = ca.fmin(ca.fabs(low), ca.fabs(high)), ca.fmax(ca.fabs(low), ca.fabs(high))
             largest[k] = ca.fmax(most, largest[k])
             changed = ca.logic_or(low * high <= 0, z["before"][k] * low < 0)
-            near_singular = ca.logic_or(near_singular, ca.logic_or(least < NEAR * largest[k], changed))
+            near_singular = ca.logic_or(near_singular, ca.logic_or(least < NEAR_SINGULAR * largest[k], changed))
         fresh = {"det_low": LOWEST * ca.SX.ones(self.blocks), "det_high": HIGHEST * ca.SX.ones(self.blocks)}
         state = self.scheme.layout.pack({**s, **fresh})
         return near_singular, {"scheme": state, "largest": largest, "before": s["det_high"]}

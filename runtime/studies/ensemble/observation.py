@@ -16,7 +16,7 @@ from runtime.engine.program import Call, Fields, Layout, Program, Until, make_st
 from runtime.engine.program import Sequence as InSequence
 from runtime.results.named_outputs import ORDERS, Column, column
 from runtime.schemes.scheme import LARGEST, Scheme
-from runtime.solutions.observe import CLOSED, MOST_CLOSURES
+from runtime.solutions.observe import CLOSURE_TOLERANCE, MOST_CLOSURES
 
 KERNELS = ("energy", "measures", "reactions")
 
@@ -82,7 +82,7 @@ class Observation:
             e = whole[self.model.places.parameters.ravel().tolist()]
             c, q_d = ca.vertcat(c[: at.start], e, c[at.stop :]), charts.zeroed_dependent(q_d)
         found = self.model.evaluate("closure", q_i=z["seen_i"], q_d=q_d, t=z["seen_t"], c=c)
-        tolerance = CLOSED * ca.fmax(1, ca.norm_inf(q_d))
+        tolerance = CLOSURE_TOLERANCE * ca.fmax(1, ca.norm_inf(q_d))
         finite = ca.sum1(ca.fabs(found["q_d_next"])) < LARGEST
         open_ = ca.logic_and(ca.norm_inf(found["C_loop"]) > tolerance, finite)
         return {"seen_open": open_, "seen_d": ca.if_else(open_, found["q_d_next"], q_d)}
