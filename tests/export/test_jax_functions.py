@@ -68,7 +68,7 @@ def apart(found: Any, expected: Any) -> float:
     return float(np.abs(found.reshape(expected.shape) - expected).max() / max(np.abs(expected).max(), 1e-300))
 
 
-@pytest.mark.every_push("pendulum", "flexible_slider_crank")
+@pytest.mark.every_push("pendulum")
 @pytest.mark.parametrize("name", SCENES)
 def test_all_functions_have_the_values_of_casadi(built_in: Load, name: str) -> None:
     """Operation by operation; what XLA makes of them is the next test's."""
