@@ -43,6 +43,8 @@ READERS_OF_TEXT = {
     "runtime/solutions/solution.py",  # columns of the CSV
     "runtime/running/columns.py",
     "runtime/views/viewer/page.py",  # a template in HTML
+    "runtime/export/jax_functions.py",  # names of CasADi's and of JAX's operations
+    "runtime/studies/convergence.py",  # names that scenes of one mechanism share, by body
 }
 
 
