@@ -20,6 +20,7 @@ from runtime.contract.coordinates import euler_angles, followed
 from runtime.contract.model import EmittedModel
 from runtime.contract.status import Event, Status
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
+from runtime.results.samples import ALIKE
 from runtime.results.undefined import undefined_measures
 from runtime.running.chattering import chattering
 from runtime.running.comparison_times import common_steps, comparison_steps, coprime
@@ -113,12 +114,15 @@ def chattering_of(run: Run) -> list[Event]:
 def _stops(run: Run) -> np.ndarray:
     """(S, 2) times at which the power of a run may jump [s], and the energy that an impulse put in there [J].
 
-    A sample at the very time of a stop shows what is before it: inputs change behind the sample, loads before it.
+    A sample at the very time of a stop shows what is before it: inputs change behind the sample, loads before it. A kink
+    at the start, such as of a wheel that stands on the road, is none: the power that the first sample shows goes on.
     """
     plan, segments = run.segment.plan, run.record.segments
+    begun = plan.t0 + ALIKE * (run.plan.time(run.step) - plan.t0)
     impulses = {at: one.energy for segment in segments for at, one in segment.impulses.items()}
     found = {float(one.before): 0.0 for one in run.segment.switches if one.time not in impulses}
-    found |= {event.time: 0.0 for event in run.events if event.kind in ("event", "mode", "rest", "kink")}
+    found |= {event.time: 0.0 for event in run.events if event.kind in ("event", "mode", "rest")}
+    found |= {event.time: 0.0 for event in run.events if event.kind == "kink" and event.time > begun}
     if run.schedule is not None:
         found |= {plan.time(step): 0.0 for step in run.schedule.changes(run.step)}
     found |= impulses

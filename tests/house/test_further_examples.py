@@ -18,9 +18,7 @@ def test_double_wishbone(said) -> None:
     text = said("double_wishbone")
     force, weight = line(text, "tyre at rest")
     assert force == pytest.approx(weight, rel=5e-4)
-    assert (
-        numbers(text.splitlines()[0])[-1] < 1.2
-    )  # J, of some 400 J, by the samples, split where the wheel meets the road
+    assert numbers(text.splitlines()[0])[-1] < 0.4  # J, of some 400 J, by samples 5 ms apart
 
 
 def test_spinning_satellite(said) -> None:
