@@ -114,8 +114,8 @@ def chattering_of(run: Run) -> list[Event]:
 def _stops(run: Run) -> np.ndarray:
     """(S, 2) times at which the power of a run may jump [s], and the energy that an impulse put in there [J].
 
-    A sample at the very time of a stop shows what is before it: inputs change behind the sample, loads before it. A kink
-    at the start, such as of a wheel that stands on the road, is none: the power that the first sample shows goes on.
+    A sample at the very time of a stop shows what is before it: inputs change behind the sample, loads before it. A
+    kink at the start, such as of a wheel that stands on the road, is none: the power of the first sample goes on.
     """
     plan, segments = run.segment.plan, run.record.segments
     begun = plan.t0 + ALIKE * (run.plan.time(run.step) - plan.t0)

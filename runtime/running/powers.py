@@ -1,7 +1,8 @@
 """What acts just before and behind a change of inputs or modes: powers that samples do not show.
 
 A sampled controller, an event or a change of friction's mode lets the power jump, often between two samples. The state
-there is kept as it goes by, and its power and the rate of that are computed when the run is over, all at once.
+there is kept as it goes by, and its power and the rate of that are computed when the run is over, all at once: just
+before it and just behind it along the motion, for the state itself is on one side of a load that jumps there.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from runtime.running.stepped_model import SteppedModel
 
 MAX_CHANGES = 20_000  # changes of a run whose powers are kept
+BESIDE, LEAST_BESIDE = 1e-7, 1e-11  # of a step; of a time, and s: how far from a change; events are located closer
 ONE_TIME = 1e-14  # of a time, and s: an impact stands just before its changes of modes
 
 
@@ -69,17 +71,30 @@ def _powers(segment: SteppedModel) -> np.ndarray:
     if n:
         constants[:, -n:] = z[:, scheme.layout.slice("inputs")]
     function = model.derived("power and its rate", lambda: _power(model))
+    beside = np.maximum(BESIDE * segment.plan.grid.dt_L, LEAST_BESIDE * (1 + np.abs(seen["t"])))
     sides = []
-    for push, w in ((0.0, None), (np.array([one.push for one in changes]), np.array([one.w for one in changes]))):
+    for push, w, shift in (
+        (0.0, None, -beside),
+        (np.array([one.push for one in changes]), np.array([one.w for one in changes]), beside),
+    ):
         if w is not None and n:
             constants = np.hstack([constants[:, :-n], w])
         at = {"q_i": seen["q_i"], "q_d": seen["q_d"], "q_i_dot": seen["q_i_dot"] + push, "t": seen["t"]}
-        sides.append(evaluate(function, at, constants)["power"])
+        slopes = evaluate(function, at, constants)
+        rates = {
+            "q_i": at["q_i_dot"],
+            "q_d": slopes["q_d_dot"],
+            "q_i_dot": slopes["q_i_ddot"],
+            "t": np.ones((len(z), 1)),
+        }
+        near = {name: value + shift.reshape(-1, 1) * rates[name].reshape(len(z), -1) for name, value in at.items()}
+        P, rate = evaluate(function, near, constants)["power"].T
+        sides.append(np.column_stack([P - shift.ravel() * rate, rate]))
     return np.hstack(sides)
 
 
 def _power(model: EmittedModel) -> ca.Function:
-    """(q_i, q_d, q_i_dot, t, c) -> power applied less dissipated, and its rate along the motion."""
+    """(q_i, q_d, q_i_dot, t, c) -> power applied less dissipated, and its rate along the motion; q_d_dot, q_i_ddot."""
     n_i, n_d = len(model.q_i), len(model.q_d)
     q_i, q_d, v = ca.SX.sym("q_i", n_i), ca.SX.sym("q_d", n_d), ca.SX.sym("v", n_i)
     v_d, t, c = ca.SX.sym("v_d", n_d), ca.SX.sym("t"), ca.SX.sym("c", model.c_size)
@@ -93,6 +108,12 @@ def _power(model: EmittedModel) -> ca.Function:
     rates = ca.SX(0, 1)
     if n_d:
         rates = model.evaluate("velocities", q_i=q_i, q_d=q_d, q_i_dot=v, t=t, c=c)["q_d_dot"]
-    both = ca.substitute(ca.vertcat(P, rate), v_d, rates) if n_d else ca.vertcat(P, rate)
-    names = ["q_i", "q_d", "q_i_dot", "t", "c"]
-    return ca.Function("power", [q_i, q_d, v, t, c], shared([ca.densify(both)]), names, ["power"])
+    told = [ca.vertcat(P, rate), rates, a]
+    told = [ca.densify(ca.substitute(one, v_d, rates) if n_d else one) for one in told]
+    return ca.Function(
+        "power",
+        [q_i, q_d, v, t, c],
+        shared(told),
+        ["q_i", "q_d", "q_i_dot", "t", "c"],
+        ["power", "q_d_dot", "q_i_ddot"],
+    )

@@ -12,7 +12,7 @@ import pytest
 from runtime import Model, Sampled, Solution, resume, simulate
 from runtime.results.samples import energy_balance
 from symgen.scene import Scene, SceneRecord
-from tests.support.scenes import driven_bob, on_hinge
+from tests.support.scenes import driven_bob, on_hinge, on_rail
 
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
@@ -207,3 +207,14 @@ def test_modes_and_kinks_split_the_work(model_of: Build, ends: dict[str, dict[st
     for one in (run, fine):
         assert one.balance.largest < one.balance.uncertainty[-1] or one.balance.largest < 1e-6
     assert fine.balance.largest < 5e-4 and fine.balance.uncertainty[-1] < 5e-3
+
+
+def test_power_jumps_where_the_motion_lets_a_load_jump(model_of: Build) -> None:
+    """10 N from x = 0.5 m on, between two samples: the work is 10 (x - 0.5), for any number of samples."""
+    scene = on_rail("pushed", "mass", "rail", mass=1.0, inertia=0.1)
+    scene.measure("place", "x", "mass.origin").rates({"mass.x": 1.0})
+    scene.force("push", "mass.origin", "where(place > 0.5, 10.0, 0.0)", 0.0)
+    model = model_of(scene.simulation(t_end=0.98, dt=0.00875, scheme="rk4").build())
+    for seen in (0.07, 0.035):
+        run = simulate(model, seen_every=seen)
+        assert run.work() == pytest.approx(10.0 * np.maximum(run["mass.x"] - 0.5, 0.0), abs=1e-5)
