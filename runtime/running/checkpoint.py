@@ -144,8 +144,8 @@ def checkpoint_of(run: Run) -> Checkpoint:
     """
     segment, z, record, state = run.segment, run.z, run.record, run.problem.state
     model, arrays = record.segments[0].model, record.arrays()
-    if run.marks is not None:
-        arrays |= {f"mark_{name}": values for name, values in run.marks.arrays().items()}
+    if run.comparison_times is not None:
+        arrays |= {f"mark_{name}": values for name, values in run.comparison_times.arrays().items()}
     if run.earlier is not None:
         arrays["earlier"] = run.earlier
     arrays |= {"start_p": run.problem.p, "start_q": state.q, "start_q_dot": state.q_dot}

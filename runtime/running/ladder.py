@@ -24,10 +24,10 @@ from runtime.running.fastest_mode import RESOLVED, fastest_mode, slopes_at_start
 from runtime.running.outcome import (
     LARGEST,
     chattering_of,
+    comparison_times_of,
     early_steps,
     finished,
     loads_missed,
-    marks_of,
     passed_by,
     with_what_is_damped,
 )
@@ -42,7 +42,7 @@ from runtime.running.problem import (
     common_time,
     refuse_alike,
 )
-from runtime.running.record import Marks, among
+from runtime.running.record import ComparisonTimes, among
 from runtime.running.run import Run, begun
 from runtime.running.run_options import RunOptions
 from runtime.running.time_functions import OfTime, force_of_time
@@ -115,7 +115,7 @@ class Rung:
 
     steps: int
     run: Run
-    marks: Marks
+    comparison_times: ComparisonTimes
     status: Status
     seconds: float = 0.0
     differs: float = np.nan
@@ -124,13 +124,15 @@ class Rung:
 
     @cached_property
     def reached(self) -> np.ndarray:
-        """(N,) steps of `marks.at` that the motion has come to; an event may end it before."""
-        return np.asarray(self.marks.at[among(self.marks.at, np.array(self.marks.steps()))])
+        """(N,) steps of `comparison_times.at` that the motion has come to; an event may end it before."""
+        return np.asarray(
+            self.comparison_times.at[among(self.comparison_times.at, np.array(self.comparison_times.steps()))]
+        )
 
     @cached_property
     def seen(self) -> np.ndarray:
         """(2, N, n_told) what tells the motion and its rates there."""
-        return self.marks.told(self.run.problem.model, self.reached)
+        return self.comparison_times.told(self.run.problem.model, self.reached)
 
     @cached_property
     def sampled(self) -> np.ndarray:
@@ -233,7 +235,7 @@ class Ladder:
                 self.judge(rungs, rung, order)
                 if plan.scheme.damps and rung.error <= self.tolerance:  # rungs that have lost a vibration agree
                     try:
-                        rung.told = with_what_is_damped(rung.run, rung.marks, rung.sampled, rung.told)
+                        rung.told = with_what_is_damped(rung.run, rung.comparison_times, rung.sampled, rung.told)
                     except KeyboardInterrupt:
                         rung.told = MotionError(reason="stopped by the user while it was measured")
                         yield rung
@@ -285,12 +287,14 @@ class Ladder:
         """
         steps, whole = round(self.span / plan.grid.dt_L), plan.whole_steps  # all, those within the motion
         at = [comparison_steps(whole, max(1, steps // (units * self.unit))) for units in common]
-        marks = Marks(np.unique(np.concatenate(at)), early_steps(whole) if plan.scheme.damps else ())
+        comparison_times = ComparisonTimes(
+            np.unique(np.concatenate(at)), early_steps(whole) if plan.scheme.damps else ()
+        )
         further = RunOptions(progress=self.further.progress)
-        run = begun(self.problem, replace(plan, outputs=()), marks, further, quiet=True, like=like)
+        run = begun(self.problem, replace(plan, outputs=()), comparison_times, further, quiet=True, like=like)
         began = time.process_time()
         status = run.integrate()
-        return Rung(steps, run, marks, status, time.process_time() - began)
+        return Rung(steps, run, comparison_times, status, time.process_time() - began)
 
     def judge(self, before: list[Rung], rung: Rung, order: int) -> None:
         """The error of a rung by the one before it, in place; by extrapolation where three rungs show the order."""
@@ -391,7 +395,7 @@ class Ladder:
         run = answer.run
         if further.bounded or (further.checkpoint is not None and not interrupted):  # once more, to keep what it makes
             plan = replace(run.record.segments[0].plan, outputs=tuple(further.outputs or ()))
-            run = begun(self.problem, plan, marks_of(self.problem, plan), further)
+            run = begun(self.problem, plan, comparison_times_of(self.problem, plan), further)
         else:
             run.events[:0] = loads_missed(run)
         found = finished(run, error)

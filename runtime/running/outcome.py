@@ -28,7 +28,7 @@ from runtime.running.fastest_mode import RESOLVED, fastest_mode
 from runtime.running.going_on import driven_inputs
 from runtime.running.powers import powers_at
 from runtime.running.problem import Plan, Problem
-from runtime.running.record import Marks, among
+from runtime.running.record import ComparisonTimes, among
 from runtime.running.run import Run, begun
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import INSIDE, check_time_functions
@@ -223,10 +223,10 @@ SAVED = 20  # samples of a companion, which nobody sees but who looks for troubl
 LEAST = 4  # steps in the time in which a load acts
 
 
-def marks_of(problem: Problem, plan: Plan) -> Marks:
+def comparison_times_of(problem: Problem, plan: Plan) -> ComparisonTimes:
     """Where a run of the plan is looked at, to be compared with its companion."""
     every = 1 if plan.scheme.adaptive else _common_steps(problem, plan)
-    return Marks(comparison_steps(plan.whole_steps, every), early_steps(plan.whole_steps))
+    return ComparisonTimes(comparison_steps(plan.whole_steps, every), early_steps(plan.whole_steps))
 
 
 def early_steps(steps: int) -> np.ndarray:
@@ -239,39 +239,43 @@ def measured(run: Run, solution: Solution) -> MotionError:
 
     Where the first would condemn the run, the second has to agree; where both are lost, far shorter steps tell.
     """
-    plan, marks = run.record.segments[0].plan, run.marks
-    if marks is None or not marks.samples:
+    plan, comparison_times = run.record.segments[0].plan, run.comparison_times
+    if comparison_times is None or not comparison_times.samples:
         return MotionError(reason="the run was not looked at on its way")
     if not run.problem.forgets:
         return MotionError(reason="a controller keeps a memory of its own: give its numbers as Sampled(memory=...)")
     columns = followed(run.problem.model)[1]
     seen = np.stack([solution.q[:, columns], solution.q_dot[:, columns]])
-    seen = np.concatenate([seen, marks.told(run.problem.model)], axis=1)  # samples may be in phase with a vibration
+    seen = np.concatenate(
+        [seen, comparison_times.told(run.problem.model)], axis=1
+    )  # samples may be in phase with a vibration
     try:
         if any(event.kind == "load_missed" for event in run.events):  # other steps of this length miss it, too
             for short in passed_by(run, LEAST / INSIDE)[:1]:  # even steps of an eighth may pass it by
                 return MotionError(reliable_until=short.told.time, reason=short.told.text)
-            return compared(run, marks, seen, 1 / INSIDE)
-        if not among(marks.at, np.array(marks.steps())).any():  # an event has ended it soon
-            return compared(run, marks, seen, 1 / FINER, early=True)
+            return compared(run, comparison_times, seen, 1 / INSIDE)
+        if not among(comparison_times.at, np.array(comparison_times.steps())).any():  # an event has ended it soon
+            return compared(run, comparison_times, seen, 1 / FINER, early=True)
         found = MotionError(reason="its start is as the rest")
         if plan.scheme.passes_transients and not plan.scheme.adaptive:
-            found = compared_behind_start(run, marks, seen, _ratio(plan))
+            found = compared_behind_start(run, comparison_times, seen, _ratio(plan))
         if not found.measured:
-            found = compared(run, marks, seen, _ratio(plan))
+            found = compared(run, comparison_times, seen, _ratio(plan))
         if not found.measured or max(found.judged.values()) > LARGEST:
-            shorter = compared(run, marks, seen, 1 / SHORTER)
+            shorter = compared(run, comparison_times, seen, 1 / SHORTER)
             found = min((one for one in (found, shorter) if one.measured), key=lambda one: one.largest, default=found)
         if not found.measured:
-            found = compared(run, marks, seen, 1 / FINER)
+            found = compared(run, comparison_times, seen, 1 / FINER)
         if found.measured and plan.scheme.damps:
-            found = with_what_is_damped(run, marks, seen, found)
+            found = with_what_is_damped(run, comparison_times, seen, found)
     except KeyboardInterrupt:
         return MotionError(reason="stopped by the user while it was measured")
     return found
 
 
-def with_what_is_damped(run: Run, marks: Marks, seen: np.ndarray, told: MotionError) -> MotionError:
+def with_what_is_damped(
+    run: Run, comparison_times: ComparisonTimes, seen: np.ndarray, told: MotionError
+) -> MotionError:
     """The error of a run: `told`, by steps of about its length, or what is lost to its steps where that is larger.
 
     Steps of about one length lose alike the vibrations that they damp. FINER times shorter ones keep these for longer,
@@ -280,10 +284,10 @@ def with_what_is_damped(run: Run, marks: Marks, seen: np.ndarray, told: MotionEr
     motion, a part LONGER times as long is looked at, and so on. Where jumps of loads or events begin vibrations that
     are not resolved, it is the whole motion.
     """
-    found, share, at = told, FIRST_PART, marks.early
+    found, share, at = told, FIRST_PART, comparison_times.early
     sizes = amplitudes(run.problem.model, seen[0])  # of the whole motion
     while True:
-        pair = beside(run, marks, at, 1, 1 if run.plan.scheme.adaptive else FINER, 1 / FINER)
+        pair = beside(run, comparison_times, at, 1, 1 if run.plan.scheme.adaptive else FINER, 1 / FINER)
         if isinstance(pair, MotionError):
             break
         error = pair.error(slice(None), sizes, seen[1])
@@ -296,7 +300,7 @@ def with_what_is_damped(run: Run, marks: Marks, seen: np.ndarray, told: MotionEr
         if share == 1.0 or not (excited or (most > DOUBTED * _sizes(told)).any()):
             break
         share = 1.0 if excited else min(1.0, LONGER * share)
-        at = marks.at[marks.at <= share * marks.at[-1]]
+        at = comparison_times.at[comparison_times.at <= share * comparison_times.at[-1]]
     return found
 
 
@@ -341,7 +345,9 @@ class Pair:
         return motion_error(self.model, self.t[part], q, other_q, sizes, (v, other_v), rates)
 
 
-def compared(run: Run, marks: Marks, seen: np.ndarray, ratio: float, early: bool = False) -> MotionError:
+def compared(
+    run: Run, comparison_times: ComparisonTimes, seen: np.ndarray, ratio: float, early: bool = False
+) -> MotionError:
     """The difference to a companion whose steps are about `ratio` times as long; or why there is none.
 
     seen (2, N, n_told): of the whole run and of its rates, which tells its amplitudes. early: in its first part only.
@@ -349,38 +355,45 @@ def compared(run: Run, marks: Marks, seen: np.ndarray, ratio: float, early: bool
     plan = run.record.segments[0].plan
     a = 1 if plan.scheme.adaptive or early else _common_steps(run.problem, plan)
     b = 1 if plan.scheme.adaptive else FINER if early else coprime(a, ratio)
-    pair = beside(run, marks, marks.early if early else marks.at, a, b, ratio)
+    pair = beside(run, comparison_times, comparison_times.early if early else comparison_times.at, a, b, ratio)
     if isinstance(pair, MotionError):
         return pair
     motion = seen[0] if early else np.concatenate([pair.companion[0], seen[0]])
     return pair.error(slice(None), amplitudes(pair.model, motion), seen[1])
 
 
-def beside(run: Run, marks: Marks, at: np.ndarray, a: int, b: int, ratio: float) -> Pair | MotionError:
+def beside(
+    run: Run, comparison_times: ComparisonTimes, at: np.ndarray, a: int, b: int, ratio: float
+) -> Pair | MotionError:
     """A run and a companion with b steps for each a of its, at steps of the run that are multiples of a; or why not."""
     problem, plan = run.problem, run.record.segments[0].plan
-    at = at[among(at, np.array(marks.steps()))]
+    at = at[among(at, np.array(comparison_times.steps()))]
     if not len(at):
         return MotionError(reason="the run is too short for it")
-    other_marks = Marks(at // a * b)
-    stepped = stepped_by(problem, plan, plan.grid.dt_L * a / b, int(other_marks.at[-1]), ratio)
-    other = begun(problem, stepped, other_marks, quiet=True, like=run)
+    other_times = ComparisonTimes(at // a * b)
+    stepped = stepped_by(problem, plan, plan.grid.dt_L * a / b, int(other_times.at[-1]), ratio)
+    other = begun(problem, stepped, other_times, quiet=True, like=run)
     if ratio == 1 / INSIDE and (missed := [one for one in loads_missed(other) if one.kind == "load_missed"]):
         return MotionError(reliable_until=missed[0].time, reason=missed[0].text)
     status = other.integrate()
     if status.name == "interrupted":
         raise KeyboardInterrupt
-    both = among(other_marks.at, np.array(other_marks.steps()))
+    both = among(other_times.at, np.array(other_times.steps()))
     if status.ok and not both.any():
         return MotionError(reason="it ends before it is looked at twice")
     if not status.ok:
         reason = f"made again with steps of {other.segment.plan.grid.dt_L:.3g} s the motion ends as {status.name}"
         return MotionError(reliable_until=status.time, reason=f"{reason} at t = {status.time:.4g} s")
     model = problem.model
-    return Pair(model, plan.times(at[both]), marks.told(model, at[both]), other_marks.told(model, other_marks.at[both]))
+    return Pair(
+        model,
+        plan.times(at[both]),
+        comparison_times.told(model, at[both]),
+        other_times.told(model, other_times.at[both]),
+    )
 
 
-def compared_behind_start(run: Run, marks: Marks, seen: np.ndarray, ratio: float) -> MotionError:
+def compared_behind_start(run: Run, comparison_times: ComparisonTimes, seen: np.ndarray, ratio: float) -> MotionError:
     """The difference to a companion whose steps are about `ratio` times as long behind its first part, and START_FINER
     times shorter in it; not where inputs, events or other independent coordinates would have to go along.
 
@@ -390,7 +403,9 @@ def compared_behind_start(run: Run, marks: Marks, seen: np.ndarray, ratio: float
     problem, plan = run.problem, run.record.segments[0].plan
     a = _common_steps(problem, plan)
     b, first = coprime(a, ratio), a * ceil(plan.whole_steps * FIRST_PART / a)
-    at = marks.at[among(marks.at, np.array(marks.steps())) & (marks.at > first)]
+    at = comparison_times.at[
+        among(comparison_times.at, np.array(comparison_times.steps())) & (comparison_times.at > first)
+    ]
     if problem.model.description.events or problem.inputs or len(run.record.segments) > 1 or not len(at):
         return MotionError(reason="it cannot be begun with other steps")
     fine = stepped_by(problem, plan, plan.grid.dt_L / START_FINER, first * START_FINER, 1 / START_FINER)
@@ -402,7 +417,7 @@ def compared_behind_start(run: Run, marks: Marks, seen: np.ndarray, ratio: float
         return MotionError(reason=f"with steps of {start.segment.plan.grid.dt_L:.3g} s it ends as {status.name}")
     there = start.seen()
     later = replace(problem, t0=plan.time(first), state=ConsistentState(there.q[-1], there.q_dot[-1], {}))
-    beside = Marks((at - first) // a * b)
+    beside = ComparisonTimes((at - first) // a * b)
     stepped = stepped_by(later, replace(plan, t0=later.t0), plan.grid.dt_L * a / b, int(beside.at[-1]), ratio)
     other = begun(later, stepped, beside, quiet=True)
     status = other.integrate()
@@ -412,7 +427,7 @@ def compared_behind_start(run: Run, marks: Marks, seen: np.ndarray, ratio: float
     if not status.ok or not both.any():
         return MotionError(reason=f"with longer steps behind its start it ends as {status.name}")
     model = problem.model
-    (mine, v), (theirs, other_v) = marks.told(model, at[both]), beside.told(model, beside.at[both])
+    (mine, v), (theirs, other_v) = comparison_times.told(model, at[both]), beside.told(model, beside.at[both])
     sizes = amplitudes(model, np.concatenate([theirs, seen[0]]))
     return motion_error(model, plan.times(at[both]), mine, theirs, sizes, (v, other_v), seen[1])
 

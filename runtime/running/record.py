@@ -1,5 +1,5 @@
-"""What is kept of a run: the scheme's own vectors z, which are turned into a Solution at the end, and those at marks,
-by which two ways to make one motion are compared.
+"""What is kept of a run: the scheme's own vectors z, which are turned into a Solution at the end, and those at
+comparison times, by which two ways to make one motion are compared.
 """
 
 from __future__ import annotations
@@ -125,7 +125,7 @@ def among(values: np.ndarray, known: np.ndarray) -> np.ndarray:
     return np.asarray(known[np.minimum(np.searchsorted(known, values), len(known) - 1)] == values)
 
 
-class Marks(Record):
+class ComparisonTimes(Record):
     """States of a run at the steps at which it is compared with another, `at`, and at `early` ones of its first part.
 
     Both rise and begin behind the start.
@@ -149,7 +149,7 @@ class Marks(Record):
         return self._told if steps is None else self._told.compress(among(known, np.asarray(steps)), axis=1)
 
     def within(self, first: int, last: int) -> list[int]:
-        """Steps between two that are at a mark, these left out."""
+        """Steps between two that are at a comparison time, these left out."""
         low, high = np.searchsorted(self._all, [first + 1, last])
         return [int(step) for step in self._all[low:high]]
 

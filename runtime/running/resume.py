@@ -17,7 +17,7 @@ from runtime.results.motion_error import MotionError
 from runtime.running.checkpoint import Checkpoint, read_checkpoint
 from runtime.running.chunk_length import ChunkLength
 from runtime.running.inputs import InputValue, bound
-from runtime.running.outcome import NOT_ASKED, finished, marks_of
+from runtime.running.outcome import NOT_ASKED, comparison_times_of, finished
 from runtime.running.problem import Plan, Problem
 from runtime.running.recording import record_of
 from runtime.running.run import Run
@@ -104,19 +104,19 @@ def resume(
         [Event(**event) for event in header["events"]],
         singularity=SingularityMonitor.remembered(header["guard"]),
         earlier=kept.arrays.get("earlier"),
-        marks=marks_of(problem, plan) if "mark_samples" in kept.arrays else None,
+        comparison_times=comparison_times_of(problem, plan) if "mark_samples" in kept.arrays else None,
         started=started,
     )
-    if run.marks is not None:
-        marks = {name: kept.arrays[f"mark_{name}"] for name in ("sample_segments", "samples")}
-        run.marks.segments = record.segments
-        run.marks.restore(marks, 0, -1)
-        run.marks.last_step = max(run.marks.steps(), default=-1)
+    if run.comparison_times is not None:
+        comparison_times = {name: kept.arrays[f"mark_{name}"] for name in ("sample_segments", "samples")}
+        run.comparison_times.segments = record.segments
+        run.comparison_times.restore(comparison_times, 0, -1)
+        run.comparison_times.last_step = max(run.comparison_times.steps(), default=-1)
     run.event_handler.resume(header["happened"])
     schedule = problem.schedule(plan.grid.dt_L)
     schedule.resume(header["schedule"])
     run.follow(schedule)
-    return finished(run, MotionError(reason=NOT_ASKED) if run.marks is None else None)
+    return finished(run, MotionError(reason=NOT_ASKED) if run.comparison_times is None else None)
 
 
 def _segments(model: EmittedModel, kept: Checkpoint, engine: str, path: str | Path) -> list[SteppedModel]:

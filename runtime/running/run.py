@@ -17,7 +17,7 @@ from runtime.running.inputs import EndlessInput, Schedule
 from runtime.running.interrupts import Interrupts
 from runtime.running.monitor import Failure, Monitor
 from runtime.running.problem import Plan, Problem
-from runtime.running.record import Marks, Record
+from runtime.running.record import ComparisonTimes, Record
 from runtime.running.recording import record_of
 from runtime.running.run_options import RunOptions
 from runtime.running.singular.singularity_monitor import SingularityMonitor
@@ -65,7 +65,7 @@ class Run:
     events: list[Event] = field(default_factory=list)
     status: Status | None = None
     singularity: SingularityMonitor = field(default_factory=SingularityMonitor)
-    marks: Marks | None = None
+    comparison_times: ComparisonTimes | None = None
     schedule: Schedule | None = None
     earlier: np.ndarray | None = None
     interrupts: Interrupts = field(default_factory=Interrupts)
@@ -226,8 +226,8 @@ class Run:
         handler.told.clear()
         if found.drop_from is not None:
             self.record.drop_from(found.drop_from)
-            if self.marks is not None:
-                self.marks.drop_from(found.drop_from)
+            if self.comparison_times is not None:
+                self.comparison_times.drop_from(found.drop_from)
         for sample in found.samples:
             self.keep(sample[None])
         self.status = found.status
@@ -363,24 +363,24 @@ class Run:
         """How many steps the next native call makes: up to the next thing that anybody wants to see."""
         done, every = self.step, self.further.checkpoint_every
         n = min(self.chunk_length.next_steps(done, self.plan.seen_steps), self.plan.steps - done)
-        if self.marks is not None and self.chunk_length.slow(done):  # no state is kept on the way then
-            n = min([n, *(mark - done for mark in self.marks.within(done, done + n))])
+        if self.comparison_times is not None and self.chunk_length.slow(done):  # no state is kept on the way then
+            n = min([n, *(mark - done for mark in self.comparison_times.within(done, done + n))])
         if self.schedule is not None:
             n = min(n, self.schedule.until_next(done) or n)
         return n if every is None else min(n, every - done % every)
 
     def to_be_seen(self, n: int) -> list[int]:
-        """Steps within the next n that are saved or at marks, and the last of these."""
+        """Steps within the next n that are saved or at comparison times, and the last of these."""
         done, every = self.step, self.plan.seen_steps
-        marks = [] if self.marks is None else self.marks.within(done, done + n)
-        return sorted({*range(done + every - done % every, done + n, every), *marks, done + n})
+        comparison_times = [] if self.comparison_times is None else self.comparison_times.within(done, done + n)
+        return sorted({*range(done + every - done % every, done + n, every), *comparison_times, done + n})
 
     def keep(self, rows: np.ndarray) -> None:
-        """Of the states (N, n_z) those that are to be saved, or are at marks."""
+        """Of the states (N, n_z) those that are to be saved, or are at comparison times."""
         if self.status is not None:
             return
         steps = rows[:, 1].astype(int)
-        for kept in (self.record, self.marks):
+        for kept in (self.record, self.comparison_times):
             if kept is not None:
                 kept.add(self.segment, rows[kept.due(steps)])
 
@@ -411,7 +411,7 @@ class Run:
 def begun(
     problem: Problem,
     plan: Plan,
-    marks: Marks | None,
+    comparison_times: ComparisonTimes | None,
     further: RunOptions | None = None,
     quiet: bool = False,
     like: Run | None = None,
@@ -444,11 +444,11 @@ def begun(
         chunk_length,
         events,
         singularity=singularity,
-        marks=marks,
+        comparison_times=comparison_times,
         started=started,
     )
-    if marks is not None:
-        marks.segments = record.segments
+    if comparison_times is not None:
+        comparison_times.segments = record.segments
     run.start(problem.schedule(plan.grid.dt_L), None if like is None else like.record.segments[0].monitor)
     return run
 

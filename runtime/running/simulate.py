@@ -16,7 +16,7 @@ from runtime.contract.model import EmittedModel, refuse_events
 from runtime.operating.given_state import given_state
 from runtime.results.motion_error import MotionError
 from runtime.running.inputs import InputValue, bound, scheduled, started
-from runtime.running.outcome import NOT_ASKED, finished, marks_of
+from runtime.running.outcome import NOT_ASKED, comparison_times_of, finished
 from runtime.running.planning import make_plan
 from runtime.running.problem import (
     AUTO,
@@ -195,7 +195,7 @@ def simulate(
     plan = make_plan(model, end, dt, m, wanted, seen, options, begin, further.bounded)
     plan = replace(plan, force=force, outputs=tuple(outputs or ()))
     problem = Problem.of(model, end, parameters, initial, start, begin, inputs, engine, plan.grid.dt_L)
-    run = begun(problem, plan, marks_of(problem, plan) if error == MEASURED else None, further)
+    run = begun(problem, plan, comparison_times_of(problem, plan) if error == MEASURED else None, further)
     return finished(run, MotionError(reason=NOT_ASKED) if error == OFF else None)
 
 
