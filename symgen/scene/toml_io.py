@@ -78,6 +78,8 @@ def within(path: Path, *folders: Path) -> Path | None:
     """The file behind a path and its links, None where it is below none of the folders."""
     try:
         found = path.resolve()
+        if found.is_symlink():  # links in a circle, which resolve() raises up to Python 3.12
+            return None
         return found if any(found.is_relative_to(folder.resolve()) for folder in folders) else None
     except (OSError, ValueError, RuntimeError):  # what no path can hold, links in a circle
         return None
