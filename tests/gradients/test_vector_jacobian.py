@@ -60,13 +60,20 @@ def test_products_follow_the_closed_form(
         np.testing.assert_allclose(run.pull_back(run.x0, bars, mode), expected, rtol=0, atol=1e-12)
 
 
-def test_records_do_not_disturb_each_other(run: DifferentiableRun) -> None:
-    """Two at a time, taken back in the order in which they were made."""
-    points = [run.x0, run.x0 * 1.5]
-    bars = np.ones((len(run.t), 2))
-    first, second = (run.record(x, "reverse") for x in points)
-    for kept, x in ((first, points[0]), (second, points[1])):
-        assert np.array_equal(kept.pull_back(bars), run.pull_back(x, bars, "reverse"))
+@pytest.mark.parametrize("whole", [True, False], ids=["whole", "in parts"])
+def test_records_keep_their_run(built_in: Callable[[str], Model], whole: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two at a time, each taken back twice: what comes is the Jacobian from the left. The motion is not linear."""
+    if not whole:
+        monkeypatch.setattr(passes, "TAPE_NUMBERS", 1)
+    model = built_in("double_pendulum")
+    run = DifferentiableRun(model, ["lower.theta"], ["upper.theta"], t_end=0.5, dt=2e-3, scheme="rk4", seen_every=0.1)
+    points = [run.x0, run.x0 + 0.3]
+    records = [run.record(x, "reverse") for x in points]
+    for seed in (0, 1):
+        bars = np.random.default_rng(seed).normal(size=(len(run.t), 1))
+        for record, x in zip(records, points, strict=True):
+            expected = np.einsum("ny,nyk->k", bars, run.jacobian(x).derivatives)
+            np.testing.assert_allclose(record.pull_back(bars), expected, rtol=1e-11)
 
 
 @pytest.mark.parametrize(
