@@ -100,7 +100,7 @@ class Radau(Scheme):
     if_not_converged = (
         "Newton's matrix is that of the start of a step, and a load bends within it, as friction that reverses does: "
         "give the joint `friction`, which sticks exactly, or take exponential with propagation = decaying, which "
-        "iterates nothing."
+        "iterates nothing. A tolerance finds how short its steps have to be; ten times shorter may not do."
     )
 
     options: RadauOptions
