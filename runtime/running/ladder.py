@@ -2,6 +2,11 @@
 
 The error of a rung is measured as that of any run: by what it differs from the rung before. Which method climbs is
 decided by the operations that its first rung takes; `auto`, advice and comparisons read such ladders.
+
+In the field's words: step refinement by the global error, each rung a refinement level, with Richardson extrapolation
+where the order of the truncation error shows (E. Hairer, S. P. Norsett, G. Wanner: Solving Ordinary Differential
+Equations I, 2nd ed., Springer 1993, sections II.4 and II.9). Step size control by the local error is in
+schemes/step_size_controller.py.
 """
 
 from __future__ import annotations
