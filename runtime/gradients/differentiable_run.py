@@ -385,7 +385,23 @@ class DifferentiableRun:
         return self.record(x, mode).pull_back(cotangents)
 
     def mode_of(self, mode: str) -> str:
-        """What ``auto`` means here: ``forward`` where all directions fit side by side. Raises ArgumentError."""
+        """Say what ``auto`` means here: ``forward`` where all directions fit side by side.
+
+        Parameters
+        ----------
+        mode : str
+            ``forward``, ``reverse`` or ``auto``.
+
+        Returns
+        -------
+        str
+            ``forward`` or ``reverse``.
+
+        Raises
+        ------
+        ArgumentError
+            For another word.
+        """
         if mode not in MODES:
             raise ArgumentError("mode", f"is {mode!r}", f"give one of {', '.join(MODES)}")
         return mode if mode != "auto" else "forward" if len(self.by) <= most_lanes() else "reverse"
