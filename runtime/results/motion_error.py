@@ -179,3 +179,29 @@ def _of_rates(model: EmittedModel, v: np.ndarray, other: np.ndarray, seen: np.nd
     sizes = np.sqrt(np.mean(np.concatenate(known) ** 2, axis=0))
     rms = np.sqrt(np.mean((v - other) ** 2, axis=0))
     return np.asarray(rms / np.maximum(np.maximum(sizes, STATIONARY * _largest_of_kind(model, sizes)), RESTS))
+
+
+def errors_of_many(model: EmittedModel, y: np.ndarray, other: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(relative (cases, n_told), of rates (cases, n_told)) of many motions: `motion_error` of each.
+
+    y, other (cases, 2 n_told, N): what tells the motions and its rates, at common times.
+    """
+    n, sizes_of_rates = y.shape[1] // 2, np.sqrt(np.mean(np.concatenate([y, other], axis=2) ** 2, axis=2))
+    rms = np.sqrt(np.mean((y - other) ** 2, axis=2))
+    both = np.concatenate([y, other], axis=2)
+    sizes = np.std(both, axis=2)
+    turns = _kinds(model)[1] & (np.ptp(both[:, :n], axis=2) > ROUND)
+    amplitude = np.where(turns, np.minimum(sizes[:, :n], TURN), sizes[:, :n])
+    off = np.where(_states(model), rms[:, n:], rms[:, :n])
+    amplitude = np.where(_states(model), sizes[:, n:], amplitude)
+    alike = _kinds(model)[0][None]
+
+    def largest(values: np.ndarray) -> np.ndarray:
+        return np.asarray(np.where(alike, values[:, None, :], -np.inf).max(axis=2, initial=-np.inf))
+
+    least = np.maximum(amplitude, SHARE * largest(amplitude))
+    least = np.where(least > 0, least, 1.0)
+    dust = DUST * np.maximum(1.0, np.abs(y[:, :n]).max(axis=2))
+    v = sizes_of_rates[:, n:]
+    rates = rms[:, n:] / np.maximum(np.maximum(v, STATIONARY * largest(v)), RESTS)
+    return off / np.maximum(least, dust), rates

@@ -19,13 +19,15 @@ from runtime.studies.ensemble.question import Question
 def dataset(question: Question, table: np.ndarray, results: LaneResults) -> Any:
     """Of all cases: status(case), time_reached(case), what was varied, and the outputs."""
     arrays, model, plan = columns(question, table, results), question.model, question.plan
+    asked = question.refinement
     if find_spec("xarray") is None:
         return {name: values for name, (_, values, _) in arrays.items()}
     import xarray
 
     varied = [*question.parameters, *(f"initial.{name}" for name in question.initial)]
     coordinates = {name: arrays.pop(name) for name in ("case", "time", *varied) if name in arrays}
-    attributes = {"model": model.name, "title": model.title, "scheme": plan.name, "dt": plan.grid.dt_L}
+    attributes = {"model": model.name, "title": model.title, "scheme": plan.name}
+    attributes |= {"dt": plan.grid.dt_L} if asked is None else {"tolerance": asked.tolerance}
     return xarray.Dataset(arrays, coords=coordinates, attrs=attributes)
 
 
@@ -34,7 +36,7 @@ def columns(
 ) -> dict[str, tuple[tuple[str, ...], np.ndarray, dict[str, str]]]:
     """{name: (dimensions, values, {"units": unit, "long_name": meaning})}."""
     model, values = question.model, results.values
-    told = described(model, [*question.initial, *question.outputs])
+    told = described(model, [*question.initial, *question.asked])
     found: dict[str, Any] = {"case": (("case",), np.arange(len(table)), {"long_name": "case"})}
 
     def keep(name: str, dimensions: tuple[str, ...], column: np.ndarray, meaning: str, unit: str = "") -> None:
@@ -54,10 +56,17 @@ def columns(
     for k, (output, reduction) in enumerate(question.reduced):
         keep_output(f"{output}_{reduction}", ("case",), values[:, k], output, f"{reduction} of ")
     if not question.reduced:
-        marks = np.array(question.marks)
+        marks = np.array(question.sampled)
         keep("time", ("time",), question.plan.times(marks), "time", "s")
-        for output, part in zip(question.outputs, np.split(values, len(question.outputs), axis=1), strict=True):
+        for output, part in zip(question.asked, np.split(values, len(question.asked), axis=1), strict=True):
             keep_output(output, ("case", "time"), part, output)
+    if question.refinement is not None:
+        keep("error", ("case",), results.errors[:, 0], "estimated RMS error of the motion over its amplitudes", "1")
+        keep("steps", ("case",), results.steps, "steps of the run that answers")
+        values_of = question.reduced or [(name, "") for name in question.asked]
+        for (output, reduction), column in zip(values_of, results.errors.T[1:], strict=True):
+            name, how = (f"{output}_{reduction}", f"{reduction} of ") if reduction else (output, "")
+            keep_output(f"error.{name}", ("case",), column, output, f"estimated error of {how}")
     return found
 
 

@@ -23,7 +23,8 @@ from runtime.studies.ensemble.answer import dataset
 from runtime.studies.ensemble.lane_runs import LaneResults
 from runtime.studies.ensemble.parts import CHUNK, Executor, HereExecutor, Maker, in_parts
 from runtime.studies.ensemble.question import Question
-from runtime.studies.ensemble.rows import Rows
+from runtime.studies.ensemble.refined_rows import rows_of
+from runtime.studies.ensemble.refinement import refuse_steps
 from runtime.studies.ensemble.starts import columns_by_name, table_of, with_functions
 
 
@@ -45,6 +46,7 @@ def ensemble(
     reduce: Mapping[str, str | Sequence[str]] | None = None,
     seen_every: float | None = None,
     samples: int | None = None,
+    tolerance: float | None = None,
     workers: int | None = None,
     executor: Executor | Maker | None = None,
     folder: str | Path | None = None,
@@ -73,6 +75,9 @@ def ensemble(
         Histories in place of `reduce`: time between stored samples [s].
     samples : int, optional
         Their number besides the first, in place of `seen_every`.
+    tolerance : float, optional
+        RMS error of each case's motion over its amplitudes [1], in place of dt. Each case is stepped again, finer,
+        until it meets it.
     workers : int, optional
         Threads; None: as many as processors, with an executor one a worker.
     executor : Executor or callable, optional
@@ -102,6 +107,11 @@ def ensemble(
 
     Notes
     -----
+    To a tolerance every case has its own steps and its own `error`, and `error.<output>` (or
+    `error.<output>_<reduction>`) in units of the output, RMS over the motion where it is a history; `steps` of the run
+    that answers. A case that more steps do not bring below the tolerance is `inaccurate`, with its error; NaN where
+    nothing could be measured. Errors are estimates by Richardson's extrapolation from runs with unlike steps.
+
     Cases are lanes of the same native steps. Order and bits are those of one process, whatever works them out.
     """
     if not model.q_i:
@@ -115,9 +125,17 @@ def ensemble(
     if reduce is not None and seen is not None:
         remedy = "give reduce for values of whole runs, or seen_every (or samples)"
         raise ArgumentError("reduce and seen_every", "are two answers", remedy)
-    plan = make_plan(model, t_end, dt, m, scheme, seen, options, t0, bounded=True)
-    question = Question.ask(model, names, plan, start, outputs, reduce)
-    _check_names(question)
+    if tolerance is None:
+        plan = make_plan(model, t_end, dt, m, scheme, seen, options, t0, bounded=True)
+        question = Question.ask(model, names, plan, start, outputs, reduce)
+        _check_names(question)
+    else:
+        refuse_steps(scheme, dt, m, options)
+        question = Question.to_tolerance(
+            model, names, table, tolerance, start, outputs, reduce,
+            scheme=scheme, m=m, options=options, t0=t0, t_end=t_end, seen=seen,
+        )  # fmt: skip
+        _check_names(question)
     size, tries = _whole("chunk", CHUNK if chunk is None else chunk, 1), _whole("retries", retries, 0)
     if executor is not None and not (hasattr(executor, "submit") or callable(executor)):
         raise ArgumentError("executor", f"{executor!r} has no submit", "give an executor, or a function that makes one")
@@ -126,7 +144,7 @@ def ensemble(
 
     def parts(stopped: Callable[[], bool]) -> Iterator[tuple[int, LaneResults]]:
         if executor is None and folder is None:
-            return Rows(question, table).in_threads(count, stopped)
+            return rows_of(question, table).in_threads(count, stopped)
         where = executor if executor is not None else HereExecutor()
         return in_parts(
             question, table, executor=where, chunk=size, threads=count, retries=tries, folder=folder, stopped=stopped

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import ceil
 
 import casadi as ca
@@ -36,23 +36,40 @@ LONGEST_CALL = 0.2  # s, so that Ctrl-C and progress are heard
 
 @dataclass(frozen=True)
 class LaneResults:
-    """Of some cases: values (cases, width), how they ended, times reached [s]; alone: to be run by themselves."""
+    """Of some cases: values (cases, width), how they ended, times reached [s]; alone: to be run by themselves.
+
+    Of cases with a tolerance also errors (cases, 1 + outputs or reduced values), of the motion relative to its
+    amplitudes and of each value in its unit, and the steps of the level that answers (cases,).
+    """
 
     values: np.ndarray
     status: np.ndarray
     time: np.ndarray
     alone: np.ndarray
+    errors: np.ndarray = field(default_factory=lambda: np.zeros((0, 0)))
+    steps: np.ndarray = field(default_factory=lambda: np.zeros(0, dtype=int))
+
+    @property
+    def kept(self) -> dict[str, np.ndarray]:
+        """What is told of the cases, by name."""
+        return {name: getattr(self, name) for name in ("values", "status", "time", "errors", "steps")}
 
     @staticmethod
     def none_yet(question: Question, cases: int) -> LaneResults:
         """Of cases that were not run."""
-        values, time = np.full((cases, question.width), np.nan), np.full(cases, question.plan.t0)
-        return LaneResults(values, np.full(cases, "interrupted", dtype=NAME), time, np.zeros(cases, dtype=bool))
+        values, time = np.full((cases, question.told), np.nan), np.full(cases, question.plan.t0)
+        status, alone = np.full(cases, "interrupted", dtype=NAME), np.zeros(cases, dtype=bool)
+        if question.refinement is None:
+            return LaneResults(values, status, time, alone)
+        errors = np.full((cases, 1 + len(question.reduced or question.asked)), np.nan)
+        return LaneResults(values, status, time, alone, errors, np.zeros(cases, dtype=int))
 
     def put(self, first: int, part: LaneResults) -> None:
         """Results of the cases from `first` on."""
-        for whole, piece in ((self.values, part.values), (self.status, part.status), (self.time, part.time)):
-            whole[first : first + len(piece)] = piece
+        for name, whole in self.kept.items():
+            if len(whole):
+                piece = getattr(part, name)
+                whole[first : first + len(piece)] = piece
 
 
 class LaneRuns:
@@ -135,7 +152,7 @@ class LaneRuns:
         """(cases,) those whose start is not one of lanes; what is held in the others is among their parameters now."""
         from runtime.schemes.switching.settle import NoMode, settled
 
-        model, scheme, alone = self.programs.model, self.programs.scheme, np.zeros(cases, dtype=bool)
+        model, scheme, alone = self.programs.model, self.question.plan.scheme, np.zeros(cases, dtype=bool)
         modes, none = model.element_modes, np.zeros(len(model.element_modes))
         if not len(modes):
             return alone
@@ -187,7 +204,7 @@ class LaneRuns:
 
     def _first_samples(self, blocks: np.ndarray, cases: int) -> np.ndarray:
         """Room for samples (cases, outputs, times), the first of them there; none where values are reduced."""
-        if self.question.reduced:
+        if not self.question.marks:
             return np.zeros((cases, 0, 0))
         samples = np.empty((cases, len(self.question.outputs), len(self.question.marks)))
         samples[:, :, 0] = self.values(blocks, cases, "outputs")
@@ -205,14 +222,16 @@ class LaneRuns:
         status[impossible], reached[impossible] = "not_assembled", 0
         alone = (alone | (status == ALONE)) & ~impossible
         failed, time = status != "completed", self.question.plan.times(reached)
+        kept = np.zeros((cases, 0))
         if self.question.reduced:
             kept = self._reduced(blocks, cases)
             kept[failed] = np.nan
+        if not self.question.marks:
             return LaneResults(kept, status, time, alone)
         late = np.array(self.question.marks)[None, :] > reached[:, None]
         samples[np.broadcast_to((late & failed[:, None])[:, None, :], samples.shape)] = np.nan
         samples[impossible] = np.nan
-        return LaneResults(samples.reshape(cases, -1), status, time, alone)
+        return LaneResults(np.hstack([kept, samples.reshape(cases, -1)]), status, time, alone)
 
     def _reduced(self, blocks: np.ndarray, cases: int) -> np.ndarray:
         """(cases, values): sums as means, and values at the end as a run by itself shows them."""

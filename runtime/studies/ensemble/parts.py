@@ -11,7 +11,7 @@ import json
 import time
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import BrokenExecutor
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -26,7 +26,8 @@ from runtime.contract.model import EmittedModel
 from runtime.running.problem import Plan
 from runtime.studies.ensemble.lane_runs import LaneResults
 from runtime.studies.ensemble.question import Question
-from runtime.studies.ensemble.rows import Rows
+from runtime.studies.ensemble.refined_rows import rows_of
+from runtime.studies.ensemble.refinement import Refinement
 
 CHUNK = 1000  # cases of a part
 AHEAD = 4  # parts a worker that wait
@@ -70,6 +71,7 @@ class Job:
     start: str
     outputs: list[str]
     reduced: list[tuple[str, str]]
+    refinement: Refinement | None
     version: str
 
     @classmethod
@@ -79,16 +81,20 @@ class Job:
         parameters, initial, start = question.parameters, question.initial, question.start
         outputs, reduced, model = question.outputs, question.reduced, question.model
         said = [model.digest, own_version(), parameters, initial, plan, start, outputs, reduced]
+        if question.refinement is not None:
+            said.append(asdict(question.refinement))
         digest = hashlib.sha256(json.dumps(said, default=str, sort_keys=True).encode())
         digest.update(repr(sorted(model.input_values.items())).encode() + model.driven_by.encode())
         digest.update(np.ascontiguousarray(table).tobytes())
         key = digest.hexdigest()[:24]
-        return cls(key, model, parameters, initial, plan, start, outputs, reduced, own_version())
+        refinement = question.refinement
+        return cls(key, model, parameters, initial, plan, start, outputs, reduced, refinement, own_version())
 
     def question(self) -> Question:
         """As it was asked."""
         plan = Plan.of_numbers(self.model, self.plan)
-        return Question(self.model, self.parameters, self.initial, plan, self.start, self.outputs, self.reduced)
+        asked = (self.outputs, self.reduced, self.refinement)
+        return Question(self.model, self.parameters, self.initial, plan, self.start, *asked)
 
 
 @cache
@@ -103,8 +109,8 @@ def own_version() -> str:
 _questions: dict[str, Question] = {}  # of this worker: prepared once for all parts of a study
 
 
-def work_out(job: Job, table: np.ndarray, threads: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """values, status and time of some cases: what a worker does. Raises ModelError where it has another version."""
+def work_out(job: Job, table: np.ndarray, threads: int) -> dict[str, np.ndarray]:
+    """What is told of some cases, by name: what a worker does. Raises ModelError where it has another version."""
     if job.version != own_version():
         problem = f"this worker has symgen {own_version()}, the study was begun with {job.version}"
         raise ModelError("ensemble", problem, "install the same version everywhere")
@@ -113,9 +119,9 @@ def work_out(job: Job, table: np.ndarray, threads: int) -> tuple[np.ndarray, np.
         _questions[job.key] = job.question()
     question = _questions[job.key]
     found = LaneResults.none_yet(question, len(table))
-    for first, part in Rows(question, table).in_threads(threads, lambda: False):
+    for first, part in rows_of(question, table).in_threads(threads, lambda: False):
         found.put(first, part)
-    return found.values, found.status, found.time
+    return found.kept
 
 
 class StudyFolder:
@@ -145,7 +151,7 @@ class StudyFolder:
         """The part from this case on; None where it was not done or is damaged."""
         try:
             with open(self._file(first), "rb") as stream, np.load(stream, allow_pickle=False) as part:
-                found = _results(part["values"], part["status"], part["time"])
+                found = _results(part)
         except (OSError, ValueError, KeyError, EOFError, BadZipFile):
             return None
         return found if len(found.time) == count else None
@@ -153,11 +159,12 @@ class StudyFolder:
     def write(self, first: int, part: LaneResults) -> None:
         """Keep a part, whole or not at all. Raises OutputError."""
         with replacing(self._file(first)) as place, open(place, "wb") as stream:
-            np.savez(stream, values=part.values, status=part.status, time=part.time)
+            np.savez(stream, **part.kept)
 
 
-def _results(values: np.ndarray, status: np.ndarray, reached: np.ndarray) -> LaneResults:
-    return LaneResults(values, status, reached, np.zeros(len(reached), dtype=bool))
+def _results(kept: Mapping[str, np.ndarray]) -> LaneResults:
+    found = {name: kept[name] for name in ("values", "status", "time", "errors", "steps")}
+    return LaneResults(alone=np.zeros(len(found["time"]), dtype=bool), **found)
 
 
 def _about(header: Any) -> str:
@@ -194,7 +201,7 @@ def in_parts(
     workers = _Workers(executor, retries)
     try:
         for first, values in workers.work(job, table, left[::-1], chunk, threads, stopped):
-            part = _results(*values)
+            part = _results(values)
             if study:
                 study.write(first, part)
             yield first, part

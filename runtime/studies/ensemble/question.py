@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
 
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import EmittedModel
 from runtime.results.named_outputs import column
 from runtime.running.problem import Plan
 from runtime.studies.ensemble.account import REDUCTIONS
+from runtime.studies.ensemble.refinement import Refinement, compared_names, refinement_of
 
+DATA = ("steps", "dt", "seen_steps", "end")  # of a plan's numbers: what lanes are given, not compiled for
 LOOK_STEPS, MOST_LOOKS = 250, 16  # a run is looked at about every so many steps, at most so often
 
 
@@ -19,7 +24,7 @@ class Question:
     """Names and settings; the samples themselves are an array (cases, parameters and initial values) beside it.
 
     start: "" for the scene's own. reduced: (output, reduction) of each value kept of a case; () where each output is
-    at every `plan.seen_steps`-th step.
+    at every `plan.seen_steps`-th step. refinement: where each case has a tolerance; the plan is then of one level.
     """
 
     model: EmittedModel
@@ -29,6 +34,7 @@ class Question:
     start: str
     outputs: list[str]
     reduced: list[tuple[str, str]]
+    refinement: Refinement | None = None
 
     @classmethod
     def ask(
@@ -44,16 +50,60 @@ class Question:
         kept = _outputs(model, outputs, reduce)
         return cls(model, *names, plan, start or "", kept, [] if reduce is None else _reduced(kept, reduce))
 
+    @classmethod
+    def to_tolerance(
+        cls,
+        model: EmittedModel,
+        names: tuple[list[str], list[str]],
+        table: np.ndarray,
+        tolerance: float,
+        start: str | None,
+        outputs: Sequence[str] | None,
+        reduce: Mapping[str, str | Sequence[str]] | None,
+        **settings: Any,
+    ) -> Question:
+        """The same for cases with a tolerance; table: samples. settings: of `refinement_of`. Raises what that does."""
+        kept = _outputs(model, outputs, reduce)
+        reduced = [] if reduce is None else _reduced(kept, reduce)
+        found, plan = refinement_of(model, names, table, tolerance, start=start, asked=len(kept), **settings)
+        beside = [name for name in compared_names(model) if name not in kept]
+        return cls(model, *names, plan, start or "", [*kept, *beside], reduced, found)
+
     def alike(self, other: Question) -> bool:
-        """Do the two differ in their samples only?"""
-        mine, others = ((one.plan.numbers, one.start, one.outputs, one.reduced) for one in (self, other))
-        return self.model is other.model and mine == others
+        """Do the two differ in their samples and the number of steps only? Both are data of lanes."""
+
+        def of(one: Question) -> tuple[object, ...]:
+            numbers = {name: value for name, value in one.plan.numbers.items() if name not in DATA}
+            return numbers, one.plan.end is None, one.start, one.outputs, one.reduced
+
+        return self.model is other.model and of(self) == of(other)
+
+    def level(self, steps: int) -> Question:
+        """The same with so many steps in each unit of the refinement."""
+        assert self.refinement is not None
+        return replace(self, plan=self.refinement.plan(self.plan, steps))
 
     @property
     def marks(self) -> list[int]:
-        """Steps of the samples, the first and the last among them; none where values of whole runs are kept."""
+        """Steps of all samples: those of histories, and those at which levels are compared."""
+        compared = [] if self.refinement is None else self.refinement.places(self.plan).tolist()
+        return sorted({*self.sampled, *compared})
+
+    @property
+    def sampled(self) -> list[int]:
+        """Steps of histories, the first and the last among them; none where values of whole runs are kept."""
         steps = self.plan.steps
         return [] if self.reduced else sorted({*range(0, steps, self.plan.seen_steps), steps})
+
+    @property
+    def asked(self) -> list[str]:
+        """The outputs that the user wants."""
+        return self.outputs if self.refinement is None else self.outputs[: self.refinement.asked]
+
+    @property
+    def compared(self) -> list[int]:
+        """Positions among the outputs of what levels are compared by."""
+        return [self.outputs.index(name) for name in compared_names(self.model)]
 
     @property
     def looks(self) -> list[int]:
@@ -64,8 +114,13 @@ class Question:
 
     @property
     def width(self) -> int:
-        """Values kept of a case."""
-        return len(self.reduced) if self.reduced else len(self.outputs) * len(self.marks)
+        """Values kept of a run: what is reduced, then the samples."""
+        return len(self.reduced) + len(self.outputs) * len(self.marks)
+
+    @property
+    def told(self) -> int:
+        """Values told of a case."""
+        return len(self.reduced) or len(self.asked) * len(self.sampled)
 
 
 def _outputs(

@@ -29,7 +29,10 @@ class Rows:
 
     def of(self, first: int, stop: int, stopped: Callable[[], bool] = lambda: False) -> LaneResults | None:
         """Results of these cases; None if `stopped` said so."""
-        samples = self.table[first:stop]
+        return self.run(self.table[first:stop], stopped)
+
+    def run(self, samples: np.ndarray, stopped: Callable[[], bool]) -> LaneResults | None:
+        """Results of any samples (cases, columns); None if `stopped` said so."""
         found = self.lanes.run(self._starts.of(samples), stopped)
         if found is None:
             return None
@@ -39,10 +42,14 @@ class Rows:
             found.values[case], found.status[case], found.time[case] = run_alone(self.question, samples[case])
         return found
 
+    def job(self, cases: int, workers: int) -> int:
+        """Cases that a thread takes at a time."""
+        return self.lanes.job(cases, workers)
+
     def in_threads(self, workers: int, stopped: Callable[[], bool]) -> Iterator[tuple[int, LaneResults]]:
         """(first case, results) of jobs, in order; ends early if `stopped` says so."""
         cases = len(self.table)
-        job = self.lanes.job(cases, workers)
+        job = self.job(cases, workers)
         jobs = iter([(first, min(first + job, cases)) for first in range(0, cases, job)])
         self.lanes.programs.compile()
         with ThreadPoolExecutor(workers, thread_name_prefix="symgen ensemble") as pool:
@@ -80,7 +87,7 @@ def run_alone(question: Question, sample: np.ndarray) -> tuple[np.ndarray, str, 
             t_end=plan.t_end,
             start=question.start or None,
             outputs=question.outputs,
-            seen_every=0.0 if question.reduced else plan.seen_steps * plan.grid.dt_L,
+            seen_every=0.0 if question.reduced or question.refinement else plan.seen_steps * plan.grid.dt_L,
             force=True,
             **given,
         )
@@ -92,6 +99,8 @@ def run_alone(question: Question, sample: np.ndarray) -> tuple[np.ndarray, str, 
 
 
 def _values(question: Question, solution: Solution) -> np.ndarray:
+    if question.refinement is not None:
+        return np.concatenate([_whole(question, solution), _sampled(question, solution)])
     if not question.reduced:
         times = len(question.marks)
         values = np.full((len(question.outputs), times), np.nan)
@@ -100,6 +109,19 @@ def _values(question: Question, solution: Solution) -> np.ndarray:
             found = solution.outputs[name][good][:times]
             values[k, : len(found)] = found
         return values.ravel()
+    return _whole(question, solution)
+
+
+def _sampled(question: Question, solution: Solution) -> np.ndarray:
+    """Outputs at the marks, of a run that is kept at every step."""
+    t, times = np.asarray(solution.outputs["t"]), question.plan.times(np.array(question.marks))
+    places = np.minimum(np.searchsorted(t, times - 0.25 * question.plan.last_step), len(t) - 1)
+    values = np.array([np.asarray(solution.outputs[name])[places] for name in question.outputs])
+    values[:, times > solution.status.time + 0.25 * question.plan.last_step] = np.nan
+    return values.ravel()
+
+
+def _whole(question: Question, solution: Solution) -> np.ndarray:
     if not solution.status.whole:
         return np.full(len(question.reduced), np.nan)
     return np.array([_reduced(solution.outputs[name], how) for name, how in question.reduced])
