@@ -30,6 +30,7 @@ LEAST_WHOLE = 3  # levels that come to their end before one is believed
 COARSE = ("diverged", "not_finite", "deflection_too_large", "constraints_lost", "mass_not_positive")  # steps may do it
 LOST_TWICE, LOST_COARSE = 2, 4  # levels in a row that end alike before a case does; of those that coarse steps cause
 SAME_TIME = 0.02  # of the motion: ends that are one
+LEAST_ORDER = 1.0  # that is shown where an error is extrapolated
 UNBELIEVED = 2.0  # times the steps of a level where nothing is known of its error
 ORDERS = np.linspace(0.05, 12.0, 240)  # that are looked for
 NAME = f"U{max(map(len, get_args(StatusName)))}"
@@ -95,6 +96,7 @@ class RefinedCases:
         self._spent = np.zeros(cases)
         self._ratio = np.full(cases, 2.0)  # of the last two levels
         self._differs = np.full((cases, SOON), np.nan)  # of levels from those before, the last one first
+        self._raw = np.full(cases, np.nan)  # the last one
         self._error = np.full(cases, np.nan)  # on the safe side
         self._kept = LaneResults.none_yet(question, cases)
         self._last = np.full((cases, 0, 0), np.nan)
@@ -131,26 +133,35 @@ class RefinedCases:
         asked = np.maximum(told, rates.max(axis=1) * tolerance / (ACCURATE * LARGEST))
         both = whole & (self._whole[w] > 0)
         ratio = np.where(both, steps / np.maximum(self._answer[w], 1), 2.0)
-        before, third = self._differs[w, 0], both & (self._whole[w] > 1)
+        raw, before, third = self._raw[w], self._differs[w, 0], both & (self._whole[w] > 1)
         with np.errstate(all="ignore"):
-            shown = np.where(third, shown_orders(before / asked, self._ratio[w], ratio), 0.0)
+            shown = np.where(third, shown_orders(raw / asked, self._ratio[w], ratio), 0.0)
+            raw_now = asked.copy()
             shows = third & (asked < before) & (shown > SHOWN * self._order)
             richer = np.maximum(2.0, ratio ** np.minimum(shown, self._order) - 1)
             # levels that agree by chance: no less than the pair before lets expect
             expected = before * (1 - ratio ** -float(self._order)) / (self._ratio[w] ** self._order - 1)
             chance = third & (asked < expected)
-            raised = np.where(chance, expected / np.maximum(asked, 1e-300), 1.0)
-        asked, told = np.where(chance, expected, asked), np.where(chance, told * raised, told)
+            falls = third & (shown > LEAST_ORDER)
+            share = np.where(falls, 1 / (ratio ** np.minimum(shown, self._order) - 1), 1.0)
+        asked = np.where(chance, expected, asked)
         self._error[w] = np.where(both, asked * np.where(shows, np.minimum(0.5, RICHARDSON / richer), 1.0), np.nan)
-        share = np.where(both, np.where(shows, 1.0 / richer, 1.0), np.nan)
+        share = np.where(both, share, np.nan)
         self._kept.errors[w, 0] = told * share
-        self._kept.errors[w, 1:] = self._of_outputs(values, self._kept.values[w]) * (share * raised)[:, None]
+        off = self._of_outputs(values, self._kept.values[w])
+        with np.errstate(divide="ignore"):
+            of_steps = np.where(both, 1 / np.maximum(ratio - 1, 0.1), np.nan)
+        at_ends = [how == "end" for _, how in self._question.reduced] or [True] * off.shape[1]
+        self._kept.errors[w, 1:] = off * np.where(at_ends, share[:, None], of_steps[:, None])
         self._differs[w] = np.roll(self._differs[w], 1, axis=1)
         self._differs[w, 0] = np.where(both, asked, np.nan)
-        self._ratio[w] = ratio
+        self._ratio[w], self._raw[w] = ratio, np.where(both, raw_now, np.nan)
 
     def _of_outputs(self, values: np.ndarray, before: np.ndarray) -> np.ndarray:
-        """(cases, values told apart) by what they differ, of histories the RMS."""
+        """(cases, values told apart) by what they differ, of histories the RMS.
+
+        What is reduced over steps, a mean or a peak, knows them at their ends only: it converges with order 1.
+        """
         off = np.abs(values - before)
         if self._question.reduced:
             return off
