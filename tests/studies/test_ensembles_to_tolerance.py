@@ -1,0 +1,164 @@
+"""Ensembles to a tolerance: what is told of each case against motions with far more steps, bits, statuses, refusals."""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+from runtime import load_model
+from runtime.contract.coordinates import followed
+from runtime.contract.errors import ArgumentError
+from runtime.schemes.options import SchemeError
+from symgen import Scene
+from symgen.generate import generate
+from symgen.scenes import SCENES
+
+# scene, scheme, tolerance, end [s], ranges of parameters and of initial values
+CASES = {
+    "pendulum": ("double_pendulum", "rk4", 1e-4, 5.0, {"lower.mass": (0.7, 1.3)}, {"upper.theta": (-0.5, 0.5)}),
+    "loose": ("double_pendulum", "rk4", 1e-2, 3.0, {"lower.mass": (0.7, 1.3)}, {"upper.theta": (-0.5, 0.5)}),
+    "auto": ("double_pendulum", None, 1e-3, 5.0, {"lower.mass": (0.7, 1.3)}, {"lower.theta": (-0.5, 0.5)}),
+}
+LONG = {
+    "hub": ("hub_beam", "exponential_rk4", 1e-3, 5.0, {"torque": (5.0, 15.0)}, {"hub.theta_dot": (0.0, 0.5)}),
+    "arm": ("flexible_joint_arm", "exponential_rk4", 1e-3, 2.0, {"shoulder_torque": (15.0, 35.0)}, {}),
+}
+SAMPLES, FINER = 60, 8
+
+
+def drawn(ranges, n: int, rng) -> dict[str, np.ndarray]:
+    return {name: rng.uniform(*both, n) for name, both in ranges.items()}
+
+
+def told_and_true(case, n: int):
+    """(the answer, true RMS errors over amplitudes (cases,)), by the same samples of motions with far more steps."""
+    scene, scheme, tolerance, end, parameters, initial = case
+    model, rng = SCENES[scene]().model(), np.random.default_rng(5)
+    varied = {"parameters": drawn(parameters, n, rng), "initial": drawn(initial, n, rng)}
+    names = followed(model)[0]
+    asked = {**varied, "outputs": names, "samples": SAMPLES, "t_end": end}
+    found = model.ensemble(**asked, scheme=scheme, tolerance=tolerance)
+    steps = FINER * int(found["steps"].max())
+    near = model.ensemble(**asked, scheme=found.attrs["scheme"], dt=end / steps)
+    off = [np.sqrt(np.mean((found[one] - near[one]).values ** 2, axis=1)) for one in names]
+    sizes = [near[one].values.std(axis=1) for one in names]
+    return found, np.max([a / np.maximum(b, 1e-6 * np.max(sizes)) for a, b in zip(off, sizes, strict=True)], axis=0)
+
+
+def check(case, n: int) -> None:
+    found, true = told_and_true(case, n)
+    assert (found["status"] == "completed").mean() > 0.98
+    assert (true <= case[2]).mean() >= 0.98
+    told = found["error"].values
+    assert np.mean((true <= 3 * told) & (told <= 3 * true)) >= 0.8  # at samples that are not those of the estimate
+    assert np.mean(true <= 3 * told) >= 0.9
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_what_is_told_is_true(name) -> None:
+    check(CASES[name], 200)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("name", LONG)
+def test_what_is_told_is_true_of_stiff_motions(name) -> None:
+    check(LONG[name], 200)
+
+
+@pytest.fixture(scope="module")
+def model(tmp_path_factory):
+    scene = (
+        Scene("told_pendulum").parameter("l", 0.5).gravity(0, -9.81)
+        .rigid("arm", mass=1.0, inertia=0.1, center_of_mass=("l", 0))
+        .revolute("pin", "ground.origin", "arm.origin")
+    )  # fmt: skip
+    return load_model(generate(scene.build(), tmp_path_factory.mktemp("made") / "pendulum"))
+
+
+ASKED = {
+    "parameters": {"l": np.linspace(0.3, 0.7, 90)},
+    "initial": {"arm.theta": 0.2},
+    "tolerance": 1e-5,
+    "t_end": 1.0,
+    "reduce": {"arm.theta": ["end", "peak"], "arm.theta_dot": "rms"},
+}
+
+
+@pytest.fixture(scope="module")
+def here(model):
+    return model.ensemble(**ASKED, workers=1)
+
+
+def test_workers_parts_and_neighbours_leave_the_bits(model, here, tmp_path) -> None:
+    assert model.ensemble(**ASKED, workers=2).identical(here)
+    with ThreadPoolExecutor(2) as pool:
+        assert model.ensemble(**ASKED, executor=pool, chunk=7).identical(here)
+    folder = tmp_path / "study"
+    assert model.ensemble(**ASKED, folder=folder, chunk=40).identical(here)
+    (folder / "part-000000040.npz").unlink()
+    assert model.ensemble(**ASKED, folder=folder, chunk=40).identical(here)
+    with pytest.raises(ArgumentError, match="another study"):
+        model.ensemble(**{**ASKED, "tolerance": 1e-4}, folder=folder, chunk=40)
+
+
+def test_a_case_is_the_run_with_its_steps(model, here) -> None:
+    for case in (0, 44, 89):
+        steps, length = int(here["steps"][case]), float(here["l"][case])
+        alone = model.simulate(
+            scheme=here.attrs["scheme"], dt=1.0 / steps, t_end=1.0, seen_every=1.0, force=True,
+            parameters={"l": length}, initial={"arm.theta": 0.2}, outputs=["arm.theta"],
+        )  # fmt: skip
+        assert float(here["arm.theta_end"][case]) == alone.outputs["arm.theta"][-1]
+
+
+def test_histories_keep_their_times_and_have_errors(model) -> None:
+    asked = {name: value for name, value in ASKED.items() if name != "reduce"}
+    asked |= {"outputs": ["arm.theta", "energy"], "seen_every": 0.3}
+    found = model.ensemble(**asked)
+    assert found["time"].values == pytest.approx([0.0, 0.3, 0.6, 0.9, 1.0])
+    assert found["arm.theta"].shape == (90, 5)
+    assert (found["status"] == "completed").all()
+    near = model.ensemble(
+        asked["parameters"], asked["initial"], scheme="rk4", dt=1e-4, t_end=1.0,
+        outputs=["arm.theta"], seen_every=0.3,
+    )  # fmt: skip
+    off = np.sqrt(np.mean((found["arm.theta"] - near["arm.theta"]).values ** 2, axis=1))
+    assert np.mean(off <= 5 * found["error.arm.theta"].values) >= 0.9
+    assert found["error.arm.theta"].attrs["units"] == "rad"
+    assert "dt" not in found.attrs and found.attrs["tolerance"] == 1e-5
+
+
+@pytest.mark.long
+def test_cases_without_an_answer_are_not_completed() -> None:
+    """A chaotic double pendulum for so long that no step of this price reaches the tolerance."""
+    model, n = SCENES["double_pendulum"]().model(), 10
+    rng = np.random.default_rng(2)
+    found = model.ensemble(
+        initial={"upper.theta": rng.uniform(1.5, 2.8, n), "lower.theta": rng.uniform(1.5, 2.8, n)},
+        scheme="rk4", tolerance=1e-4, t_end=25.0, reduce={"upper.theta": "end"},
+    )  # fmt: skip
+    missed = found["status"].values == "inaccurate"
+    assert missed.any()
+    told = found["error"].values[missed]
+    assert (np.isnan(told) | (told > 1e-4 / 3)).all()
+    assert (found["error"].values[~missed] <= 1e-4).all()
+    assert np.isfinite(found["upper.theta_end"].values[missed]).all()
+
+
+@pytest.mark.parametrize(
+    ("given", "named"),
+    [
+        ({"dt": 1e-3}, "dt"),
+        ({"tolerance": 0.0}, "tolerance"),
+        ({"tolerance": "fine"}, "tolerance"),
+        ({"tolerance": float("nan")}, "tolerance"),
+        ({"m": [2]}, "auto"),
+        ({"scheme": "rk4", "options": {"error_of": "step"}}, "error_of"),
+        ({"scheme": "euler"}, "euler"),
+    ],
+)
+def test_what_does_not_go_with_a_tolerance_is_refused(model, given, named) -> None:
+    with pytest.raises(SchemeError, match=named):
+        model.ensemble(**{**ASKED, **given})
