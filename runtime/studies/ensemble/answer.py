@@ -26,7 +26,7 @@ def dataset(question: Question, table: np.ndarray, results: LaneResults) -> Any:
 
     varied = [*question.parameters, *(f"initial.{name}" for name in question.initial)]
     coordinates = {name: arrays.pop(name) for name in ("case", "time", *varied) if name in arrays}
-    attributes = {"model": model.name, "title": model.title, "scheme": plan.name}
+    attributes: dict[str, Any] = {"model": model.name, "title": model.title, "scheme": plan.name}
     attributes |= {"dt": plan.grid.dt_L} if asked is None else {"tolerance": asked.tolerance}
     return xarray.Dataset(arrays, coords=coordinates, attrs=attributes)
 

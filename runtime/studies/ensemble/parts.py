@@ -159,7 +159,14 @@ class StudyFolder:
     def write(self, first: int, part: LaneResults) -> None:
         """Keep a part, whole or not at all. Raises OutputError."""
         with replacing(self._file(first)) as place, open(place, "wb") as stream:
-            np.savez(stream, **part.kept)
+            np.savez(
+                stream,
+                values=part.values,
+                status=part.status,
+                time=part.time,
+                errors=part.errors,
+                steps=part.steps,
+            )
 
 
 def _results(kept: Mapping[str, np.ndarray]) -> LaneResults:

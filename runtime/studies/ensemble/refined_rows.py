@@ -162,10 +162,10 @@ class RefinedCases:
 
         What is reduced over steps, a mean or a peak, knows them at their ends only: it converges with order 1.
         """
-        off = np.abs(values - before)
+        off: np.ndarray = np.abs(values - before)
         if self._question.reduced:
             return off
-        return np.sqrt(np.mean(off.reshape(len(off), len(self._question.asked), -1) ** 2, axis=2))
+        return np.asarray(np.sqrt(np.mean(off.reshape(len(off), len(self._question.asked), -1) ** 2, axis=2)))
 
     def _note(
         self,

@@ -51,7 +51,7 @@ class Refinement:
 
     @cached_property
     def levels(self) -> np.ndarray:
-        """Steps a unit of all levels, rising: primes behind the first, so that two share no times but the units' ends."""
+        """Steps a unit of all levels, rising: primes behind the first, so that two share only the units' ends."""
         found = [self.first]
         while found[-1] < MOST_LEVEL:
             found.append(_prime(max(found[-1] + 1, ceil(found[-1] * GRADE))))
@@ -159,9 +159,7 @@ def compared_names(model: EmittedModel) -> list[str]:
     return [*names, *(f"{name}_dot" for name in names)]
 
 
-def refuse_steps(
-    scheme: str | None, dt: float | None, m: list[int] | None, options: Mapping[str, Any] | None
-) -> None:
+def refuse_steps(scheme: str | None, dt: float | None, m: list[int] | None, options: Mapping[str, Any] | None) -> None:
     """What does not go with a tolerance. Raises SchemeError."""
     if dt is not None:
         raise SchemeError("dt", "is the step, which a tolerance chooses", "leave one of them out")
