@@ -41,7 +41,8 @@ class Record:
 
     def add(self, segment: SteppedModel, rows: np.ndarray) -> None:
         """Keep states (N, n_z) of a segment (copies of the scheme's part), unless their steps are kept already."""
-        new = rows[:, 1] > self.last_step
+        steps = rows[:, 1]  # a step of a tolerance that is ended at an event shows the sample before it once more
+        new = (steps > self.last_step) & (np.diff(steps, prepend=-1.0) > 0)
         if new.any():
             self.last_step = int(rows[-1, 1])
             self.samples.append((self.segments.index(segment), rows[new, : segment.plan.scheme.layout.size]))

@@ -27,6 +27,7 @@ def test_steps_of_whole_turns_pass_nothing_over(model_of: Build, dt: float) -> N
     run = simulate(model, scheme="dopri5", tolerance=1e-6, options={"error_of": "step"})
     times = [brentq(lambda t: np.cos(2 * np.pi * t) + 1.05 - 0.01 * t, k, k + 0.5, xtol=1e-13) for k in range(5, 20)]
     assert [event.time for event in run.events] == pytest.approx(times, rel=0, abs=1e-9)
+    assert (np.diff(run.t) > 0).all() and run.error.measured  # the sample before an event is there once
 
 
 def test_a_dip_between_the_places_of_a_long_step_is_told(model_of: Build) -> None:
