@@ -46,7 +46,7 @@ def test_coordinates_without_a_banner(tmp_path: Path) -> None:
 
 def test_matrix_market(tmp_path: Path) -> None:
     """As Ansys *EXPORT,,MMF writes it."""
-    scipy.io.mmwrite(tmp_path / "K.mmf", sp.coo_matrix(MATRIX), symmetry="symmetric")
+    scipy.io.mmwrite(tmp_path / "K.mmf.mtx", sp.coo_matrix(MATRIX), symmetry="symmetric")
     path = written(tmp_path, "bad.mtx", "%%MatrixMarket matrix coordinate real general", "3 3 1", "7 7 1.0")
     assert_allclose(read_matrix(tmp_path / "K.mmf.mtx").toarray(), MATRIX)
     with pytest.raises(FiniteElementError, match="bad.mtx: is no sound MatrixMarket file"):
