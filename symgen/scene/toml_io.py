@@ -252,8 +252,10 @@ def read_mesh(path: str | Path, item: str = "shape") -> dict[str, Any]:
         raise SceneError(item, "mesh files need trimesh", 'install it: pip install "symgen[meshes]"') from None
     try:
         mesh = trimesh.load_mesh(io.BytesIO(content), file_type=place.suffix[1:].lower(), process=True)
-        # equal corners are one vertex
-        vertices, triangles = np.asarray(mesh.vertices, dtype=float), np.asarray(mesh.faces, dtype=int)
+        # equal corners are one vertex; earlier versions give a file that holds nothing as an empty scene
+        empty = isinstance(mesh, trimesh.Scene) and not mesh.geometry
+        vertices = np.asarray([] if empty else mesh.vertices, dtype=float)
+        triangles = np.asarray([] if empty else mesh.faces, dtype=int)
     except Exception as error:  # its readers raise whatever they meet in a damaged file
         raise SceneError(item, f"{path} cannot be read as a surface ({error})", "give a file of triangles") from None
     if not len(triangles):
