@@ -198,13 +198,22 @@ def _limits(model: EmittedModel, names: Sequence[str], bounds: Bounds, x: np.nda
         if signs.get(name, "any") != "any":
             low[k] = 0.0 if signs[name] == "not negative" else 1e-12 * abs(x[k])
         if name in bounds:
-            low[k], high[k] = (float(value) for value in bounds[name])
+            low[k], high[k] = _pair(name, bounds[name])
         if not low[k] < high[k] or not low[k] <= x[k] <= high[k]:
             raise ArgumentError(
                 f"bounds of {name}",
                 f"are {low[k]:g} and {high[k]:g}, the guess {x[k]:g}",
                 "let the guess lie between them",
             )
+    return low, high
+
+
+def _pair(name: str, given: Any) -> tuple[float, float]:
+    """Two numbers. Raises ArgumentError for anything else."""
+    try:
+        low, high = (float(value) for value in given)
+    except (TypeError, ValueError):
+        raise ArgumentError(f"bounds of {name}", f"are {given!r}", "give (lowest, highest)") from None
     return low, high
 
 

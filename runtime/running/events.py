@@ -144,7 +144,7 @@ class EventHandler:
         values (n_e,): what passed zero.
         """
         before, constants = z[self._inputs].copy(), self._scheme.constants(self.own.c)
-        push = self._happen(z, t, happened, _Seen(z, constants, values))
+        push = self._happen(z, t, happened, _Seen(z, constants, values), regular=False)
         if push.any():
             self.own.restart(z, z[self._inputs].copy(), push)
         return None if np.array_equal(before, z[self._inputs]) else z[self._inputs].copy()
@@ -170,10 +170,11 @@ class EventHandler:
         push = self._happen(z, t, happened, _Seen(z, constants, event_values(self._scheme, z, constants)))
         return Acted(self.status is not None, push)
 
-    def _happen(self, z: np.ndarray, t: float, happened: list[int], seen: _Seen) -> np.ndarray:
+    def _happen(self, z: np.ndarray, t: float, happened: list[int], seen: _Seen, regular: bool = True) -> np.ndarray:
         """These events at t [s]: they are told and judged, z gets the inputs that they set; (n_i,) added to the rates.
 
-        seen: before they do anything.
+        seen: before they do anything. regular: do the equations of q_i have accelerations there? Near a singular
+        position they have none, and powers on either side are not computed.
         """
         values, values_now = action_values(self._scheme, seen.z, seen.c), seen.values
         kept, before = None if self._passages is None else seen._replace(z=seen.z.copy()), seen.z.copy()
@@ -206,7 +207,8 @@ class EventHandler:
         if self._passages is not None and kept is not None:
             self._passages.append(Passage(t, happened, kept, z[self._inputs].copy(), settled))
         push = self._push(settled)
-        self.own.note_change(t, before, seen.c, z[self._inputs], push)
+        if regular:
+            self.own.note_change(t, before, seen.c, z[self._inputs], push)
         return push
 
     def _push(self, settled: Any) -> np.ndarray:

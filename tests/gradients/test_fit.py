@@ -85,6 +85,8 @@ def test_what_was_not_measured_does_not_count(swing: DifferentiableRun) -> None:
         ({"tip_x": 0, "tip_y": 0}, ["length"], {}, ArgumentError, "deviation: is missing"),
         ({"tip_x": 0}, ["length"], {"deviation": -1.0}, ArgumentError, "deviation: must be positive"),
         ({"tip_x": 0}, ["length"], {"bounds": {"length": (2.0, 3.0)}}, ArgumentError, "bounds of length: are 2 and 3"),
+        ({"tip_x": 0}, ["length"], {"bounds": {"length": float("nan")}}, ArgumentError, "bounds of length: are nan"),
+        ({"tip_x": 0}, ["length"], {"bounds": {"length": (1.0, 2.0, 3.0)}}, ArgumentError, "give .lowest, highest"),
         ({"tip_x": 0}, ["length"], {"bounds": {"rod.mass": (2.0, 3.0)}}, ArgumentError, "bounds of rod.mass"),
         ({"tip_x": 0}, ["length"], {"guess": {"rod.mass": 2.0}}, ArgumentError, "guess of rod.mass"),
         ({"tip_x": 0}, ["length", "rod.mass"], {}, NoResult, "fit of rod.mass: the data do not tell it"),

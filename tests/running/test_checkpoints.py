@@ -236,7 +236,8 @@ def test_damaged_checkpoints_are_refused(built_in: Load, checkpoint: Path, tmp_p
 )
 def test_edited_checkpoints_are_refused(built_in: Load, checkpoint: Path, tmp_path: Path, key: str, value: Any) -> None:
     """Also those that are whole archives: a run goes on with what it wrote itself, and with nothing else."""
-    arrays = dict(np.load(checkpoint))
+    with np.load(checkpoint) as stored:
+        arrays = dict(stored)
     header = json.loads(str(arrays["header"]))
     for own in (header, header["plan"]):
         if key in own:

@@ -63,7 +63,7 @@ from symgen.scene import Scene, SceneRecord
 folder, ends = sys.argv[1], []
 for space in ("planar", "spatial"):
     scene = SceneRecord.from_toml(f"{folder}/{space}.toml")
-    assert "damping [N m s/rad]: damping" in Scene.pin_in_slot.__doc__
+    assert "Damping of the rotation [N m s/rad]; not negative." in Scene.pin_in_slot.__doc__
     found = simulate(load_model(generate(scene, f"{folder}/{space}")), t_end=0.4, dt=1e-3, scheme="rk4")
     assert found.status.name == "completed", found.status
     ends.append([found[name][-1] for name in ("rod.x", "rod.y", "way")])

@@ -26,7 +26,7 @@ from symgen.scene import Scene, SceneRecord
 folder, ends = sys.argv[1], []
 for space in ("planar", "spatial"):
     scene = SceneRecord.from_toml(f"{folder}/{space}.toml")
-    assert "coefficient [N s^2/m^2]: drag" in Scene.drag.__doc__
+    assert "Drag force over speed squared [N s^2/m^2]; not negative." in Scene.drag.__doc__
     found = simulate(load_model(generate(scene, f"{folder}/{space}")), t_end=2.0, dt=1e-3, scheme="rk4")
     assert found.status.name == "completed", found.status
     ends.append(found["ball.y_dot"])

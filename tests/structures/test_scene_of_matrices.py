@@ -114,7 +114,8 @@ def test_report_files_pictures_and_saved_run(tmp_path) -> None:
     for name, draw in (("motion", run.plot), ("fields", run.plot_fields), ("regions", run.plot_regions)):
         draw(tmp_path / f"{name}.png")
         assert (tmp_path / f"{name}.png").stat().st_size > 10_000
-    kept = np.load(run.save(tmp_path / "run.npz"))
+    with np.load(run.save(tmp_path / "run.npz")) as stored:
+        kept = dict(stored)
     assert np.array_equal(kept["values"], run.values) and str(kept["status"]).startswith("completed")
 
 
