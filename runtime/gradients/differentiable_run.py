@@ -497,6 +497,12 @@ class Gradient:
 # The gradient of a number that a run leads to, and the Jacobian of its outputs: the doors.
 
 
+DIFFERENTIABLE = Kind(
+    lambda value: isinstance(value, DifferentiableRun),
+    "give a DifferentiableRun, such as DifferentiableRun(model, ...)",
+)
+
+
 @arguments(of=OBJECTIVE)
 def gradient(model: EmittedModel, of: Objective, by: Sequence[str], *, mode: str = "auto", **run: Any) -> Gradient:
     """Differentiate an objective of a run by parameters, initial values and inputs.

@@ -9,17 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.arguments import Kind, arguments
+from runtime.contract.arguments import arguments
 from runtime.contract.errors import ArgumentError
 from runtime.contract.jax_library import import_jax, require_64_bits
-from runtime.gradients.differentiable_run import DifferentiableRun
+from runtime.gradients.differentiable_run import DIFFERENTIABLE, DifferentiableRun
 from runtime.gradients.recorded_run import RecordedRun
 
 RUNS_KEPT = 16  # on tapes, between their way forward and their way back
-DIFFERENTIABLE = Kind(
-    lambda value: isinstance(value, DifferentiableRun),
-    "give a DifferentiableRun, such as DifferentiableRun(model, ...)",
-)
 
 
 @arguments(run=DIFFERENTIABLE)

@@ -7,14 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.arguments import Kind, arguments
+from runtime.contract.arguments import arguments
 from runtime.contract.errors import ArgumentError
-from runtime.gradients.differentiable_run import DifferentiableRun
-
-DIFFERENTIABLE = Kind(
-    lambda value: isinstance(value, DifferentiableRun),
-    "give a DifferentiableRun, such as DifferentiableRun(model, ...)",
-)
+from runtime.gradients.differentiable_run import DIFFERENTIABLE, DifferentiableRun
 
 
 @arguments(run=DIFFERENTIABLE)

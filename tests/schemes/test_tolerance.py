@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Callable
+from math import gamma, pi, sqrt
 from pathlib import Path
 
 import numpy as np
@@ -17,7 +18,7 @@ from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.adaptive_scheme import AdaptiveScheme
 from runtime.schemes.scheme import LARGEST
 from runtime.schemes.switching.times import SwitchTime
-from symgen.scene import SceneRecord
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes import generated_folder
 from tests.support.model_values import Array
 from tests.support.prepared_runs import PreparedRuns
@@ -237,11 +238,22 @@ def test_a_rejected_step_is_made_as_if_it_had_not_been_tried(built_in: Load, sch
         np.testing.assert_array_equal(z[layout.slice(name)], other[layout.slice(name)], name)
 
 
-def test_the_least_step_ends_a_run_by_name(model_of: Build) -> None:
+def test_a_load_without_a_value_is_named_where_steps_shrink(model_of: Build) -> None:
     """theta'' = (0.9876543 - t)^-3 has no motion beyond that time; the load is named."""
     model = model_of(rotor("1/(0.9876543 - t)**3"))
     run = simulate(model, tolerance=1e-4, scheme="dopri5", t_end=2.0, options=LOCAL)
     assert run.status.name == "not_finite" and 0.95 < run.status.time < 0.99
+    assert np.isfinite(run.q).all() and run.t[-1] == run.status.time
+
+
+def test_the_least_step_ends_a_run_by_name(model_of: Build) -> None:
+    """theta'' = 50 theta^3 from rest at 1 rad has no motion beyond a fifth of int_1^inf dx / sqrt(x^4 - 1)."""
+    scene = Scene("blow_up").rigid("rod", mass=1.0, inertia=1.0).revolute("hinge", "ground.origin", "rod.origin")
+    scene.measure("angle", "coordinate", "rod.theta").torque("motor", "rod.origin", "50 * angle**3")
+    model = model_of(scene.initial({"rod.theta": 1.0}).simulation(t_end=1.0, dt=0.01).build())
+    run = simulate(model, tolerance=1e-4, scheme="dopri5", options=LOCAL)
+    last = gamma(0.25) ** 2 / (4 * sqrt(2 * pi)) / 5
+    assert run.status.name == "step_too_short" and 0.99 * last < run.status.time <= last
     assert np.isfinite(run.q).all() and run.t[-1] == run.status.time
 
 
