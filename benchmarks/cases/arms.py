@@ -14,8 +14,8 @@ from benchmarks.harness.result import Line, Result
 from benchmarks.scenes.arm import arm
 from runtime.contract.coordinates import followed
 from runtime.model import Model
-from runtime.running.ladder import Ladder, Method
 from runtime.running.problem import Problem
+from runtime.running.step_refinement import Method, StepRefinement
 from runtime.studies.advice.reference import Reference
 
 CASES = ((10, 1.0), (10, 10.0), (10, 100.0), (10, 1000.0), (20, 100.0), (40, 100.0))  # links, factor on E
@@ -66,9 +66,9 @@ def _contenders(links: int, fastest: float) -> list[Method]:
 def arm_reference(model: Model, fastest: float) -> Reference:
     """Link angles of an arm against steps of order 8 that resolve its fastest mode [rad/s]."""
     problem = Problem.of(model, T_END)
-    ladder, steps = Ladder(problem, 1e-12), ceil(T_END * fastest / REFERENCE_REACH)
-    rung = ladder.rung(replace(ladder.plan(Method("dop853"), steps), seen_steps=max(1, steps // KEPT)))
-    seen = rung.run.seen()
+    refinement, steps = StepRefinement(problem, 1e-12), ceil(T_END * fastest / REFERENCE_REACH)
+    level = refinement.level(replace(refinement.plan(Method("dop853"), steps), seen_steps=max(1, steps // KEPT)))
+    seen = level.run.seen()
     columns = followed(model)[1]
     path = CubicHermiteSpline(seen.t, seen.q[:, columns], seen.q_dot[:, columns])
     return Reference(problem, path, [name for name in model.q_i if name.endswith("theta")], 1e-7)

@@ -1,4 +1,6 @@
-"""Schemes with steps of one length on the hard suite: the time of each to 1e-3, and how far each is behind the best."""
+"""Schemes with steps of one length on the hard suite: the time of each to 1e-3, and how far each is behind the
+best.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +16,7 @@ from benchmarks.harness.result import Line, Result
 from benchmarks.harness.tolerance_runs import KEPT, Case
 from benchmarks.scenes.hard_suite import CASES, HARD_SUITE, HardCase
 from runtime.model import Model
-from runtime.running.ladder import Method
+from runtime.running.step_refinement import Method
 from runtime.studies.advice.methods import stiff_methods
 from runtime.studies.advice.reference import Reference, Trial
 

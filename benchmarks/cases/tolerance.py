@@ -1,7 +1,7 @@
-"""A tolerance instead of a step, on the hard suite: what is delivered, and what the whole ladder costs.
+"""A tolerance instead of a step, on the hard suite: what is delivered, and what the whole refinement costs.
 
 Each case goes by `auto` to 1e-2 ... 1e-6. Delivered is the true RMS error of the worst coordinate at the marks of the
-answer, against order 8 with steps that resolve every mode. The price is that of all rungs, in operations, over the
+answer, against order 8 with steps that resolve every mode. The price is that of all levels, in operations, over the
 fewest with which an oracle would have met the tolerance in one run: the best of eight methods with the best number of
 steps, to a fifth.
 """
@@ -17,16 +17,16 @@ import numpy as np
 
 from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
-from benchmarks.harness.tolerance_runs import Case, SampledLadder, cheapest, runs_of_an_oracle
+from benchmarks.harness.tolerance_runs import Case, SampledRefinement, cheapest, runs_of_an_oracle
 from benchmarks.scenes.hard_suite import CASES, HARD_SUITE
-from runtime.running.ladder import Rung, chosen_method
 from runtime.running.run_options import RunOptions
+from runtime.running.step_refinement import RefinementLevel, chosen_method
 
 TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
 SMALLEST = {"CASES": (replace(HARD_SUITE["overdamped"], t_end=0.1),), "TOLERANCES": (1e-2,)}
 REMARK = (
     "Each case by `auto` to 1e-2, 1e-3, 1e-4, 1e-5 and 1e-6. Delivered over asked is of the worst coordinate. All "
-    "operations of the ladder are compared with the fewest of a single run that meets the tolerance: the best of "
+    "operations of all levels are compared with the fewest of a single run that meets the tolerance: the best of "
     "`dopri5`, `dop853`, `rk4`, `single_rate`, `exponential_rk4`, `exponential_adams` and `exponential` with the best "
     "number of steps, which nobody knows before; a dash where none met it."
 )
@@ -50,20 +50,20 @@ def measured(case: Case) -> dict[str, Any]:
     single = runs_of_an_oracle(case, TOLERANCES)
     cells = []
     for tolerance in TOLERANCES:
-        rungs: list[Rung] = []
+        levels: list[RefinementLevel] = []
         began = process_time()
-        rungs.extend(SampledLadder(case.problem, tolerance, None, RunOptions()).climb(method))
+        levels.extend(SampledRefinement(case.problem, tolerance, None, RunOptions()).refine(method))
         seconds = process_time() - began
-        answer = next((one for one in reversed(rungs) if not one.lost), rungs[-1])
+        answer = next((one for one in reversed(levels) if not one.lost), levels[-1])
         best = cheapest(single, tolerance)
-        operations = sum(case.made(one).operations for one in rungs)
+        operations = sum(case.made(one).operations for one in levels)
         cells.append(
             {
                 "tolerance": tolerance,
                 "delivered": case.error_of(answer) / tolerance,
                 "told": answer.told.largest / tolerance,
                 "said": bool(answer.error > tolerance) or answer.lost,
-                "rungs": len(rungs),
+                "rungs": len(levels),
                 "steps": answer.steps,
                 "operations": operations,
                 "seconds": seconds,
@@ -84,7 +84,7 @@ def told(details: dict[str, dict[str, Any]]) -> Result:
         Line("delivered more error than was asked, share of runs", float((delivered > 1).mean()), "", 0.03),
         Line("delivered over asked, largest of those that say nothing", _largest(delivered[~_said(cells)]), "", 2.0),
         Line("above what was asked and no word, share of runs", float(silent.mean()), ""),
-        Line("operations of all rungs over those of the best single run, median", float(np.median(met)), "", 4.5),
+        Line("operations of all levels over those of the best single run, median", float(np.median(met)), "", 4.5),
         Line("the same, nine tenths of the runs below", float(np.percentile(met, 90)), ""),
     ]
     lines = [_line(name, found) for name, found in details.items()]

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from runtime.running.ladder import FIRST, Ladder, Method
+from runtime.running.step_refinement import FIRST, Method, StepRefinement
 from runtime.studies.advice.reference import Reference, Trial, trial_of
 
 REFINEMENTS = 4  # halvings of the interval (in logarithm) between too few steps and enough
@@ -24,10 +24,10 @@ class Timed:
 
     def run(self, steps: int) -> Trial:
         """The whole motion in so many steps."""
-        ladder = Ladder(self.reference.problem, 1e-12)
-        rung = ladder.rung(ladder.plan(self.method, steps))
-        self.operations = rung.run.segment.stepper.operations
-        return trial_of(self.method.label, rung, self.reference)
+        refinement = StepRefinement(self.reference.problem, 1e-12)
+        level = refinement.level(refinement.plan(self.method, steps))
+        self.operations = level.run.segment.stepper.operations
+        return trial_of(self.method.label, level, self.reference)
 
 
 def fewest(timed: Timed, error: float, most: int = 10**8, seconds_to_beat: float = np.inf) -> Trial | None:

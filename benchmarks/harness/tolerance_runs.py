@@ -15,9 +15,9 @@ from runtime.engine.rows import evaluate
 from runtime.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import floored
-from runtime.running.ladder import FIRST, Ladder, Method, Rung
 from runtime.running.problem import Plan, Problem
 from runtime.running.run_options import RunOptions
+from runtime.running.step_refinement import FIRST, Method, RefinementLevel, StepRefinement
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 from runtime.schemes.stepper import Stepper
@@ -49,8 +49,8 @@ class Made:
     error: float
 
 
-class SampledLadder(Ladder):
-    """A ladder whose rungs are sampled at the times of a reference that are ends of their steps."""
+class SampledRefinement(StepRefinement):
+    """A refinement whose levels are sampled at the times of a reference that are ends of their steps."""
 
     def plan(self, method: Method, steps: int, known: Plan | None = None) -> Plan:
         """See Ladder."""
@@ -86,9 +86,9 @@ class Case:
         return whole(self.model, found["q_i"], found["q_d"])[:, followed(self.model)[1]]
 
     def _with_jumps(self, steps: int, every: int) -> np.ndarray:
-        ladder = Ladder(self.problem, 1e-12, self.t_end / KEPT, RunOptions())
-        rung = ladder.rung(replace(ladder.plan(Method("dop853"), steps), seen_steps=every))
-        return rung.run.record.solution((0, rung.run.z)).q[:, followed(self.model)[1]]
+        refinement = StepRefinement(self.problem, 1e-12, self.t_end / KEPT, RunOptions())
+        level = refinement.level(replace(refinement.plan(Method("dop853"), steps), seen_steps=every))
+        return level.run.record.solution((0, level.run.z)).q[:, followed(self.model)[1]]
 
     def _fastest(self) -> float:
         """The largest frequency or decay at the start [rad/s]."""
@@ -100,22 +100,24 @@ class Case:
         n = len(A_q)
         return float(np.abs(np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [A_q, A_v]]))).max())
 
-    def error_of(self, rung: Rung) -> float:
-        """True error of a rung of a SampledLadder at its samples: RMS of the worst coordinate, over its amplitude."""
-        if rung.lost:
+    def error_of(self, level: RefinementLevel) -> float:
+        """True error of a level of a SampledRefinement at its samples: RMS of the worst coordinate, over its
+        amplitude.
+        """
+        if level.lost:
             return np.inf
-        steps = rung.run.record.steps()[1:]
-        exact = self.reference[[step * KEPT // rung.steps for step in steps]]
+        steps = level.run.record.steps()[1:]
+        exact = self.reference[[step * KEPT // level.steps for step in steps]]
         with np.errstate(all="ignore"):
-            rms = np.sqrt(np.mean((rung.run.record.told(self.model, steps)[0] - exact) ** 2, axis=0))
+            rms = np.sqrt(np.mean((level.run.record.told(self.model, steps)[0] - exact) ** 2, axis=0))
         found = float((rms / floored(self.model, self.reference.std(axis=0))).max())
         return found if np.isfinite(found) else np.inf
 
-    def made(self, rung: Rung) -> Made:
-        """What a rung took and gave."""
-        plan = rung.run.segment.plan
+    def made(self, level: RefinementLevel) -> Made:
+        """What a level took and gave."""
+        plan = level.run.segment.plan
         label = " ".join([plan.name, *(f"m={m}" for m in plan.grid.m if m > 1)])
-        return Made(label, rung.steps, rung.steps * rung.run.segment.stepper.operations, self.error_of(rung))
+        return Made(label, level.steps, level.steps * level.run.segment.stepper.operations, self.error_of(level))
 
 
 def runs_of_an_oracle(case: Case, tolerances: Iterable[float], methods: Iterable[Method] = RIVALS) -> list[Made]:
@@ -123,8 +125,8 @@ def runs_of_an_oracle(case: Case, tolerances: Iterable[float], methods: Iterable
 
     Methods that would take ten times the operations of the best are given up.
     """
-    ladder, least, found, best = (
-        SampledLadder(case.problem, 1e-12, None, RunOptions()),
+    refinement, least, found, best = (
+        SampledRefinement(case.problem, 1e-12, None, RunOptions()),
         min(tolerances),
         list[Made](),
         np.inf,
@@ -133,7 +135,7 @@ def runs_of_an_oracle(case: Case, tolerances: Iterable[float], methods: Iterable
         steps = FIRST
         while steps < MOST_STEPS:
             try:
-                one = case.made(ladder.rung(ladder.plan(method, steps)))
+                one = case.made(refinement.level(refinement.plan(method, steps)))
             except SchemeError:
                 break
             found.append(one)

@@ -19,7 +19,7 @@ def given(result: Result) -> str:
     rows = [
         ("delivered within what was asked", _percent((delivered <= 1).mean())),
         ("delivered over asked, at most, where the run says nothing", f"{delivered[quiet].max(initial=0.0):.2g}"),
-        ("operations of all rungs over those of the best single run, median", f"{np.median(met):.1f}"),
+        ("operations of all levels over those of the best single run, median", f"{np.median(met):.1f}"),
         ("the same, nine tenths of the runs below", f"{np.percentile(met, 90):.1f}"),
         ("cases; runs; of these with a best run to compare with", f"{len(result.details)}; {len(cells)}; {len(met)}"),
     ]

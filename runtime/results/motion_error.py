@@ -1,6 +1,7 @@
-"""The global error of a motion, by coordinate: the difference of two ways to make the same motion, over its amplitudes.
+"""The global error of a motion, by coordinate: the difference of two ways to make the same motion, over its
+amplitudes.
 
-Everything that speaks of an error of a motion (runs, ladders, advice, comparisons) means the norms of this file.
+Everything that speaks of an error of a motion (runs, refinements, advice, comparisons) means the norms of this file.
 """
 
 from __future__ import annotations
@@ -63,8 +64,8 @@ class MotionError:
     its mean, of an angle that turns on and on that of one turn. relative: over_motion over amplitude, none of which
     counts as less than a millionth of the largest of its kind. Those of `<state>.integral` are those of the
     state of a controller itself. reliable_until [s]: where the error grows beyond an
-    amplitude, the time at which it passed 3 % of it, or where the motion breaks down with any other steps, the time of
-    that. reason: why nothing was measured, "" where it was.
+    amplitude, the time at which it passed 3 % of it, or where the motion breaks down with any other steps, the time
+    of that. reason: why nothing was measured, "" where it was.
     """
 
     over_motion: dict[str, float] = field(default_factory=dict)
@@ -150,8 +151,8 @@ def motion_error(
 ) -> MotionError:
     """The difference of two motions at times t (N,) [s]: q, other (N, n_told); sizes: amplitudes (n_told,).
 
-    rates, of both (N, n_told): it is judged by these, too, by their RMS, as `<coordinate>_dot`. seen_rates (M, n_told):
-    those of the motion at other times, which tell their sizes, too.
+    rates, of both (N, n_told): it is judged by these, too, by their RMS, as `<coordinate>_dot`. seen_rates (M,
+    n_told): those of the motion at other times, which tell their sizes, too.
     """
     names = followed(model)[0]
     off = np.abs(q - other)

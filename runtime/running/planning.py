@@ -38,15 +38,15 @@ def steps_asked(
     t0: float = 0.0,
     t_end: float | None = None,
 ) -> tuple[str, float]:
-    """(scheme, dt [s]) of steps of one length: what was given, else the scene's own; where neither names a scheme, what
-    `auto` finds for the motion up to t_end as the scene has it. Raises SchemeError.
+    """(scheme, dt [s]) of steps of one length: what was given, else the scene's own; where neither names a scheme,
+    what `auto` finds for the motion up to t_end as the scene has it. Raises SchemeError.
     """
     name = scheme or str(model.simulation["scheme"])
     if name != AUTO:
         return name, float(model.simulation["dt"]) if dt is None else dt
     if m is not None or options:
         raise SchemeError("auto chooses m and options itself; leave them out, or name a scheme")
-    from runtime.running.ladder import usual_steps
+    from runtime.running.step_refinement import usual_steps
 
     name, step = usual_steps(model, t0, t_end)
     return name, step if dt is None else dt

@@ -34,7 +34,7 @@ class Problem:
     """A model from a consistent state at t0 until t_end [s], with parameters p (n_p,) and inputs.
 
     quiet: events that are not looked for at first, and until when [s].
-    Everybody who makes this motion takes it: a run, its companion, the rungs of a ladder. Nobody changes it.
+    Everybody who makes this motion takes it: a run, its companion, the levels of a refinement. Nobody changes it.
     """
 
     model: EmittedModel
@@ -124,7 +124,9 @@ def own_spacing(model: EmittedModel, t0: float, t_end: float) -> float:
 
 
 def spacing_of(inputs: Mapping[str, InputValue], t0: float) -> float | None:
-    """The longest time of which all periods of controllers and all times of samples are multiples [s], if there are."""
+    """The longest time of which all periods of controllers and all times of samples are multiples [s], if there
+    are.
+    """
     times = [value.every for value in inputs.values() if isinstance(value, Sampled)]
     for value in inputs.values():
         if isinstance(value, tuple | list) and len(value):
@@ -166,7 +168,8 @@ class Plan:
 
     options: the user's changes to the scheme's Options; a variant of the model is stepped with the same ones.
     seen_steps: steps from sample to sample. force: run although the step is above its limit. outputs: the quantities
-    that are kept, () for all. end [s]: where the last step ends, if it is shorter than the others; None: all are alike.
+    that are kept, () for all. end [s]: where the last step ends, if it is shorter than the others; None: all are
+    alike.
     """
 
     name: str
@@ -303,8 +306,9 @@ def refuse_alike(t0: float, end: float, dt: float) -> None:
 def tolerance_of(
     model: EmittedModel, scheme: str | None, tolerance: float | None, dt: float | None = None
 ) -> float | None:
-    """The tolerance of a run: what was given, that of the scene where its own scheme runs without a step dt, or that of
-    `auto`; None for a run with steps of its own. Raises SchemeError for one out of range, and for an unknown scheme.
+    """The tolerance of a run: what was given, that of the scene where its own scheme runs without a step dt, or
+    that of `auto`; None for a run with steps of its own. Raises SchemeError for one out of range, and for an
+    unknown scheme.
     """
     name = scheme or (AUTO if tolerance is not None else str(model.simulation["scheme"]))
     if name != AUTO:

@@ -50,9 +50,9 @@ class Chunk(NamedTuple):
 class Run:
     """A run of a problem under way, and all of its state: z (flat) belongs to `segment`.
 
-    initial_changes: what of the start was corrected. earlier: a state of the segment at least a step before z, if there
-    is one. left: the step at which segments, by identity, were left last. started: when it was begun to be set up, by
-    time.perf_counter; set_up, seconds: that it took to come to the start, and that its steps took.
+    initial_changes: what of the start was corrected. earlier: a state of the segment at least a step before z, if
+    there is one. left: the step at which segments, by identity, were left last. started: when it was begun to be
+    set up, by time.perf_counter; set_up, seconds: that it took to come to the start, and that its steps took.
     """
 
     problem: Problem
@@ -416,7 +416,7 @@ def begun(
     quiet: bool = False,
     like: Run | None = None,
 ) -> Run:
-    """The run of a plan at its checked start. quiet: of a companion or a rung, whose steps may miss what loads do.
+    """The run of a plan at its checked start. quiet: of a companion or a level, whose steps may miss what loads do.
 
     like: a run of the problem with other steps, by whose start it is known to be sound.
 

@@ -98,14 +98,16 @@ def simulate(
     parameters : mapping of str to float, optional
         Parameters that are not as the scene has them, in SI units.
     initial : mapping of str to float, Equilibrium or Solution, optional
-        Where the motion starts: coordinates [m, rad] and rates `<coordinate>_dot` [m/s, rad/s] by name, an equilibrium,
-        or a solution from whose last sample the run goes on (`run.initial_values(at=0.3)`: from another one).
+        Where the motion starts: coordinates [m, rad] and rates `<coordinate>_dot` [m/s, rad/s] by name, an
+        equilibrium, or a solution from whose last sample the run goes on (`run.initial_values(at=0.3)`: from
+        another one).
     start : str, optional
         "given"; "quasi_static": elastic coordinates in equilibrium; "equilibrium": all but those that turn.
     t0 : float, optional
         Start of the motion [s].
     inputs : mapping, optional
-        By name a number, a function of time (called once, with a symbol), (times (k,) [s], values (k,)) or a `Sampled`.
+        By name a number, a function of time (called once, with a symbol), (times (k,) [s], values (k,)) or a
+        `Sampled`.
     error : {"measured", "off"}, optional
         "measured" computes the motion twice for `Solution.error`.
     seen_every : float, optional
@@ -185,9 +187,9 @@ def simulate(
             wanted, options, local = _made_once(problem, wanted), {**(options or {}), "error_of": LOCAL}, True
     if asked is not None and not local:
         chosen = {name: value for name, value in (options or {}).items() if name != "error_of"}
-        from runtime.running.ladder import by_ladder
+        from runtime.running.step_refinement import by_step_refinement
 
-        return by_ladder(problem, asked, wanted, m, chosen, seen or None, further)
+        return by_step_refinement(problem, asked, wanted, m, chosen, seen or None, further)
     if local and asked is not None:
         options = {**(options or {}), "tolerance": asked}
         seen = seen if seen is not None else own_spacing(model, begin, end)
@@ -204,7 +206,7 @@ def _made_once(problem: Problem, wanted: str) -> str:
 
     Raises SchemeError where that scheme cannot tell its own steps' lengths.
     """
-    from runtime.running.ladder import chosen_method
+    from runtime.running.step_refinement import chosen_method
 
     name = str(chosen_method(problem)[0].scheme if wanted == AUTO else wanted)
     if "error_of" in scheme_kind(name).options.names():

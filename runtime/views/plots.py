@@ -1,8 +1,8 @@
 """Pictures of a run: motion, deformation, forces, energy, snapshots, coordinates, two runs.
 
-Every function takes (solution, path or None) and returns the figure; with a path it also writes the file, whose ending
-chooses the format (png, svg, pdf). Units get a prefix and angles degrees in pictures only: data stay in SI. No pyplot,
-no global state: safe in threads and without a display. `ax`: draw into these axes, in their own colours.
+Every function takes (solution, path or None) and returns the figure; with a path it also writes the file, whose
+ending chooses the format (png, svg, pdf). Units get a prefix and angles degrees in pictures only: data stay in SI.
+No pyplot, no global state: safe in threads and without a display. `ax`: draw into these axes, in their own colours.
 """
 
 from __future__ import annotations
@@ -60,7 +60,9 @@ def deformation(solution: Solution, path: str | Path | None = None) -> Figure:
 
 
 def forces(solution: Solution, path: str | Path | None = None) -> Figure:
-    """Forces |F| and moments of joints and loads, the six largest each, and of motors. Raises ArgumentError without."""
+    """Forces |F| and moments of joints and loads, the six largest each, and of motors. Raises ArgumentError
+    without.
+    """
     groups = [group.largest(MOST_FORCES) for group in curves.forces(solution)]
     if not groups:
         raise ArgumentError(f"{solution.model.name} has no joints and no loads")
@@ -149,8 +151,8 @@ def difference(
     """Runs over each other, and beside them the difference of each other run to the first, at the first run's times.
 
     second: one other run, or several. names: coordinates or measures that all have; by default the independent
-    coordinates that they share, at most six. Raises ModelError for an unknown name, ArgumentError where the runs share
-    no name or no time.
+    coordinates that they share, at most six. Raises ModelError for an unknown name, ArgumentError where the runs
+    share no name or no time.
     """
     others = [second] if isinstance(second, Samples) else list(second)
     shared = [name for name in followed(first.model)[0] if all(name in run.model.coordinates for run in others)]
@@ -464,22 +466,22 @@ def _over(figure: NotebookFigure, ax: Axes, varied: Mapping[str, np.ndarray], fo
 
 def work_precision(
     title: str,
-    ladders: Sequence[tuple[Method, np.ndarray]],
+    refinements: Sequence[tuple[Method, np.ndarray]],
     tolerance: float,
     unit: str,
     path: str | Path | None = None,
 ) -> Figure:
-    """Error over the price of every rung: of each method (N, 2), price in a unit, and error. Raises OutputError.
+    """Error over the price of every level: of each method (N, 2), price in a unit, and error. Raises OutputError.
 
-    A method none of whose rungs came to its end stands in the legend only, as lost.
+    A method none of whose levels came to its end stands in the legend only, as lost.
     """
     figure, (ax,) = grid(1, title)
     figure.set_size_inches(WIDTH, 0.5 * WIDTH)
-    styles = method_styles([method for method, _ in ladders])
-    for method, rungs in ladders:
-        seen = rungs[np.isfinite(rungs).all(axis=1)]
-        name = method.label if len(seen) or not len(rungs) else f"{method.label} (lost)"
-        if len(rungs):
+    styles = method_styles([method for method, _ in refinements])
+    for method, levels in refinements:
+        seen = levels[np.isfinite(levels).all(axis=1)]
+        name = method.label if len(seen) or not len(levels) else f"{method.label} (lost)"
+        if len(levels):
             ax.loglog(*seen.T, label=name, ms=5, lw=1.3, **styles[method.label])
     ax.axhline(tolerance, color="0.4", lw=0.8, ls="--", label="tolerance")
     ax.set_xlabel(unit, fontsize=9)

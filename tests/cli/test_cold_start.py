@@ -1,5 +1,5 @@
-"""A built-in scene runs from the code that is there: the generator is not imported, and the scene is built only where a
-file has changed since it was last compared."""
+"""A built-in scene runs from the code that is there: the generator is not imported, and the scene is built only
+where a file has changed since it was last compared."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ SELDOM = {  # what only some runs ask for, and what prints code that the cache h
     "runtime.operating.equilibrium",
     "runtime.running.checkpoint",
     "runtime.running.driven",
-    "runtime.running.ladder",
+    "runtime.running.step_refinement",
     "runtime.running.singular.passage",
     "runtime.start.quasi_static",
 }

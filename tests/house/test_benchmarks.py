@@ -140,7 +140,7 @@ MEASURED = {
 ROWS = {
     "tolerance": [
         "| delivered within what was asked | 66.7 % |",
-        "| operations of all rungs over those of the best single run, median | 1.1 |",
+        "| operations of all levels over those of the best single run, median | 1.1 |",
     ],
     "arms": ["| 10 | - | 22 steps of 6,235: 0.042 ms | - | - |"],
     "hard_steps": ["| arm | 1.00: 51 | 2.00: 30 | `exponential_adams`, 51 steps: 0.01 ms |"],
@@ -154,7 +154,9 @@ ROWS = {
 
 
 def test_an_interrupted_run_keeps_and_publishes_what_it_has(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """All tables, written as soon as they are measured and once more from what was kept; the last one is broken off."""
+    """All tables, written as soon as they are measured and once more from what was kept; the last one is broken
+    off.
+    """
     markers = [marker for tables in FIGURES.values() for marker in tables]
     page, evidence = marked_page(tmp_path, *markers), tmp_path / "evidence.md"
     evidence.write_text("# Benchmarks\n\n## Other\n\nstays\n", encoding="utf-8")

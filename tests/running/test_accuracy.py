@@ -34,7 +34,8 @@ def relative_error(run: Solution, exact: np.ndarray) -> float:
     return float((off / floored(run.model, exact.std(axis=0))).max())
 
 
-# ---- a rod with unit inertia under one torque, whose equation is integrated here -------------------------------------
+# ---- a rod with unit inertia under one torque, whose equation is integrated here
+# -------------------------------------
 
 
 @dataclass(frozen=True)
@@ -154,7 +155,8 @@ def test_a_rod_whose_equation_is_known(model_of: Build, name: str) -> None:
         assert true < 0.1 or "remark" in run.stats or status == "inaccurate"
 
 
-# ---- mechanisms, against SciPy's DOP853 at 1e-11 ---------------------------------------------------------------------
+# ---- mechanisms, against SciPy's DOP853 at 1e-11
+# ---------------------------------------------------------------------
 
 MECHANISMS: list[tuple[str, float, dict[str, Any], str]] = [
     ("pendulum", 5.0, {"scheme": "rk4", "dt": 0.25}, "completed"),
@@ -233,7 +235,7 @@ def test_a_controller_with_a_memory_is_set_back(model_of: Build) -> None:
 
 
 def test_a_tolerance_resolves_a_fast_mode_that_nothing_damps(built_in: Load) -> None:
-    """Rungs that leave it out agree to what it moves, 7e-3: the ladder goes on where steps resolve it."""
+    """Levels that leave it out agree to what it moves, 7e-3: the refinement goes on where steps resolve it."""
     w, asked = 10000.0, 1e-5
     parameters, initial = {"c": 0.5, "k_L": 1.0, "w": w, "zeta": 0.0}, {"x_L": 1.0, "x_S": 0.0}
     run = simulate(built_in("two_oscillators"), t_end=4.0, parameters=parameters, initial=initial, tolerance=asked)
@@ -246,7 +248,9 @@ def test_a_tolerance_resolves_a_fast_mode_that_nothing_damps(built_in: Load) -> 
 @pytest.mark.parametrize("order", [2, 4, 5, 8])
 @pytest.mark.parametrize("steps", [1, 2, 3, 7, 20, 39, 100, 1000, 99_991])
 def test_numbers_of_steps_without_a_common_divisor(steps: int, order: int) -> None:
-    """From some ten steps on the companion's steps are 2^(1/p) as long, to a tenth, and most of the run is compared."""
+    """From some ten steps on the companion's steps are 2^(1/p) as long, to a tenth, and most of the run is
+    compared.
+    """
     ratio = 2 ** (1 / order)
     a = common_steps(steps, ratio)
     b = coprime(a, ratio)

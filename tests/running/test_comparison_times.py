@@ -10,7 +10,7 @@ import pytest
 
 from runtime import Model, simulate
 from runtime.running.comparison_times import comparison_steps, refined, shared
-from runtime.running.ladder import shown_order
+from runtime.running.step_refinement import shown_order
 from symgen.scene import Scene, SceneRecord
 
 Build = Callable[[SceneRecord], Model]

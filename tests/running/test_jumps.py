@@ -165,7 +165,7 @@ def test_a_run_across_jumps_is_gone_on_with_bit_for_bit(
 @pytest.mark.parametrize("scheme", ["dopri5", "exponential", "exponential_rk4"])
 @pytest.mark.parametrize("jump, dt", [(0.402, 0.1), (0.43, 0.01)])
 def test_an_impulse_is_no_error(model_of: Build, scheme: str, jump: float, dt: float) -> None:
-    """A bob that stands and falls, so that errors grow; steps of every rung end at the jump."""
+    """A bob that stands and falls, so that errors grow; steps of every level end at the jump."""
     model = model_of(kicked_crank("where(t < jump, 0, 2 * (t - jump))"))
     settings: dict[str, Any] = {"parameters": {"jump": jump}, "initial": {"bob.theta": 1.5}}
     exact = simulate(model, scheme="dop853", dt=0.002, **settings)["bob.theta"]

@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from runtime import Model, simulate
-from runtime.running.ladder import steps_that_see_loads
+from runtime.running.step_refinement import steps_that_see_loads
 from runtime.start.start_state import start_state
 from symgen.scene import Scene, SceneRecord
 from tests.support.scenes import on_hinge
@@ -47,7 +47,9 @@ def test_so_many_steps_see_a_load(model_of: Build, torque: str, least: int, most
 @pytest.mark.every_push("auto")
 @pytest.mark.parametrize("scheme", ["dopri5", "exponential_rk4", "auto"])
 def test_a_pulse_shorter_than_coarse_steps_is_not_missed(model_of: Build, scheme: str) -> None:
-    """A pulse of 3 ms in 10 s of slow motion gives the speed its integral, A w sqrt(pi); trials of 24 steps miss it."""
+    """A pulse of 3 ms in 10 s of slow motion gives the speed its integral, A w sqrt(pi); trials of 24 steps miss
+    it.
+    """
     model = model_of(rotor(f"0.1*cos(t) + {PULSE}*exp(-((t - {AT})/{WIDTH})**2)"))
     run = simulate(model, scheme=scheme, tolerance=1e-3)
     after = run.t > AT + 0.1

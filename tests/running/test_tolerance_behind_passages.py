@@ -1,4 +1,4 @@
-"""A tolerance holds behind singular positions and exchanges of coordinates, too: all rungs pass them as runs do."""
+"""A tolerance holds behind singular positions and exchanges of coordinates, too: all levels pass them as runs do."""
 
 from __future__ import annotations
 
@@ -41,7 +41,9 @@ def test_a_tolerance_is_delivered_behind_singular_positions(
 
 
 def hung() -> SceneRecord:
-    """A body of 1 kg on a rod without mass between two pivots, from the horizontal: q_i are exchanged at each swing."""
+    """A body of 1 kg on a rod without mass between two pivots, from the horizontal: q_i are exchanged at each
+    swing.
+    """
     builder = Scene("hung").gravity(0, -9.81).rigid("m", mass=1.0, inertia=0.1)
     builder.distance("rod", "ground.origin", "m.origin", length=1.0)
     return builder.initial({"m.x": 1.0, "m.y": 0.0, "m.theta": 0.0}).build()

@@ -56,8 +56,8 @@ def test_what_is_asked_is_delivered_and_told(built_in: Load, scheme: str) -> Non
         assert run.stats["tolerance"] == tolerance and run.stats["rungs"] >= 3
 
 
-def test_vibrations_that_all_rungs_lose_are_told(built_in: Load) -> None:
-    """Radau damps the rod's axial vibration within few steps: its rungs agreed to 6e-5, all of them off by 5e-3."""
+def test_vibrations_that_all_levels_lose_are_told(built_in: Load) -> None:
+    """Radau damps the rod's axial vibration within few steps: its levels agreed to 6e-5, all of them off by 5e-3."""
     run = simulate(built_in("flexible_slider_crank"), scheme="radau", tolerance=1e-3, t_end=0.1)
     exact = reference_solution(run.model, t_end=float(run.t[-1]), times=run.t).q_i
     error = np.sqrt(np.mean((run.q_i - exact) ** 2, axis=0)) / exact.std(axis=0)
@@ -84,7 +84,7 @@ def test_what_steps_of_one_length_damp_is_told(built_in: Load, scheme: str, dt: 
 
 
 def test_vibrations_that_begin_late_are_told(model_of: Build) -> None:
-    """x'' = -w^2 (x - cos t - a(t)) by hand, where a jumps to 0.01 at 2 s: rungs agreed to 3e-6, off by 7e-3."""
+    """x'' = -w^2 (x - cos t - a(t)) by hand, where a jumps to 0.01 at 2 s: levels agreed to 3e-6, off by 7e-3."""
     w, t_end = 200.0, 4.0
     scene = on_rail("chaser", "mass", "rail", mass=1.0, inertia=0.1)
     scene.measure("place", "x", "mass.origin").initial({"mass.x": 1.0})
@@ -123,7 +123,7 @@ def test_samples_are_as_far_apart_as_asked(built_in: Load, spacing: float) -> No
 
 
 def test_a_tolerance_that_rounding_does_not_allow_ends_in_time(built_in: Load) -> None:
-    """The error stays where it is, whatever the number of steps: said, and no ladder without end."""
+    """The error stays where it is, whatever the number of steps: said, and no refinement without end."""
     run = simulate(built_in("pendulum"), scheme="dopri5", tolerance=1e-13, t_end=1.0)
     assert run.status.ok and run.stats["rungs"] < 30 and run.error.largest < 1e-10
     assert run.error.largest < 1e-13 or "do not bring it down" in str(run.stats["remark"])
@@ -286,7 +286,7 @@ def test_both_engines_give_the_same_bits(built_in: Load) -> None:
 
 @pytest.mark.parametrize("settings", [{"tolerance": 1e-4}, {"scheme": "rk4", "dt": 1e-3}])
 def test_a_run_says_what_it_took_by_part(built_in: Load, settings: dict[str, object]) -> None:
-    """Steps, the time of a step, and the times around them; under a tolerance those of its rungs together, too."""
+    """Steps, the time of a step, and the times around them; under a tolerance those of its levels together, too."""
     stats = simulate(built_in("double_pendulum"), t_end=1.0, **settings).stats  # type: ignore[arg-type]
     parts = ("setup_seconds", "wall_seconds", "error_seconds", "limits_seconds")
     assert all(float(stats[part]) > 0 for part in parts)

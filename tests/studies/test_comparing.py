@@ -15,8 +15,8 @@ from benchmarks.scenes.arm import arm
 from runtime import Model, SchemeError, simulate
 from runtime.contract.errors import ModelError
 from runtime.results.motion_error import amplitudes
-from runtime.running.ladder import Ladder, Method, affordable
 from runtime.running.singular.crossing import MOST_EVALUATIONS, BranchLost, TightIntegrator
+from runtime.running.step_refinement import Method, StepRefinement, affordable
 from runtime.studies.advice import methods
 from runtime.studies.advice.advise import Advice, NoAdvice, advice_data, advice_lines, advise, advised_command
 from runtime.studies.advice.methods import candidates, left_out
@@ -67,8 +67,8 @@ def test_the_reference_is_the_exact_motion(reference: Reference) -> None:
 
 def test_errors_are_those_of_the_exact_motion(reference: Reference) -> None:
     """RMS over the motion relative to the amplitude about the mean, from an own formula."""
-    ladder = Ladder(reference.problem, 1e-3)
-    made = trial_of("rk4", ladder.rung(ladder.plan(Method("rk4"), 160), None), reference)
+    refinement = StepRefinement(reference.problem, 1e-3)
+    made = trial_of("rk4", refinement.level(refinement.plan(Method("rk4"), 160), None), reference)
     how = {"scheme": "rk4", "dt": T_END / 160, "seen_every": 0.0}
     run = simulate(reference.problem.model, t_end=T_END, parameters=PLAIN, initial=START, **how)
     truth = exact(run.t)[:, 0]
@@ -78,8 +78,8 @@ def test_errors_are_those_of_the_exact_motion(reference: Reference) -> None:
 
 
 def test_unstable_runs_are_failures(reference: Reference) -> None:
-    ladder = Ladder(reference.problem, 1e-3)
-    made = trial_of("single_rate", ladder.rung(ladder.plan(Method("single_rate"), 20), None), reference)
+    refinement = StepRefinement(reference.problem, 1e-3)
+    made = trial_of("single_rate", refinement.level(refinement.plan(Method("single_rate"), 20), None), reference)
     assert made.failure and not made.error < 1
 
 
@@ -99,7 +99,7 @@ def test_a_run_as_advised_delivers(advice: Advice, oscillators: Model) -> None:
     )
     off = np.sqrt(np.mean((run.q - exact(run.t)) ** 2, axis=0)) / amplitudes(oscillators, exact(run.t))
     assert run.status.ok and off[0] < advice.tolerance
-    assert advice.best.operations == min(one.operations for one in advice.climbed) and advice.gain >= 1
+    assert advice.best.operations == min(one.operations for one in advice.candidates) and advice.gain >= 1
 
 
 def test_advice_in_words(advice: Advice) -> None:
@@ -139,7 +139,7 @@ def test_unknown_grades_are_named(oscillators: Model) -> None:
 
 def test_no_advice_says_what_was_tried(oscillators: Model, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("runtime.studies.advice.advise.candidates", lambda model, ratios: [Method("printed", (4,))])
-    monkeypatch.setattr("runtime.running.ladder.MOST_OPERATIONS", 1e3)
+    monkeypatch.setattr("runtime.running.step_refinement.MOST_OPERATIONS", 1e3)
     with pytest.raises(NoAdvice, match=r"printed m=4"):
         advise(oscillators, t_end=1.0, parameters=PLAIN, initial=START, tolerance=1e-9)
 
@@ -167,12 +167,12 @@ def test_dense_methods_are_left_out_for_large_models(built_in: Load, monkeypatch
     assert "radau eps=1e-06" not in {one.label for one in candidates(model, ratios)}
 
 
-def test_rungs_of_advice_fall_as_the_order_says(oscillators: Model, tmp_path: Path) -> None:
-    """On two oscillators without damping the last rungs of rk4 are of order 4, of central difference of order 2."""
+def test_levels_of_advice_fall_as_the_order_says(oscillators: Model, tmp_path: Path) -> None:
+    """On two oscillators without damping the last levels of rk4 are of order 4, of central difference of order 2."""
     found = advise(oscillators, t_end=T_END, parameters=PLAIN, initial=START, tolerance=1e-8)
-    rungs = {one.method.scheme: one.rungs[-2:] for one in found.climbed}
+    levels = {one.method.scheme: one.levels[-2:] for one in found.candidates}
     for scheme, order in (("rk4", 4), ("single_rate", 2)):
-        (work, finer), (error, less) = np.log(rungs[scheme].T)
+        (work, finer), (error, less) = np.log(levels[scheme].T)
         assert (error - less) / (finer - work) == pytest.approx(order, abs=0.2)
     found.picture(tmp_path / "advice.png")
     assert (tmp_path / "advice.png").stat().st_size > 10_000
@@ -182,8 +182,8 @@ def test_a_clock_that_misses_most_of_a_call_is_not_believed(
     reference: Reference, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Calls of 2 ms of which it sees 1 us in one, as clocks of CPU time may where others run: 2 ms."""
-    ladder = Ladder(reference.problem, 1e-3)
-    rung, seen, asked = ladder.rung(ladder.plan(Method("rk4"), 400), None), 0.0, 0
+    refinement = StepRefinement(reference.problem, 1e-3)
+    level, seen, asked = refinement.level(refinement.plan(Method("rk4"), 400), None), 0.0, 0
 
     def clock() -> float:
         nonlocal seen, asked
@@ -193,7 +193,7 @@ def test_a_clock_that_misses_most_of_a_call_is_not_believed(
         return seen
 
     monkeypatch.setattr("runtime.studies.advice.reference.time.process_time", clock)
-    assert seconds_of(rung) == pytest.approx(2e-3)
+    assert seconds_of(level) == pytest.approx(2e-3)
     assert asked > 8
 
 

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from runtime import SCHEMES, Model, simulate
-from runtime.running.ladder import Method
 from runtime.running.problem import Problem
+from runtime.running.step_refinement import Method
 from runtime.studies.advice.methods import always_reported, candidates
 from runtime.studies.advice.report import as_markdown, report
 from runtime.studies.advice.spectrum import StepRatios, group_frequencies, moving_rates, step_ratios
@@ -80,7 +80,7 @@ def test_a_report_always_has_the_papers_method_and_single_rate(built_in: Load, n
     found = report(built_in(name), tmp_path, t_end=1.0)
     page = as_markdown(found)
     for scheme in ("printed", "single_rate"):
-        own = [trial for one in found.climbed if one.method.scheme == scheme for trial in one.trials]
+        own = [trial for one in found.candidates if one.method.scheme == scheme for trial in one.trials]
         assert any(np.isfinite(trial.error) for trial in own), scheme
         assert f"| {scheme}" in page
 

@@ -80,7 +80,7 @@ def test_titles_are_escaped() -> None:
 def test_advice_shows_its_choice_and_the_candidates(built_in) -> None:
     advice = advise(built_in("two_oscillators"), t_end=2.0)
     text = shown(advice)
-    assert advice.best.label in text and all(one.label in text for one in advice.climbed)
+    assert advice.best.label in text and all(one.label in text for one in advice.candidates)
 
 
 def test_progress_tells_rate_and_what_remains() -> None:

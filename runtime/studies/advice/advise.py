@@ -1,4 +1,4 @@
-"""Choose a method and its step for a model: several methods climb their ladders, and the cheapest answer is named.
+"""Choose a method and its step for a model: several methods are refined, and the cheapest answer is named.
 
 What is advised was made: a whole motion with that step, whose error is told as that of any run.
 """
@@ -18,8 +18,8 @@ from runtime.contract.cards import card, line, table
 from runtime.contract.coordinates import Initial
 from runtime.contract.errors import NoResult, SymgenError
 from runtime.contract.model import EmittedModel
-from runtime.running.ladder import Ladder, Method, Rung, chosen_method
 from runtime.running.problem import AUTO, Problem, tolerance_of
+from runtime.running.step_refinement import Method, RefinementLevel, StepRefinement, chosen_method
 from runtime.studies.advice.methods import always_reported, candidates, checked_grades, left_out, multirate
 from runtime.studies.advice.spectrum import step_ratios
 
@@ -28,29 +28,29 @@ if TYPE_CHECKING:
 
     from runtime.studies.advice.reference import Reference, Trial
 
-HOPELESS = 2.0  # times the operations of the best answer so far: a ladder that needs more is given up
-SHOWN_HOPELESS, SHOWN_RUNGS = 100.0, 3  # the same of what a report always shows, unless so many rungs came to the end
+HOPELESS = 2.0  # times the operations of the best answer so far: a refinement that needs more is given up
+SHOWN_HOPELESS, SHOWN_LEVELS = 100.0, 3  # the same of what a report always shows, unless so many levels came to the end
 DIGITS = 3  # of an advised step, which is rounded down
 Note = Callable[[str], None]
 
 
 @dataclass(frozen=True)
-class Climbed:
-    """What the ladder of a method came to: the coarsest rung that meets the tolerance, by the next finer one.
+class Candidate:
+    """What the refinement of a method came to: the coarsest level that meets the tolerance, by the next finer one.
 
     answer: None where none met it in useful time; error: of it, as compared with the tolerance; operations: of its
-    steps. rungs (N, 2): operations and error of each rung whose error is known. trials: all rungs by the independent
-    reference, of a report. finest: the last rung that came to its end.
+    steps. levels (N, 2): operations and error of each level whose error is known. trials: all levels by the
+    independent reference, of a report. finest: the last level that came to its end.
     """
 
     method: Method
-    answer: Rung | None = None
+    answer: RefinementLevel | None = None
     error: float = np.nan
     operations: float = np.inf
     failure: str = ""
-    rungs: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))
+    levels: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))
     trials: list[Trial] = field(default_factory=list)
-    finest: Rung | None = None
+    finest: RefinementLevel | None = None
 
     @property
     def label(self) -> str:
@@ -71,25 +71,25 @@ class Climbed:
 class Advice:
     """What to use, and why.
 
-    best: the ladder whose answer takes the fewest operations; climbed: all of them, the cheapest first; gain: how many
-    times the operations of the best method with one step for all coordinates are those of the best (1 where it is such
-    a one, inf where none got there); automatic: the scheme that `auto` would take, and why. reference: what a report
-    measures errors by.
+    best: the refinement whose answer takes the fewest operations; candidates: all of them, the cheapest first;
+    gain: how many times the operations of the best method with one step for all coordinates are those of the best
+    (1 where it is such a one, inf where none got there); automatic: the scheme that `auto` would take, and why.
+    reference: what a report measures errors by.
     """
 
     model: EmittedModel
     tolerance: float
     graded: list[str]
     t_end: float
-    climbed: list[Climbed]
+    candidates: list[Candidate]
     gain: float
     automatic: tuple[str, str]
     reference: Reference | None = None
 
     @property
-    def best(self) -> Climbed:
+    def best(self) -> Candidate:
         """The cheapest."""
-        return self.climbed[0]
+        return self.candidates[0]
 
     @property
     def method(self) -> Method:
@@ -113,7 +113,7 @@ class Advice:
         return f"{self.best.label} takes {few} the best method with one step for all coordinates ({step})"
 
     def picture(self, path: str | Path | None = None) -> Figure:
-        """Error of every rung of every method against operations, of a report against time. Raises OutputError."""
+        """Error of every level of every method against operations, of a report against time. Raises OutputError."""
         from runtime.views.plots import work_precision
 
         title = f"{self.model.title or self.model.name}, {self.t_end:g} s"
@@ -122,9 +122,9 @@ class Advice:
                 one.method,
                 np.array([(1e3 * trial.seconds, trial.error) for trial in one.trials]).reshape(-1, 2)
                 if self.reference
-                else one.rungs,
+                else one.levels,
             )
-            for one in self.climbed
+            for one in self.candidates
         ]
         unit = "processor time of the steps [ms]" if self.reference else "operations"
         found: Figure = work_precision(title, curves, self.tolerance, unit, path)
@@ -135,7 +135,7 @@ class Advice:
             (one.label, f"{one.dt:.4g} s", f"{one.operations:.3g}", f"{one.error:.2g}")
             if one.answer
             else (one.label, one.failure)
-            for one in self.climbed
+            for one in self.candidates
         ]
         about = f"an error of {self.tolerance:g} in {', '.join(self.graded)} over {self.t_end:g} s"
         wanted = f"{self.best.label}, dt = {self.dt:g} s"
@@ -196,72 +196,74 @@ def advise(
     tolerance_of(model, AUTO, tolerance)
     names = checked_grades(model, graded)
     problem = Problem.of(model, t_end, parameters, initial, start) if reference is None else reference.problem
-    ladder = Ladder(problem, tolerance, graded=tuple(graded or ()))
+    refinement = StepRefinement(problem, tolerance, graded=tuple(graded or ()))
     chosen, reason = chosen_method(problem)
     note(f"trying {chosen.label}")
-    climbed = [_climbed(ladder, chosen, np.inf, reference)]
-    motion = climbed[0].finest
+    compared = [_refined(refinement, chosen, np.inf, reference)]
+    motion = compared[0].finest
     ratios = step_ratios(problem, None if motion is None else motion.run.seen())
     shown = always_reported(model, ratios) if reference is not None else []
     tried = {method.label: method for method in (*candidates(model, ratios), *shown)}
     tried.pop(chosen.label, None)
     for method in tried.values():
         note(f"trying {method.label}")
-        least = min((one.operations for one in climbed), default=np.inf)
-        climbed.append(_climbed(ladder, method, least, reference, always=method in shown))
-    climbed.sort(key=lambda one: one.operations)
-    best = climbed[0]
+        least = min((one.operations for one in compared), default=np.inf)
+        compared.append(_refined(refinement, method, least, reference, always=method in shown))
+    compared.sort(key=lambda one: one.operations)
+    best = compared[0]
     if best.answer is None:
         raise NoAdvice(
-            f"none of {', '.join(one.label for one in climbed)} reached {tolerance:g} on {model.name}; "
+            f"none of {', '.join(one.label for one in compared)} reached {tolerance:g} on {model.name}; "
             "loosen the tolerance or grade fewer coordinates"
         )
-    single = min((one.operations for one in climbed if not multirate(one.method)), default=np.inf)
+    single = min((one.operations for one in compared if not multirate(one.method)), default=np.inf)
     return Advice(
         model,
         tolerance,
         names,
         problem.t_end,
-        climbed,
+        compared,
         single / best.operations,
         (chosen.scheme, reason),
         reference,
     )
 
 
-def _climbed(ladder: Ladder, method: Method, best: float, reference: Reference | None, always: bool = False) -> Climbed:
-    """The ladder of a method, given up where a rung is far dearer than the best answer so far; always: is it shown
-    whatever it costs?
+def _refined(
+    refinement: StepRefinement, method: Method, best: float, reference: Reference | None, always: bool = False
+) -> Candidate:
+    """The refinement of a method, given up where a level is far dearer than the best answer so far; always: is it
+    shown whatever it costs?
     """
-    rungs: list[Rung] = []
+    levels: list[RefinementLevel] = []
     try:
-        for rung in ladder.climb(method):
-            rungs.append(rung)
-            if rung.status.name == "interrupted":
+        for level in refinement.refine(method):
+            levels.append(level)
+            if level.status.name == "interrupted":
                 raise KeyboardInterrupt
-            few = always and sum(not one.lost for one in rungs) < SHOWN_RUNGS
-            if _operations(rung) > (SHOWN_HOPELESS if few else HOPELESS) * best:
+            few = always and sum(not one.lost for one in levels) < SHOWN_LEVELS
+            if _operations(level) > (SHOWN_HOPELESS if few else HOPELESS) * best:
                 break
     except SymgenError as error:  # a scheme that this model does not allow
-        return Climbed(method, failure=str(error).splitlines()[0])
-    pairs = list(zip(rungs, rungs[1:], strict=False))
-    seen = np.array([(_operations(rung), finer.differs) for rung, finer in pairs]).reshape(-1, 2)
+        return Candidate(method, failure=str(error).splitlines()[0])
+    pairs = list(zip(levels, levels[1:], strict=False))
+    seen = np.array([(_operations(level), finer.differs) for level, finer in pairs]).reshape(-1, 2)
     trials: list[Trial] = []
     if reference is not None:
         from runtime.studies.advice.reference import trial_of
 
-        trials = [trial_of(method.label, rung, reference) for rung in rungs]
-    whole = next((one for one in reversed(rungs) if not one.lost), None)
-    found = Climbed(method, failure="not reached in useful time", rungs=seen, trials=trials, finest=whole)
-    for rung, finer in reversed(pairs):
-        if not finer.differs <= ladder.tolerance:
+        trials = [trial_of(method.label, level, reference) for level in levels]
+    whole = next((one for one in reversed(levels) if not one.lost), None)
+    found = Candidate(method, failure="not reached in useful time", levels=seen, trials=trials, finest=whole)
+    for level, finer in reversed(pairs):
+        if not finer.differs <= refinement.tolerance:
             break
-        found = Climbed(method, rung, finer.differs, _operations(rung), rungs=seen, trials=trials, finest=whole)
+        found = Candidate(method, level, finer.differs, _operations(level), levels=seen, trials=trials, finest=whole)
     return found
 
 
-def _operations(rung: Rung) -> float:
-    return float(rung.steps) * rung.run.segment.stepper.operations
+def _operations(level: RefinementLevel) -> float:
+    return float(level.steps) * level.run.segment.stepper.operations
 
 
 # ---- in words ----------------------------------------------------------------------------------------------------
@@ -289,7 +291,7 @@ def advice_data(advice: Advice) -> dict[str, Any]:
             {"method": one.label, "dt": one.dt, "operations": one.operations, "error": one.error}
             if one.answer
             else {"method": one.label, "dt": None, "operations": None, "error": None, "failure": one.failure}
-            for one in advice.climbed
+            for one in advice.candidates
         ],
     }
 
@@ -299,7 +301,7 @@ def advice_lines(advice: Advice, scene: str = "") -> list[str]:
     lines = [
         f"{advice.model.name}: to reach {advice.tolerance:g} in {', '.join(advice.graded)} over {advice.t_end:g} s:"
     ]
-    for one in advice.climbed:
+    for one in advice.candidates:
         came = f"dt = {one.dt:<8g} s  {one.operations:9.3g} operations  error {one.error:.2g}"
         lines.append(f"  {one.label:34} {came if one.answer else one.failure}")
     lines += [one for one in (left_out(advice.model), advice.reason) if one]

@@ -19,9 +19,9 @@ from runtime.contract.model import EmittedModel, refuse_events
 from runtime.engine.rows import evaluator
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.running.comparison_times import comparison_steps
-from runtime.running.ladder import Rung
 from runtime.running.outcome import statistics
 from runtime.running.problem import Problem
+from runtime.running.step_refinement import RefinementLevel
 from runtime.solutions.solution import Solution
 from runtime.studies.advice.methods import checked_grades
 
@@ -146,7 +146,7 @@ class Trial:
     """setting: the step dt [s]; seconds: of CPU.
 
     error, end_error: of the worst graded coordinate, over the motion and at its end; errors: of each, by name. told:
-    what the ladder says of the error. failure: how it ended, if not well.
+    what the refinement says of the error. failure: how it ended, if not well.
     """
 
     label: str
@@ -161,23 +161,23 @@ class Trial:
     failure: str = ""
 
 
-def trial_of(label: str, rung: Rung, reference: Reference) -> Trial:
-    """A rung of a ladder, timed again without what surrounds its steps."""
-    run = rung.run
+def trial_of(label: str, level: RefinementLevel, reference: Reference) -> Trial:
+    """A level of a refinement, timed again without what surrounds its steps."""
+    run = level.run
     first = run.record.segments[0]
     dt, counted = first.plan.grid.dt_L, statistics(run.segment, run.z, 0.0, 0.0)
-    made = int(counted["steps"]), seconds_of(rung), int(counted["evaluations"])
-    if rung.lost:
-        return Trial(label, dt, *made, np.inf, np.inf, failure=rung.status.cause or rung.status.name)
+    made = int(counted["steps"]), seconds_of(level), int(counted["evaluations"])
+    if level.lost:
+        return Trial(label, dt, *made, np.inf, np.inf, failure=level.status.cause or level.status.name)
     seen = run.seen()
-    at = first.plan.t0 + rung.reached * dt  # samples alone, evenly spaced, may be in phase with a vibration
-    q = np.concatenate([rung.seen[0], told(reference.problem.model, seen)])
+    at = first.plan.t0 + level.reached * dt  # samples alone, evenly spaced, may be in phase with a vibration
+    q = np.concatenate([level.seen[0], told(reference.problem.model, seen)])
     error = reference.error(np.concatenate([at, seen.t]), q)
     if not reference.worst(error) < HOPELESS:
         return Trial(label, dt, *made, np.inf, np.inf, failure="error above the motion itself")
     errors = {name: error.relative[name] for name in reference.graded}
     ends = reference.at_end(error)
-    return Trial(label, dt, *made, reference.worst(error), ends, errors, rung.told.largest)
+    return Trial(label, dt, *made, reference.worst(error), ends, errors, level.told.largest)
 
 
 def told(model: EmittedModel, seen: Solution) -> np.ndarray:
@@ -185,16 +185,16 @@ def told(model: EmittedModel, seen: Solution) -> np.ndarray:
     return seen.q[:, followed(model)[1]]
 
 
-def seconds_of(rung: Rung) -> float:
-    """CPU time of the steps of a rung alone, in one call [s]; of one that passes singular positions, of the run."""
-    run, first = rung.run, rung.run.record.segments[0]
-    if len(run.record.segments) > 1 or run.schedule is not None or rung.lost or rung.seconds > ENOUGH:
-        return rung.seconds
+def seconds_of(level: RefinementLevel) -> float:
+    """CPU time of the steps of a level alone, in one call [s]; of one that passes singular positions, of the run."""
+    run, first = level.run, level.run.record.segments[0]
+    if len(run.record.segments) > 1 or run.schedule is not None or level.lost or level.seconds > ENOUGH:
+        return level.seconds
     first.stepper.finish()
     z0, times = first.start(run.problem.state.q, run.problem.state.q_dot), list[float]()
     while len(times) < REPEATS[0] or (len(times) < REPEATS[1] and sum(times) <= ENOUGH):
         z = z0.copy()
         began = time.process_time()
-        first.advance(z, rung.steps)
+        first.advance(z, level.steps)
         times.append(time.process_time() - began)
     return float(np.quantile(times, LOW))

@@ -78,7 +78,7 @@ def leave(found: Advice, folder: Path) -> dict[str, str]:
 
 def trials_of(found: Advice) -> list[Trial]:
     """All motions that were made, method by method."""
-    return [trial for one in found.climbed for trial in one.trials]
+    return [trial for one in found.candidates for trial in one.trials]
 
 
 def as_markdown(found: Advice) -> str:

@@ -16,8 +16,8 @@ import numpy as np
 
 from runtime.contract.status import StatusName
 from runtime.results.motion_error import errors_of_many
-from runtime.running.ladder import ACCURATE, AFTER_LOST, MOST, RICHARDSON, SAFETY, SHOWN, SOON, STAGNANT
 from runtime.running.outcome import LARGEST
+from runtime.running.step_refinement import ACCURATE, AFTER_LOST, MOST, RICHARDSON, SAFETY, SHOWN, SOON, STAGNANT
 from runtime.studies.ensemble.lane_runs import LaneResults
 from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.rows import Rows
@@ -224,7 +224,9 @@ class RefinedCases:
 
 
 def shown_orders(fall: np.ndarray, first: np.ndarray, second: np.ndarray) -> np.ndarray:
-    """The orders (cases,) that three levels show whose differences fall by `fall`, see runtime/running/ladder.py."""
+    """The orders (cases,) that three levels show whose differences fall by `fall`, see
+    runtime/running/step_refinement.py.
+    """
     table = (first[:, None] ** ORDERS - 1) / (1 - second[:, None] ** -ORDERS)
     shown = ORDERS[np.minimum((table < fall[:, None]).sum(axis=1), len(ORDERS) - 1)]
     return np.asarray(np.where(fall > table[:, 0], shown, 0.0))

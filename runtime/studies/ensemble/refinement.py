@@ -19,9 +19,9 @@ from runtime.contract.coordinates import followed
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import EmittedModel
 from runtime.running.comparison_times import comparison_steps
-from runtime.running.ladder import Ladder, Method, Rung, chosen_method
 from runtime.running.planning import make_plan
 from runtime.running.problem import AUTO, ROUNDING, Plan, Problem, span_of, tolerance_of
+from runtime.running.step_refinement import Method, RefinementLevel, StepRefinement, chosen_method
 from runtime.schemes.options import SchemeError
 
 FIRST_SHARE = 4  # the first level has this part of the steps that the middle case needs
@@ -36,9 +36,9 @@ MOST_LEVEL = 10**6  # steps a unit
 class Refinement:
     """What is asked of every case, in plain numbers.
 
-    tolerance [1]; units: parts of the motion, of `length` [s], at whose ends all levels end a step; first: steps of the
-    first level in each; budget: steps that a case may take in all; asked: how many of the outputs are the user's;
-    every: units from sample to sample of a history.
+    tolerance [1]; units: parts of the motion, of `length` [s], at whose ends all levels end a step; first: steps of
+    the first level in each; budget: steps that a case may take in all; asked: how many of the outputs are the
+    user's; every: units from sample to sample of a history.
     """
 
     tolerance: float
@@ -98,16 +98,16 @@ def refinement_of(
     begin, end = span_of(model, t0, t_end)
     apart = end - begin if seen is None else min(seen, end - begin)
     base = ceil((end - begin) / apart - ROUNDING)
-    method, rungs, first = _middle(model, names, table, wanted, scheme, m, options, (begin, end), start)
+    method, levels, first = _middle(model, names, table, wanted, scheme, m, options, (begin, end), start)
     steps = first
-    if rungs:
-        answer, order = rungs[-1], rungs[-1].run.plan.scheme.order
+    if levels:
+        answer, order = levels[-1], levels[-1].run.plan.scheme.order
         shorter = np.clip((answer.error / (AIM * wanted)) ** (1 / order), AIM, 1.0) if answer.error > 0 else 1.0
         steps = max(first, ceil(answer.steps * float(shorter) / FIRST_SHARE))
     every = max(1, steps // (UNITS * base))
     units, length = base * every, apart / every
     in_unit = max(1, ceil(steps / units))
-    budget = BUDGET * max(sum(one.steps for one in rungs), in_unit * units)
+    budget = BUDGET * max(sum(one.steps for one in levels), in_unit * units)
     found = Refinement(wanted, units, length, in_unit, budget, asked, every)
     chosen = None if method.m is None else list(method.m)
     plan = make_plan(model, end, length / in_unit, chosen, method.scheme, 0.0, method.options, begin, bounded=True)
@@ -124,7 +124,7 @@ def _middle(
     options: Mapping[str, Any] | None,
     span: tuple[float, float],
     start: str | None,
-) -> tuple[Method, list[Rung], int]:
+) -> tuple[Method, list[RefinementLevel], int]:
     """The method, levels of a case in the middle that came to its end ([] if none does), and steps to begin with."""
     chosen = scheme or AUTO
     method, first, last = None, 1, None
@@ -142,11 +142,11 @@ def _middle(
             method = chosen_method(problem)[0]
         else:
             method = Method(chosen, None if m is None else tuple(m), dict(options or {}))
-        ladder = Ladder(problem, tolerance)
-        first = method.first or ladder.first(method)
-        rungs = [one for one in ladder.climb(method) if not one.lost]
-        if rungs and np.isfinite(rungs[-1].error):
-            return method, rungs, first
+        refinement = StepRefinement(problem, tolerance)
+        first = method.first or refinement.first(method)
+        levels = [one for one in refinement.refine(method) if not one.lost]
+        if levels and np.isfinite(levels[-1].error):
+            return method, levels, first
     if method is None:
         assert last is not None
         raise ArgumentError("parameters, initial", f"no case was found that can start: {last}", "give others")

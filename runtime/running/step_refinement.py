@@ -1,9 +1,10 @@
-"""A tolerance: a ladder of whole motions by one method, each rung with more steps, until two of them agree well enough.
+"""A tolerance by step refinement: whole motions by one method, each level with more steps, until two agree well
+enough.
 
-The error of a rung is measured as that of any run: by what it differs from the rung before. Which method climbs is
-decided by the operations that its first rung takes; `auto`, advice and comparisons read such ladders.
+The error of a level is measured as that of any run: by what it differs from the level before. Which method is refined
+is decided by the operations that its first level takes; `auto`, advice and comparisons read such refinements.
 
-In the field's words: step refinement by the global error, each rung a refinement level, with Richardson extrapolation
+It is step refinement by the global error, with Richardson extrapolation
 where the order of the truncation error shows (E. Hairer, S. P. Norsett, G. Wanner: Solving Ordinary Differential
 Equations I, 2nd ed., Springer 1993, sections II.4 and II.9). Step size control by the local error is in
 schemes/step_size_controller.py.
@@ -58,29 +59,30 @@ from runtime.schemes.scheme import Scheme, evaluation_operations
 from runtime.schemes.switching.times import switching_times
 from runtime.solutions.solution import Solution
 
-FIRST = 20  # steps of a first rung, at least
+FIRST = 20  # steps of a first level, at least
 SEES_SHORT = 8  # steps in the time in which a load acts
 SAFETY = 0.9  # of a tolerance, and of a stability limit
-MOST = 2.5  # times the steps of the rung before
+MOST = 2.5  # times the steps of the level before
 AFTER_LOST = 3.0  # the same, where the motion was lost
 MOST_FINER = 10.0  # the same, where its steps turned a loop too far
-MOST_CHATTERING = 5000  # steps of a rung that crosses a kink at nearly every one
-SHOWN = 0.8  # of the order of a method: where three rungs show that much, the error is half of the difference
+MOST_CHATTERING = 5000  # steps of a level that crosses a kink at nearly every one
+SHOWN = 0.8  # of the order of a method: where three levels show that much, the error is half of the difference
 BISECTIONS = 40  # of the order that is shown
-SEEN = 1000  # samples of a rung that is kept
+SEEN = 1000  # samples of a level that is kept
 MOST_STEPS = 10**8
-MOST_OPERATIONS = 10**12  # of all rungs: some minutes
-MOST_RESOLVING = 10**10  # operations of a rung that resolves the fastest mode: seconds
-STAGNANT = 0.5  # of a difference: rungs that do not come below it any more will not
-SOON, LATE = 6, 11  # rungs before that is said, and where the motion is not resolved yet
+MOST_OPERATIONS = 10**12  # of all levels: some minutes
+MOST_RESOLVING = 10**10  # operations of a level that resolves the fastest mode: seconds
+STAGNANT = 0.5  # of a difference: levels that do not come below it any more will not
+SOON, LATE = 6, 11  # levels before that is said, and where the motion is not resolved yet
 RICHARDSON = 3.0  # times the error by extrapolation where the order shows: on the safe side
 ACCURATE = 0.5  # of the error from which a run is not accurate: what nobody has graded stays below
-BEFORE_END = 50  # steps before the end of a rung that stops early, from which on its end can be believed
-END_KNOWN = 2  # steps of a rung, to which the time of its end is known
-MOST_ENDING = 10**10  # operations of rungs that stop early, each at another time: seconds
+BEFORE_END = 50  # steps before the end of a level that stops early, from which on its end can be believed
+END_KNOWN = 2  # steps of a level, to which the time of its end is known
+MOST_ENDING = 10**10  # operations of levels that stop early, each at another time: seconds
 EXPLICIT = ("dopri5", "rk4")
 HANDICAP = {"rk4": 2}  # times the steps that a method of lower order is expected to take
-# operations of a step: evaluations, and times n, n^2, n^3 of n coordinates; counted on the hard suite, to a factor 1.6
+# operations of a step: evaluations, and times n, n^2, n^3 of n coordinates; counted on the hard suite, to a factor
+# 1.6
 PRICES = {
     "dopri5": (6.5, 0, 0, 0),
     "rk4": (4.0, 0, 0, 0),
@@ -91,7 +93,7 @@ PRICES = {
 
 @dataclass(frozen=True)
 class Method:
-    """A scheme with ratios m and options; first: steps of its first rung, 0 for as many as it needs."""
+    """A scheme with ratios m and options; first: steps of its first level, 0 for as many as it needs."""
 
     scheme: str
     m: tuple[int, ...] | None = None
@@ -110,10 +112,10 @@ def _word(name: str, value: Any) -> str:
 
 
 @dataclass
-class Rung:
+class RefinementLevel:
     """A whole motion in so many steps.
 
-    seconds: of CPU from its start to its end. differs: from the rung before, relative to the amplitudes, NaN where
+    seconds: of CPU from its start to its end. differs: from the level before, relative to the amplitudes, NaN where
     there is none; error: what is taken for its error, on the safe side; told: what is most likely, by Richardson's
     extrapolation where the order shows.
     """
@@ -150,7 +152,7 @@ class Rung:
         return not self.status.ok
 
 
-def by_ladder(
+def by_step_refinement(
     problem: Problem,
     tolerance: float,
     scheme: str,
@@ -159,27 +161,28 @@ def by_ladder(
     spacing: float | None,
     further: RunOptions,
 ) -> Solution:
-    """The motion to a tolerance, as the last rung of a ladder. spacing [s]: of the samples; None: as the steps are.
+    """The motion to a tolerance, as the last level of a refinement. spacing [s]: of the samples; None: as the steps
+    are.
 
     Raises what `simulate` raises.
     """
-    ladder = Ladder(problem, tolerance, spacing, further)
+    refinement = StepRefinement(problem, tolerance, spacing, further)
     if scheme == AUTO:
         method, _ = chosen_method(problem)
     else:
         method = Method(scheme, None if m is None else tuple(m), options)
-    rungs, total = [], 0.0
-    for rung in ladder.climb(method):
-        rungs.append(rung)
-        total += rung.steps
-        if rung.status.name == "interrupted":
+    levels, total = [], 0.0
+    for level in refinement.refine(method):
+        levels.append(level)
+        total += level.steps
+        if level.status.name == "interrupted":
             break
-    return ladder.solution(rungs, total)
+    return refinement.solution(levels, total)
 
 
 @dataclass
-class Ladder:
-    """Makes rungs of a problem; unit: numbers of steps are multiples of it, until span [s]; a motion may end sooner.
+class StepRefinement:
+    """Makes levels of a problem; unit: numbers of steps are multiples of it, until span [s]; a motion may end sooner.
 
     graded: whose errors are to be within the tolerance, () for those of all coordinates that tell the motion; of the
     others a run has to be accurate.
@@ -223,37 +226,37 @@ class Ladder:
         plan = replace(plan, seen_steps=every, force=True, refined=True, outputs=tuple(self.further.outputs or ()))
         return plan.until(self.problem.t_end)
 
-    def climb(self, method: Method) -> Iterator[Rung]:
-        """Rungs from the first to the one that meets the tolerance, or to the last that it is worth to make."""
+    def refine(self, method: Method) -> Iterator[RefinementLevel]:
+        """Levels from the first to the one that meets the tolerance, or to the last that it is worth to make."""
         least = max(
             (method.first or self.first(method)) / self.unit,
             self._units(frequency_at_start(self.problem.model, self.problem.state)),
         )
-        count, rungs, spent = refined(0, least), list[Rung](), 0.0
+        count, levels, spent = refined(0, least), list[RefinementLevel](), 0.0
         seen, common = 0, shared(count)
         plan = None
         while True:
             plan = self.plan(method, count * self.unit, plan)
-            rung = self.rung(plan, rungs[-1].run if rungs else None, [common, shared(count)])
+            level = self.level(plan, levels[-1].run if levels else None, [common, shared(count)])
             order = plan.scheme.order
-            if rungs and not rung.lost and not rungs[-1].lost:
-                self.judge(rungs, rung, order)
-                if plan.scheme.damps and rung.error <= self.tolerance:  # rungs that have lost a vibration agree
+            if levels and not level.lost and not levels[-1].lost:
+                self.judge(levels, level, order)
+                if plan.scheme.damps and level.error <= self.tolerance:  # levels that have lost a vibration agree
                     try:
-                        rung.told = with_what_is_damped(rung.run, rung.comparison_times, rung.sampled, rung.told)
+                        level.told = with_what_is_damped(level.run, level.comparison_times, level.sampled, level.told)
                     except KeyboardInterrupt:
-                        rung.told = MotionError(reason="stopped by the user while it was measured")
-                        yield rung
+                        level.told = MotionError(reason="stopped by the user while it was measured")
+                        yield level
                         return
-                    rung.error = max(rung.error, self._asked(rung.told))
-            rungs.append(rung)
-            yield rung
-            spent += plan.steps * rung.run.segment.stepper.operations
-            if len(rungs) == 1:
-                seen = self._seen_on_the_way(rung)
-            following = self.next_count(rungs, order)
+                    level.error = max(level.error, self._asked(level.told))
+            levels.append(level)
+            yield level
+            spent += plan.steps * level.run.segment.stepper.operations
+            if len(levels) == 1:
+                seen = self._sampling_the_way(level)
+            following = self.next_count(levels, order)
             following = following if following is None else max(following, seen)
-            if (turned := min(self._turned_by(rung), ceil(MOST_FINER * count))) > count:  # it tells nothing yet
+            if (turned := min(self._turned_by(level), ceil(MOST_FINER * count))) > count:  # it tells nothing yet
                 following = max(following or 0, turned)
             following = following if following is None else refined(count, following)
             if following is None or spent * following / count > MOST_OPERATIONS or following * self.unit > MOST_STEPS:
@@ -261,23 +264,23 @@ class Ladder:
             count, common = following, shared(count)
 
     def first(self, method: Method) -> int:
-        """Steps of a first rung: such as see what loads do, within the stability limit at the start."""
+        """Steps of a first level: such as see what loads do, within the stability limit at the start."""
         scheme = self.plan(method, FIRST).scheme
         return max(_seen_loads(self.problem), _stable_steps(scheme, slopes_at_start(self.problem), self.span))
 
-    def _seen_on_the_way(self, rung: Rung) -> int:
-        """Steps, in units, that see what acts on a short part of the way that a rung took."""
-        shortest = min((one.end - one.start for one in passed_by(rung.run, SEES_SHORT)), default=inf)
+    def _sampling_the_way(self, level: RefinementLevel) -> int:
+        """Steps, in units, that see what acts on a short part of the way that a level took."""
+        shortest = min((one.end - one.start for one in passed_by(level.run, SEES_SHORT)), default=inf)
         return ceil(SEES_SHORT * self.span / shortest / self.unit)
 
-    def _turned_by(self, rung: Rung) -> int:
-        """Steps, in units, none of which turns a loop too far to be followed, by what a rung has seen."""
+    def _turned_by(self, level: RefinementLevel) -> int:
+        """Steps, in units, none of which turns a loop too far to be followed, by what a level has seen."""
         found = [0.0]
-        for segment, states in rung.run.record.states():
+        for segment, states in level.run.record.states():
             found.append(frequency_at_states(segment.model, segment.plan.scheme, segment.c, states))
-        if rung.lost:  # its step from the last good state turned by the acceleration, too
-            last = rung.run.segment
-            state = last.state(rung.run.z)[None]
+        if level.lost:  # its step from the last good state turned by the acceleration, too
+            last = level.run.segment
+            state = last.state(level.run.z)[None]
             found.append(frequency_at_states(last.model, last.plan.scheme, last.c, state, by_change=True))
         return self._units(max(found))
 
@@ -285,7 +288,7 @@ class Ladder:
         """Steps, in units, of so many in a second."""
         return ceil(self.span * frequency / self.unit)
 
-    def rung(self, plan: Plan, like: Run | None = None, common: Sequence[int] = (1,)) -> Rung:
+    def level(self, plan: Plan, like: Run | None = None, common: Sequence[int] = (1,)) -> RefinementLevel:
         """A whole motion, of which one is known with other steps; nobody looks whether steps see what loads do.
 
         common: of how many units the steps of each motion are a multiple that this one is compared with.
@@ -299,33 +302,33 @@ class Ladder:
         run = begun(self.problem, replace(plan, outputs=()), comparison_times, further, quiet=True, like=like)
         began = time.process_time()
         status = run.integrate()
-        return Rung(steps, run, comparison_times, status, time.process_time() - began)
+        return RefinementLevel(steps, run, comparison_times, status, time.process_time() - began)
 
-    def judge(self, before: list[Rung], rung: Rung, order: int) -> None:
-        """The error of a rung by the one before it, in place; by extrapolation where three rungs show the order."""
+    def judge(self, before: list[RefinementLevel], level: RefinementLevel, order: int) -> None:
+        """The error of a level by the one before it, in place; by extrapolation where three levels show the order."""
         last = before[-1]
-        places = gcd(rung.steps, last.steps)  # ends of steps of both
-        every, others = rung.steps // places, last.steps // places
+        places = gcd(level.steps, last.steps)  # ends of steps of both
+        every, others = level.steps // places, last.steps // places
         ours, theirs = (
-            one.reached[one.reached % apart == 0] // apart for one, apart in ((rung, every), (last, others))
+            one.reached[one.reached % apart == 0] // apart for one, apart in ((level, every), (last, others))
         )
         common = np.intersect1d(ours, theirs)
         if not len(common):
             return
-        model, plan = self.problem.model, rung.run.plan
-        q, v = rung.seen.compress(among(rung.reached, common * every), axis=1)
+        model, plan = self.problem.model, level.run.plan
+        q, v = level.seen.compress(among(level.reached, common * every), axis=1)
         other_q, other_v = last.seen.compress(among(last.reached, common * others), axis=1)
-        sizes = amplitudes(model, np.concatenate([other_q, rung.sampled[0]]))
+        sizes = amplitudes(model, np.concatenate([other_q, level.sampled[0]]))
         t = plan.t0 + common * every * plan.grid.dt_L
-        rung.told = motion_error(model, t, q, other_q, sizes, (v, other_v), rung.sampled[1])
-        rung.error = rung.differs = self._asked(rung.told)
-        if len(before) > 1 and 0 < rung.error < last.differs:
-            ratio = rung.steps / last.steps
-            shown = shown_order(last.differs, rung.differs, last.steps / before[-2].steps, ratio, order)
+        level.told = motion_error(model, t, q, other_q, sizes, (v, other_v), level.sampled[1])
+        level.error = level.differs = self._asked(level.told)
+        if len(before) > 1 and 0 < level.error < last.differs:
+            ratio = level.steps / last.steps
+            shown = shown_order(last.differs, level.differs, last.steps / before[-2].steps, ratio, order)
             if shown > SHOWN * order:
                 richer = max(2.0, ratio**shown - 1)
-                rung.error *= min(0.5, RICHARDSON / richer)
-                rung.told = rung.told.scaled(1 / richer)
+                level.error *= min(0.5, RICHARDSON / richer)
+                level.told = level.told.scaled(1 / richer)
 
     def _asked(self, error: MotionError) -> float:
         """What is compared with the tolerance; of rates, and of what is not graded, a run has to be accurate."""
@@ -333,34 +336,34 @@ class Ladder:
         graded = self.graded or error.relative
         return float(max(others * self.tolerance / (ACCURATE * LARGEST), *(error.relative[name] for name in graded)))
 
-    def next_count(self, rungs: list[Rung], order: int) -> int | None:
-        """Steps of the next rung, in units; None where the last one is the answer, or nothing would be won."""
-        last = rungs[-1]
+    def next_count(self, levels: list[RefinementLevel], order: int) -> int | None:
+        """Steps of the next level, in units; None where the last one is the answer, or nothing would be won."""
+        last = levels[-1]
         count = last.steps // self.unit
         if last.lost:
-            return None if self.ends(rungs, order) else ceil(AFTER_LOST * count)
-        if len(rungs) >= 3 and last.error <= self.tolerance:
+            return None if self.ends(levels, order) else ceil(AFTER_LOST * count)
+        if len(levels) >= 3 and last.error <= self.tolerance:
             return None
-        if len(rungs) >= 3 and last.steps > MOST_CHATTERING and all(chattering_of(one.run) for one in rungs[-3:]):
+        if len(levels) >= 3 and last.steps > MOST_CHATTERING and all(chattering_of(one.run) for one in levels[-3:]):
             return None  # its error falls in proportion to its steps at best, each of which is searched for its kink
-        if _stagnant(rungs):
+        if _stagnant(levels):
             dear = self.resolving * self.unit * last.run.segment.stepper.operations > MOST_RESOLVING
             if count < self.resolving and not dear:
                 return self.resolving
-            if dear or _stagnant([one for one in rungs if one.steps >= self.resolving * self.unit]):
+            if dear or _stagnant([one for one in levels if one.steps >= self.resolving * self.unit]):
                 return None
         least = 2 ** (1 / order)
         factor = MOST if not np.isfinite(last.error) else (last.error / (SAFETY * self.tolerance)) ** (1 / order)
         return ceil(count * min(max(factor, least), MOST))
 
-    def ends(self, rungs: list[Rung], order: int) -> bool:
-        """Does the motion end where the last rung stops, or is it not worth while to find out?
+    def ends(self, levels: list[RefinementLevel], order: int) -> bool:
+        """Does the motion end where the last level stops, or is it not worth while to find out?
 
-        It does where three rungs that resolve it stop for the same reason at times that converge as the method does, or
-        as near to each other as their steps tell. Coarse rungs may fail near each other by chance.
+        It does where three levels that resolve it stop for the same reason at times that converge as the method
+        does, or as near to each other as their steps tell. Coarse levels may fail near each other by chance.
         """
-        last = rungs[-3:]
-        spent = sum(one.run.step * one.run.segment.stepper.operations for one in rungs if one.lost)
+        last = levels[-3:]
+        spent = sum(one.run.step * one.run.segment.stepper.operations for one in levels if one.lost)
         if spent > MOST_ENDING:
             return True
         if last[-1].status.name == "iteration_failed":  # which no motion does, but its steps
@@ -382,21 +385,21 @@ class Ladder:
     def resolving(self) -> int:
         """Steps, in units, that resolve the fastest mode at the start, 0 where it is not known.
 
-        Rungs that leave it out agree no better with each other than by what it moves.
+        Levels that leave it out agree no better with each other than by what it moves.
         """
         fastest = fastest_mode(self.problem)
         return 0 if fastest is None else ceil(self.span * fastest / RESOLVED / self.unit)
 
-    def solution(self, rungs: list[Rung], total: float) -> Solution:
-        """What the last whole rung is, with its error, and how the ladder ended."""
-        whole = [one for one in rungs if not one.lost]
-        further, interrupted = self.further, rungs[-1].status.name == "interrupted"
-        chance = rungs[-1].lost and not interrupted and not (whole and whole[-1].told.measured)
+    def solution(self, levels: list[RefinementLevel], total: float) -> Solution:
+        """What the last whole level is, with its error, and how the refinement ended."""
+        whole = [one for one in levels if not one.lost]
+        further, interrupted = self.further, levels[-1].status.name == "interrupted"
+        chance = levels[-1].lost and not interrupted and not (whole and whole[-1].told.measured)
         if not whole or chance:  # a motion that coarse steps alone bring to its end is none
-            rungs[-1].run.events += loads_missed(rungs[-1].run)
-            return finished(rungs[-1].run, rungs[-1].told)
+            levels[-1].run.events += loads_missed(levels[-1].run)
+            return finished(levels[-1].run, levels[-1].told)
         answer = whole[-1]
-        error = _doubted(answer, rungs)
+        error = _doubted(answer, levels)
         run = answer.run
         if further.bounded or (further.checkpoint is not None and not interrupted):  # once more, to keep what it makes
             plan = replace(run.record.segments[0].plan, outputs=tuple(further.outputs or ()))
@@ -406,13 +409,13 @@ class Ladder:
         found = finished(run, error)
         stats: dict[str, float | int | str] = dict(found.stats) | {
             "tolerance": self.tolerance,
-            "rungs": len(rungs),
+            "rungs": len(levels),
             "steps_of_all_rungs": total,
-            "seconds_of_all_rungs": sum(one.run.seconds for one in rungs),
+            "seconds_of_all_rungs": sum(one.run.seconds for one in levels),
         }
         status = found.status
         if interrupted:
-            status = replace(rungs[-1].status, time=found.status.time, cause="stopped by the user on a finer rung")
+            status = replace(levels[-1].status, time=found.status.time, cause="stopped by the user on a finer level")
         elif status.name == "completed" and error.measured and not answer.error <= self.tolerance:
             missed = (
                 f"the error is {answer.error:.2g} of an amplitude, where {self.tolerance:g} was asked: "
@@ -424,8 +427,8 @@ class Ladder:
 
 
 def shown_order(earlier: float, later: float, first: float, second: float, most: float) -> float:
-    """The order p that three motions show, each by so many times the steps of the one before (`first`, `second`), that
-    differ by `earlier` and by `later`; at most `most`, and 0 where they show none.
+    """The order p that three motions show, each by so many times the steps of the one before (`first`, `second`),
+    that differ by `earlier` and by `later`; at most `most`, and 0 where they show none.
 
     Their errors are as 1, first^-p and (first second)^-p, so that
 
@@ -448,18 +451,18 @@ def shown_order(earlier: float, later: float, first: float, second: float, most:
     return low
 
 
-def _stagnant(rungs: list[Rung]) -> bool:
-    """Do rungs, of which there are enough, come no nearer to each other?"""
-    if not rungs:
+def _stagnant(levels: list[RefinementLevel]) -> bool:
+    """Do levels, of which there are enough, come no nearer to each other?"""
+    if not levels:
         return False
-    last, before = rungs[-1], np.nanmin([inf, *(one.differs for one in rungs[-6:-3])])
-    enough = len(rungs) >= (SOON if max([last.differs, *last.told.judged.values()]) < LARGEST else LATE)
+    last, before = levels[-1], np.nanmin([inf, *(one.differs for one in levels[-6:-3])])
+    enough = len(levels) >= (SOON if max([last.differs, *last.told.judged.values()]) < LARGEST else LATE)
     return enough and not bool(last.differs < STAGNANT * before)
 
 
-def _doubted(answer: Rung, rungs: list[Rung]) -> MotionError:
-    """The error of the answer; where no two rungs came to the end, why it is not to be relied on."""
-    lost = [one for one in rungs if one.lost and one.status.name != "interrupted"]
+def _doubted(answer: RefinementLevel, levels: list[RefinementLevel]) -> MotionError:
+    """The error of the answer; where no two levels came to the end, why it is not to be relied on."""
+    lost = [one for one in levels if one.lost and one.status.name != "interrupted"]
     if answer.told.measured or not lost:
         return replace(answer.told)
     first = min((one.status for one in lost), key=lambda status: status.time)
@@ -472,7 +475,7 @@ def _doubted(answer: Rung, rungs: list[Rung]) -> MotionError:
 
 
 def chosen_method(problem: Problem) -> tuple[Method, str]:
-    """The method whose first rung takes the fewest operations, and why; nothing is compiled for it."""
+    """The method whose first level takes the fewest operations, and why; nothing is compiled for it."""
     return problem.model.of_numbers("method", problem.numbers, lambda: _chosen(problem))
 
 
@@ -493,20 +496,20 @@ def _chosen(problem: Problem) -> tuple[Method, str]:
         prices.append((steps * HANDICAP.get(name, 1) * _price(name, evaluation, len(problem.model.q_i)), method))
     price, best = min(prices, key=lambda one: one[0])
     others = ", ".join(f"{one.scheme} {other / price:.3g}" for other, one in prices if one is not best)
-    return best, f"{best.scheme}: the motion is stiff; operations of a first rung, relative to it: {others}"
+    return best, f"{best.scheme}: the motion is stiff; operations of a first level, relative to it: {others}"
 
 
 def usual_steps(model: EmittedModel, t0: float, t_end: float | None) -> tuple[str, float]:
     """(scheme, step [s]) with which the motion of a model as its scene has it meets the tolerance of `auto`; kept.
 
     For what is made in steps of one length many times: ensembles, derivatives, steppers. Raises SchemeError where no
-    rung comes to its end.
+    level comes to its end.
     """
 
     def found() -> tuple[str, float]:
         problem = Problem.of(model, t_end, t0=t0)
-        ladder = Ladder(problem, DEFAULT)
-        whole = [rung for rung in ladder.climb(chosen_method(problem)[0]) if not rung.lost]
+        refinement = StepRefinement(problem, DEFAULT)
+        whole = [level for level in refinement.refine(chosen_method(problem)[0]) if not level.lost]
         if not whole:
             reason = f"model {model.name} names none, and `auto` finds none whose motion comes to its end"
             raise SchemeError("scheme", reason, 'name one with its step, such as scheme="rk4", dt=1e-3')
@@ -523,7 +526,7 @@ def _price(name: str, evaluation: int, n: int) -> float:
 
 
 def _stable_steps(scheme: Scheme, slopes: tuple[np.ndarray, np.ndarray] | None, span: float) -> int:
-    """Steps of a first rung: within the stability limit at the start."""
+    """Steps of a first level: within the stability limit at the start."""
     limit = scheme.step_limit(*slopes) if slopes is not None and scheme.limited() else None
     if limit is None:
         return FIRST
@@ -554,9 +557,9 @@ def affordable(model: EmittedModel) -> bool:
 
 
 # How many steps see what loads do. Coarse motions that miss a load agree with each other, as do those that see a fast
-# one at like phases. So forces along q_i, which are known functions of time while all else is held as at the start, are
-# integrated twice as steps see them, by Simpson's rule, and once by FINE steps. So many steps are enough from which on
-# that is off by SEES at most.
+# one at like phases. So forces along q_i, which are known functions of time while all else is held as at the start,
+# are integrated twice as steps see them, by Simpson's rule, and once by FINE steps. So many steps are enough from
+# which on that is off by SEES at most.
 
 FINE, COARSE = 8192, 4  # numbers of steps that are compared, by factors of two
 SEES = 0.02  # of what a force alone would move in the whole time (RMS)
