@@ -11,6 +11,7 @@ from pathlib import Path
 from benchmarks.cases import (
     arms,
     ensemble,
+    ensemble_tolerance,
     exported_c,
     exudyn_slider_crank,
     generation,
@@ -54,6 +55,7 @@ BENCHMARKS: dict[str, Benchmark] = {
     "native_code": native_code.run,
     "exported_c": exported_c.run,
     "ensemble": ensemble.run,
+    "ensemble_tolerance": ensemble_tolerance.run,
     "rhs_chain": rhs_chain.run,
     "generation": generation.run,
     "sizes": sizes.run,

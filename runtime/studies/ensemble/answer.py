@@ -63,6 +63,7 @@ def columns(
     if question.refinement is not None:
         keep("error", ("case",), results.errors[:, 0], "estimated RMS error of the motion over its amplitudes", "1")
         keep("steps", ("case",), results.steps, "steps of the run that answers")
+        keep("steps_of_all_levels", ("case",), results.steps_of_all_levels, "steps of all levels of the case")
         values_of = question.reduced or [(name, "") for name in question.asked]
         for (output, reduction), column in zip(values_of, results.errors.T[1:], strict=True):
             name, how = (f"{output}_{reduction}", f"{reduction} of ") if reduction else (output, "")

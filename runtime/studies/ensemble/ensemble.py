@@ -109,8 +109,9 @@ def ensemble(
     -----
     To a tolerance every case has its own steps and its own `error`, and `error.<output>` (or
     `error.<output>_<reduction>`) in units of the output, RMS over the motion where it is a history; `steps` of the run
-    that answers. A case that more steps do not bring below the tolerance is `inaccurate`, with its error; NaN where
-    nothing could be measured. Errors are estimates by Richardson's extrapolation from runs with unlike steps.
+    that answers, and `steps_of_all_levels`, those before it included. A case that more steps do not bring below the
+    tolerance is `inaccurate`, with its error; NaN where nothing could be measured. Errors are estimates by Richardson's
+    extrapolation from runs with unlike steps.
 
     Cases are lanes of the same native steps. Order and bits are those of one process, whatever works them out.
     """

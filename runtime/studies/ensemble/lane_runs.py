@@ -34,12 +34,15 @@ SECONDS_PER_OPERATION = 2.5e-11  # of a step of one lane
 LONGEST_CALL = 0.2  # s, so that Ctrl-C and progress are heard
 
 
+TOLD = ("values", "status", "time", "errors", "steps", "steps_of_all_levels")  # of a case
+
+
 @dataclass(frozen=True)
 class LaneResults:
     """Of some cases: values (cases, width), how they ended, times reached [s]; alone: to be run by themselves.
 
     Of cases with a tolerance also errors (cases, 1 + outputs or reduced values), of the motion relative to its
-    amplitudes and of each value in its unit, and the steps of the level that answers (cases,).
+    amplitudes and of each value in its unit, the steps of the level that answers and those of all levels (cases,).
     """
 
     values: np.ndarray
@@ -48,11 +51,12 @@ class LaneResults:
     alone: np.ndarray
     errors: np.ndarray = field(default_factory=lambda: np.zeros((0, 0)))
     steps: np.ndarray = field(default_factory=lambda: np.zeros(0, dtype=int))
+    steps_of_all_levels: np.ndarray = field(default_factory=lambda: np.zeros(0, dtype=int))
 
     @property
     def kept(self) -> dict[str, np.ndarray]:
         """What is told of the cases, by name."""
-        return {name: getattr(self, name) for name in ("values", "status", "time", "errors", "steps")}
+        return {name: getattr(self, name) for name in TOLD}
 
     @staticmethod
     def none_yet(question: Question, cases: int) -> LaneResults:
@@ -62,7 +66,8 @@ class LaneResults:
         if question.refinement is None:
             return LaneResults(values, status, time, alone)
         errors = np.full((cases, 1 + len(question.reduced or question.asked)), np.nan)
-        return LaneResults(values, status, time, alone, errors, np.zeros(cases, dtype=int))
+        steps, of_all_levels = np.zeros(cases, dtype=int), np.zeros(cases, dtype=int)
+        return LaneResults(values, status, time, alone, errors, steps, of_all_levels)
 
     def put(self, first: int, part: LaneResults) -> None:
         """Results of the cases from `first` on."""

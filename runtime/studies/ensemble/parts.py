@@ -24,7 +24,7 @@ from runtime.contract.errors import ArgumentError, ModelError, NoResult, SymgenE
 from runtime.contract.files import OutputError, replacing, write_text
 from runtime.contract.model import EmittedModel
 from runtime.running.problem import Plan
-from runtime.studies.ensemble.lane_runs import LaneResults
+from runtime.studies.ensemble.lane_runs import TOLD, LaneResults
 from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.refined_rows import rows_of
 from runtime.studies.ensemble.refinement import Refinement
@@ -159,18 +159,11 @@ class StudyFolder:
     def write(self, first: int, part: LaneResults) -> None:
         """Keep a part, whole or not at all. Raises OutputError."""
         with replacing(self._file(first)) as place, open(place, "wb") as stream:
-            np.savez(
-                stream,
-                values=part.values,
-                status=part.status,
-                time=part.time,
-                errors=part.errors,
-                steps=part.steps,
-            )
+            np.savez(stream, allow_pickle=False, **part.kept)
 
 
 def _results(kept: Mapping[str, np.ndarray]) -> LaneResults:
-    found = {name: kept[name] for name in ("values", "status", "time", "errors", "steps")}
+    found = {name: kept[name] for name in TOLD}
     return LaneResults(alone=np.zeros(len(found["time"]), dtype=bool), **found)
 
 

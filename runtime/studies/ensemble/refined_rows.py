@@ -31,6 +31,7 @@ COARSE = ("diverged", "not_finite", "deflection_too_large", "constraints_lost", 
 LOST_TWICE, LOST_COARSE = 2, 4  # levels in a row that end alike before a case does; of those that coarse steps cause
 SAME_TIME = 0.02  # of the motion: ends that are one
 LEAST_ORDER = 1.0  # that is shown where an error is extrapolated
+MOST_ORDER = 1.125  # of the method's: what coarse levels may show, whose errors fall faster than its order
 UNBELIEVED = 2.0  # times the steps of a level where nothing is known of its error
 ORDERS = np.linspace(0.05, 12.0, 240)  # that are looked for
 NAME = f"U{max(map(len, get_args(StatusName)))}"
@@ -93,7 +94,6 @@ class RefinedCases:
         self._taken = np.zeros(cases, dtype=int)
         self._whole = np.zeros(cases, dtype=int)  # levels in a row that came to their ends
         self._lost = np.zeros(cases, dtype=int)  # the same of those that did not, in the same way
-        self._spent = np.zeros(cases)
         self._ratio = np.full(cases, 2.0)  # of the last two levels
         self._differs = np.full((cases, SOON), np.nan)  # of levels from those before, the last one first
         self._raw = np.full(cases, np.nan)  # the last one
@@ -143,7 +143,7 @@ class RefinedCases:
             expected = before * (1 - ratio ** -float(self._order)) / (self._ratio[w] ** self._order - 1)
             chance = third & (asked < expected)
             falls = third & (shown > LEAST_ORDER)
-            share = np.where(falls, 1 / (ratio ** np.minimum(shown, self._order) - 1), 1.0)
+            share = np.where(falls, 1 / (ratio ** np.minimum(shown, MOST_ORDER * self._order) - 1), 1.0)
         asked = np.where(chance, expected, asked)
         self._error[w] = np.where(both, asked * np.where(shows, np.minimum(0.5, RICHARDSON / richer), 1.0), np.nan)
         share = np.where(both, share, np.nan)
@@ -184,7 +184,7 @@ class RefinedCases:
         self._whole[w] = np.where(whole, self._whole[w] + 1, 0)
         self._answer[w] = np.where(whole, steps, self._answer[w])
         self._taken[w] += 1
-        self._spent[w] += steps * self._asked.units
+        kept.steps_of_all_levels[w] += steps * self._asked.units
         self._last[w[whole]] = motion[whole]
         kept.values[w], kept.status[w], kept.time[w] = values, found.status, found.time
         kept.status[w] = np.where((found.status == "completed") & ~whole, "not_finite", found.status)
@@ -209,7 +209,8 @@ class RefinedCases:
         factor = np.where(whole, factor, AFTER_LOST)
         levels = self._asked.levels
         following = levels[np.minimum(np.searchsorted(levels, np.ceil(steps * factor)), len(levels) - 1)]
-        done |= (following <= steps) | (self._spent[w] + following * self._asked.units > self._asked.budget)
+        spent = self._kept.steps_of_all_levels[w] + following * self._asked.units
+        done |= (following <= steps) | (spent > self._asked.budget)
         self.steps[w] = np.where(done, steps, following)
         self.open[w] = ~done
 

@@ -27,7 +27,7 @@ from runtime.schemes.options import SchemeError
 FIRST_SHARE = 4  # the first level has this part of the steps that the middle case needs
 UNITS = 8  # of the first level: so finely levels are graded
 AIM = 0.3  # of the tolerance: a middle case that went below it did more than it had to
-GRADE = 1.25  # from level to level
+GRADE = 1.1  # from level to level: a level near what a case needs is a level whose error is told closely
 BUDGET = 60  # times the steps that all levels of the middle case took: what a case may take
 MOST_LEVEL = 10**6  # steps a unit
 
@@ -51,10 +51,10 @@ class Refinement:
 
     @cached_property
     def levels(self) -> np.ndarray:
-        """Steps a unit of all levels, rising: primes behind the first, so that two share only the units' ends."""
+        """Steps a unit of all levels, rising."""
         found = [self.first]
         while found[-1] < MOST_LEVEL:
-            found.append(_prime(max(found[-1] + 1, ceil(found[-1] * GRADE))))
+            found.append(max(found[-1] + 1, round(found[-1] * GRADE)))
         return np.array(found)
 
     def places(self, plan: Plan) -> np.ndarray:
@@ -66,12 +66,6 @@ class Refinement:
         """Of the level with so many steps in each unit; plan: of any other level."""
         finer = plan.with_steps(plan.scheme.model, self.length / steps, self.units * steps)
         return replace(finer, seen_steps=self.every * steps).until(plan.t_end)
-
-
-def _prime(least: int) -> int:
-    while any(least % d == 0 for d in range(2, int(least**0.5) + 1)):
-        least += 1
-    return least
 
 
 def refinement_of(
