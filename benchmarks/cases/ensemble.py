@@ -19,7 +19,7 @@ from runtime.model import Model, load_model
 from runtime.running.planning import make_plan
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import start_vector
-from runtime.studies.ensemble.question import Question
+from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.rows import Rows
 from runtime.studies.ensemble.starts import CaseStarts, table_of
 from symgen.scenes import generated_folder
@@ -60,7 +60,7 @@ def _rows(model: Model, scheme: str, m: list[int], cases: int) -> Rows:
     share = np.linspace(0.9, 1.1, cases)
     names, table = table_of(model, {"slider.mass": 0.0755 * share}, {"crank.theta_dot": 150.0 * share[::-1]})
     plan = make_plan(model, STEPS * DT, DT, m or None, scheme, None, None, 0.0)
-    rows = Rows(Question.ask(model, names, plan, None, None, OUTPUTS), table)
+    rows = Rows(EnsembleSpec.ask(model, names, plan, None, None, OUTPUTS), table)
     rows.lanes.programs.compile()
     return rows
 
@@ -69,7 +69,7 @@ def _scheme(model: Model, scheme: str, m: list[int], goal: float | None) -> list
     """Steps alone, a whole study, `simulate` and CasADi's map."""
     rows = _rows(model, scheme, m, FEW)
     lanes, job = rows.lanes, FEW - FEW % rows.lanes.programs.width
-    starts = CaseStarts(rows.question)
+    starts = CaseStarts(rows.spec)
     blocks = lanes.begun(starts.of(rows.table[:job]))
     first = blocks.copy()
 
@@ -146,7 +146,7 @@ def _studies(model: Model) -> list[Line]:
 
 def _timed(rows: Rows, cases: int, threads: int) -> tuple[float, float]:
     """(wall, CPU) seconds."""
-    own = Rows(rows.question, rows.table[:cases])
+    own = Rows(rows.spec, rows.table[:cases])
     wall, cpu = time.perf_counter(), time.process_time()
     done = sum(len(part.time) for _, part in own.in_threads(threads, lambda: False))
     seconds = time.perf_counter() - wall, time.process_time() - cpu

@@ -31,7 +31,7 @@ def sweep(arguments: argparse.Namespace) -> Outcome:
     import numpy as np
 
     from runtime.contract.files import try_writing
-    from runtime.studies.ensemble.answer import variables, write_csv
+    from runtime.studies.ensemble.ensemble_result import variables, write_csv
     from runtime.views.plots import ensemble_picture
 
     if arguments.out:

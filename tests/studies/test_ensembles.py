@@ -16,9 +16,9 @@ from runtime.model import Model
 from runtime.running.planning import make_plan
 from runtime.schemes.catalogue import SCHEMES
 from runtime.studies.ensemble import rows
+from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.lane_programs import LanePrograms, programs_of
 from runtime.studies.ensemble.lane_runs import LaneRuns
-from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.rows import run_alone
 from runtime.studies.ensemble.starts import CaseStarts, table_of
 from symgen.generate import generate
@@ -74,7 +74,7 @@ def test_how_many_lanes_changes_no_bit(built_in: Load, width: int) -> None:
     model = built_in("pendulum")
     names, table = table_of(model, None, {"rod.theta_dot": np.linspace(0.0, 1.0, 21)})
     plan = make_plan(model, 0.01, 1e-3, None, "printed", None, None, 0.0)
-    asked = Question.ask(model, names, plan, None, ["tip_y"], {"tip_y": ["max", "rms"]})
+    asked = EnsembleSpec.ask(model, names, plan, None, ["tip_y"], {"tip_y": ["max", "rms"]})
     runs = LaneRuns(asked, width)
     found = runs.run(CaseStarts(asked).of(table))
     expected = ensemble(
@@ -125,7 +125,7 @@ def test_jobs_are_as_long_as_what_python_does_for_them_asks(built_in: Load) -> N
         names, _ = table_of(model, None, {"rod.theta_dot": np.zeros(cases)})
         plan = make_plan(model, t_end, 1e-3, None, "rk4", seen_every, None, 0.0)
         reduce = {"tip_y": ["end"]} if seen_every is None else None
-        runs = LaneRuns(Question.ask(model, names, plan, None, ["tip_y"], reduce), 8)
+        runs = LaneRuns(EnsembleSpec.ask(model, names, plan, None, ["tip_y"], reduce), 8)
         found = runs.job(cases, workers)
         assert found % 8 == 0
         return found
@@ -159,7 +159,7 @@ def test_a_lost_lane_is_not_iterated(built_in: Load, width: int) -> None:
     model = built_in("pendulum")
     names, table = table_of(model, None, {"rod.theta_dot": np.array([0.5, 1e305])})
     plan = make_plan(model, 0.02, 1e-3, None, "printed", 1.0, None, 0.0)
-    asked = Question.ask(model, names, plan, None, ["rod.theta"], None)
+    asked = EnsembleSpec.ask(model, names, plan, None, ["rod.theta"], None)
     counted = []
     for cases in (table, table[:1]):
         runs = LaneRuns(asked, width)
@@ -300,9 +300,9 @@ def test_a_loop_makes_programs_once(built_in: Load) -> None:
     """Other samples, names and numbers of cases need no other programs; another output does."""
     model = built_in("pendulum")
 
-    def asked(names: tuple[list[str], list[str]], output: str, dt: float | None = None) -> Question:
+    def asked(names: tuple[list[str], list[str]], output: str, dt: float | None = None) -> EnsembleSpec:
         plan = make_plan(model, None, dt, None, None, None, None, 0.0)
-        return Question.ask(model, names, plan, None, [output], None)
+        return EnsembleSpec.ask(model, names, plan, None, [output], None)
 
     first = programs_of(asked(([], ["rod.theta"]), "tip_y"))
     assert programs_of(asked((["length"], []), "tip_y")) is first
@@ -314,7 +314,7 @@ def test_width_follows_the_processor(built_in: Load) -> None:
     """A short program takes two registers a value where they are 512 bits wide."""
     model = built_in("pendulum")
     plan = make_plan(model, None, None, None, None, None, None, 0.0)
-    asked = Question.ask(model, ([], ["rod.theta_dot"]), plan, None, ["tip_y"], None)
+    asked = EnsembleSpec.ask(model, ([], ["rod.theta_dot"]), plan, None, ["tip_y"], None)
     features = set(host().features.split(","))
     expected = 16 if "+avx512f" in features else 4 if "+avx" in features else 2
     assert LanePrograms(asked).width == expected

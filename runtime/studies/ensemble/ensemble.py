@@ -19,10 +19,10 @@ from runtime.running.run_options import Progress
 from runtime.running.time_functions import check_time_functions
 from runtime.schemes.switching.times import switching_times
 from runtime.start.start_state import start_state
-from runtime.studies.ensemble.answer import dataset
+from runtime.studies.ensemble.ensemble_result import ensemble_result
+from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.lane_runs import LaneResults
 from runtime.studies.ensemble.parts import CHUNK, Executor, HereExecutor, Maker, in_parts
-from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.refined_rows import rows_of
 from runtime.studies.ensemble.refinement import refuse_steps
 from runtime.studies.ensemble.starts import columns_by_name, table_of, with_functions
@@ -128,15 +128,15 @@ def ensemble(
         raise ArgumentError("reduce and seen_every", "are two answers", remedy)
     if tolerance is None:
         plan = make_plan(model, t_end, dt, m, scheme, seen, options, t0, bounded=True)
-        question = Question.ask(model, names, plan, start, outputs, reduce)
-        _check_names(question)
+        spec = EnsembleSpec.ask(model, names, plan, start, outputs, reduce)
+        _check_names(spec)
     else:
         refuse_steps(scheme, dt, m, options)
-        question = Question.to_tolerance(
+        spec = EnsembleSpec.to_tolerance(
             model, names, table, tolerance, start, outputs, reduce,
             scheme=scheme, m=m, options=options, t0=t0, t_end=t_end, seen=seen,
         )  # fmt: skip
-        _check_names(question)
+        _check_names(spec)
     size, tries = _whole("chunk", CHUNK if chunk is None else chunk, 1), _whole("retries", retries, 0)
     if executor is not None and not (hasattr(executor, "submit") or callable(executor)):
         raise ArgumentError("executor", f"{executor!r} has no submit", "give an executor, or a function that makes one")
@@ -145,24 +145,24 @@ def ensemble(
 
     def parts(stopped: Callable[[], bool]) -> Iterator[tuple[int, LaneResults]]:
         if executor is None and folder is None:
-            return rows_of(question, table).in_threads(count, stopped)
+            return rows_of(spec, table).in_threads(count, stopped)
         where = executor if executor is not None else HereExecutor()
         return in_parts(
-            question, table, executor=where, chunk=size, threads=count, retries=tries, folder=folder, stopped=stopped
+            spec, table, executor=where, chunk=size, threads=count, retries=tries, folder=folder, stopped=stopped
         )
 
-    with Meter(model.name, counted="cases") if progress is True else nullcontext(progress or None) as told:
-        return dataset(question, table, _answered(question, len(table), parts, told))
+    with Meter(model.name, counted="cases") if progress is True else nullcontext(progress or None) as meter:
+        return ensemble_result(spec, table, _results_of_parts(spec, len(table), parts, meter))
 
 
-def _answered(
-    question: Question,
+def _results_of_parts(
+    spec: EnsembleSpec,
     cases: int,
     parts: Callable[[Callable[[], bool]], Iterator[tuple[int, LaneResults]]],
     progress: Progress | None,
 ) -> LaneResults:
     """Of all cases; those that were not done are `interrupted`."""
-    found, done = LaneResults.none_yet(question, cases), 0
+    found, done = LaneResults.none_yet(spec, cases), 0
     with Interrupts() as interrupts:
         for first, part in parts(lambda: interrupts.asked):
             found.put(first, part)
@@ -183,14 +183,14 @@ def _processors() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def _check_names(question: Question) -> None:
+def _check_names(spec: EnsembleSpec) -> None:
     """Names of initial values, and prescribed motions that jump: by the model's own start. Raises what a run raises."""
-    model, plan = question.model, question.plan
+    model, plan = spec.model, spec.plan
     p = model.parameter_vector()
     coordinates = {f"{name}{end}": None for name in model.coordinates for end in ("", "_dot")}
-    for name in question.initial:
+    for name in spec.initial:
         if name not in coordinates:
-            start_state(model, p, model.constants(p), plan.t0, {name: 0.0}, question.start or None)  # says why
+            start_state(model, p, model.constants(p), plan.t0, {name: 0.0}, spec.start or None)  # says why
     if model.constraints:
         c = model.constants(p)
         own = start_state(model, p, c, 0.0, None, "given")

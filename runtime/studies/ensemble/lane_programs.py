@@ -1,4 +1,4 @@
-"""A question as programs on lanes and their code: the start, the steps, samples and looks."""
+"""An ensemble as programs on lanes and their code: the start, the steps, samples and looks."""
 
 from __future__ import annotations
 
@@ -35,29 +35,30 @@ from runtime.start.quasi_static import (
     smooth_sides,
 )
 from runtime.studies.ensemble.account import FIELDS, LaneAccount, looked
+from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.observation import Observation
-from runtime.studies.ensemble.question import Question
 
 
 class LanePrograms:
     """width: how many runs go side by side (None: as this machine has it); row, lane: what a run keeps.
 
-    Each of `steps`, `begin`, `observe` and `look` is code; steps works on a lane's z and constants, the others on rows.
+    Each of `steps`, `begin`, `observe` and `look` is code; steps works on a lane's z and constants, the others on
+    rows.
     """
 
-    def __init__(self, question: Question, width: int | None = None) -> None:
-        model = self.model = question.model
-        self.question, scheme = question, question.plan.scheme
+    def __init__(self, spec: EnsembleSpec, width: int | None = None) -> None:
+        model = self.model = spec.model
+        self.spec, scheme = spec, spec.plan.scheme
         self.scheme = scheme
         scheme.of_one_length("an ensemble")
         self._prepared = prepare(with_events(scheme, scheme.program()), scheme.layout.size, scheme.c_size)
-        reduced = [(question.outputs.index(name), reduction) for name, reduction in question.reduced]
+        reduced = [(spec.outputs.index(name), reduction) for name, reduction in spec.reduced]
         self._length = _length(model)
-        self._observation = Observation(model, scheme, question.outputs)
+        self._observation = Observation(model, scheme, spec.outputs)
         self._account = LaneAccount(scheme, reduced, self._length)
         extra = self._prepared.z_size - scheme.layout.size
         impulses = bool(moves_in_time(model) and model.q_d and model.has("energy"))
-        broken = may_jump(model) or question.plan.end is not None
+        broken = may_jump(model) or spec.plan.end is not None
         self.stops = StopProgram(scheme, self._prepared, impulses) if broken else None
         sizes = {} if self.stops is None else {f"stop_{name}": n for name, n in self.stops.layout.sizes.items()}
         sizes.pop("stop_state", 0)
@@ -65,7 +66,7 @@ class LanePrograms:
         self.lane = Layout({**fields, **self._observation.fields, **self._account.fields})
         self._ready = int(self._prepared.constants.size1_out(0))
         self._read = self._ready if self.stops is None else self.stops.c_size
-        settle = quasi_static(model, question.start)
+        settle = quasi_static(model, spec.start)
         self.row = row_layout(model, scheme, self._ready, self._read - self._ready, self.lane, len(FIELDS), settle)
         self.program = self._program()
         self.width = width or lane_width(self.program)
@@ -74,7 +75,7 @@ class LanePrograms:
     def _program(self) -> Program:
         """A major step with its account; outputs at every step only where they are reduced."""
         after = make_stage("lane_account", self.lane, self._ready, self._account.step)
-        outputs = (self._observing,) if self.question.reduced else ()
+        outputs = (self._observing,) if self.spec.reduced else ()
         step = self._prepared.program if self.stops is None else self.stops.program()
         return Sequence((step.map(self._widened), *outputs, after))
 
@@ -135,13 +136,15 @@ class LanePrograms:
         return slice(first + inside.start, first + inside.stop)
 
 
-def programs_of(question: Question) -> LanePrograms:
-    """The programs of a question: those of an earlier one that differs in its samples only, if they are still there."""
+def programs_of(spec: EnsembleSpec) -> LanePrograms:
+    """The programs of an ensemble: those of an earlier one that differs in its samples only, if they are still
+    there.
+    """
     with _LOCK:
         for kept in _KEPT:
-            if kept.question.alike(question):
+            if kept.spec.alike(spec):
                 return kept
-    made = LanePrograms(question)
+    made = LanePrograms(spec)
     with _LOCK:
         _KEPT.append(made)
     return made
@@ -166,8 +169,8 @@ def _length(model: EmittedModel) -> float:
 # A lane's row begins with what it is given (p, t, h, q_i, q_i_dot, a guess of q_d, whether that is to be closed, and
 # whether elastic coordinates are to be brought into equilibrium;
 # where turns follow from loops, whether it was to be closed, and all coordinates and rates);
-# c, what the step program reads and its z follow. Functions are called on entries of the row only, each a stage of its
-# own, so that a lane has the bits of a run by itself.
+# c, what the step program reads and its z follow. Functions are called on entries of the row only, each a stage of
+# its own, so that a lane has the bits of a run by itself.
 
 NO_CONSTANTS = 1  # the begin reads none: its c is whatever stands first in the row
 Stage = Callable[[Fields], Mapping[str, ca.SX]]
@@ -217,8 +220,8 @@ def begin_program(
             found = {"fits": ca.logic_and(fits, z["close"] <= 0)}
             if "asked" not in z:
                 return found
-            told = (("q", q), ("q_dot", q_dot))
-            return found | {name: ca.if_else(z["asked"] > 0, value, z[name]) for name, value in told}
+            observed = (("q", q), ("q_dot", q_dot))
+            return found | {name: ca.if_else(z["asked"] > 0, value, z[name]) for name, value in observed}
 
         parts += [Until(stage("begin_close", close), flag, MAX_ITERATIONS, 4), stage("begin_fit", fit)]
     if "settled" in row.sizes:

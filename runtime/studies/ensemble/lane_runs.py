@@ -1,4 +1,4 @@
-"""Runs in lanes of one question: compiled once, then any cases, from any number of threads."""
+"""Runs in lanes of one ensemble: compiled once, then any cases, from any number of threads."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ from runtime.schemes.switching.steps_with_stops import parts_of
 from runtime.schemes.switching.stop_program import KNOWN
 from runtime.schemes.switching.times import Breaks, switching_times
 from runtime.studies.ensemble.account import ALONE, FOUND, NAME, cause_of, judged
+from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.lane_programs import LanePrograms, programs_of
-from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.starts import Starts
 
 LEAST_JOB = 256  # cases that a thread runs at a time, at least
@@ -59,13 +59,13 @@ class LaneResults:
         return {name: getattr(self, name) for name in TOLD}
 
     @staticmethod
-    def none_yet(question: Question, cases: int) -> LaneResults:
+    def none_yet(spec: EnsembleSpec, cases: int) -> LaneResults:
         """Of cases that were not run."""
-        values, time = np.full((cases, question.told), np.nan), np.full(cases, question.plan.t0)
+        values, time = np.full((cases, spec.reported), np.nan), np.full(cases, spec.plan.t0)
         status, alone = np.full(cases, "interrupted", dtype=NAME), np.zeros(cases, dtype=bool)
-        if question.refinement is None:
+        if spec.refinement is None:
             return LaneResults(values, status, time, alone)
-        errors = np.full((cases, 1 + len(question.reduced or question.asked)), np.nan)
+        errors = np.full((cases, 1 + len(spec.reduced or spec.asked)), np.nan)
         steps, of_all_levels = np.zeros(cases, dtype=int), np.zeros(cases, dtype=int)
         return LaneResults(values, status, time, alone, errors, steps, of_all_levels)
 
@@ -80,29 +80,29 @@ class LaneResults:
 class LaneRuns:
     """Runs in lanes; width: how many go side by side (None: as this machine has it)."""
 
-    def __init__(self, question: Question, width: int | None = None) -> None:
-        self.question, self.steps = question, question.plan.steps
-        self.programs = programs_of(question) if width is None else LanePrograms(question, width)
+    def __init__(self, spec: EnsembleSpec, width: int | None = None) -> None:
+        self.spec, self.steps = spec, spec.plan.steps
+        self.programs = programs_of(spec) if width is None else LanePrograms(spec, width)
         self._z, self._c = self.programs.rows_of("lane").start, self.programs.rows_of("ready").start
 
     def job(self, cases: int, workers: int) -> int:
         """Cases of a job of a study: what one of so many threads runs at a time."""
         programs = self.programs
         by_time = JOB_SECONDS / (SECONDS_PER_OPERATION * programs.operations * self.steps)
-        by_room = JOB_BYTES / (8 * (programs.row.size + self.question.width))
+        by_room = JOB_BYTES / (8 * (programs.row.size + self.spec.width))
         wanted = ceil(min(by_time, by_room, cases / (JOBS_A_WORKER * workers)))
         return max(LEAST_JOB, -(-wanted // programs.width) * programs.width)
 
     def run(self, starts: Starts, stopped: Callable[[], bool] = lambda: False) -> LaneResults | None:
         """All runs of these cases; None if `stopped` said so on the way."""
         program = self.programs.stops
-        stops, known = LaneStops(self.question.plan, starts, () if program is None else program.part), 0
+        stops, known = LaneStops(self.spec.plan, starts, () if program is None else program.part), 0
         blocks, cases = self.begun(starts, stops.clocks), len(starts.close)
         alone = starts.close & ~(self.values(blocks, cases, "fits")[:, 0] > 0)
         if "settled" in self.programs.row.sizes:
             alone |= starts.settle & ~(self.values(blocks, cases, "settled")[:, 0] > 0)
         alone |= stops.alone | self._decided(blocks, cases)
-        watch = _Watch(self._looked(blocks, cases))
+        monitor = _LaneMonitor(self._looked(blocks, cases))
         samples, done = self._first_samples(blocks, cases), 0
         for step, looking, sampled in self._stations():
             while done < step:
@@ -117,8 +117,8 @@ class LaneRuns:
             if sampled >= 0:
                 samples[:, :, sampled] = self._observed(blocks, cases)
             if looking:
-                watch.look(self._looked(blocks, cases), step)
-        return self._found(blocks, samples, watch, alone, starts.impossible)
+                monitor.look(self._looked(blocks, cases), step)
+        return self._found(blocks, samples, monitor, alone, starts.impossible)
 
     def _put(self, blocks: np.ndarray, name: str, values: np.ndarray, first: int = 0) -> None:
         """Values (cases, ...) into a field; lanes left over repeat the last case."""
@@ -141,11 +141,11 @@ class LaneRuns:
         blocks = blocks_of(-(-cases // programs.width), programs.row.size, programs.width)
 
         blocks[:, programs.row.slice("p"), :] = starts.p[:, None]
-        blocks[:, programs.row.slice("t"), :] = self.question.plan.t0
-        blocks[:, programs.row.slice("h"), :] = np.array(self.question.plan.grid.h)[:, None]
+        blocks[:, programs.row.slice("t"), :] = self.spec.plan.t0
+        blocks[:, programs.row.slice("h"), :] = np.array(self.spec.plan.grid.h)[:, None]
         for position, values in starts.varied.items():
             self._put(blocks, "p", values, position)
-        self._put(blocks, "clock", np.full(cases, self.question.plan.t0) if clocks is None else clocks)
+        self._put(blocks, "clock", np.full(cases, self.spec.plan.t0) if clocks is None else clocks)
         given = {name: getattr(starts, name) for name in ("q_i", "q_i_dot", "q_d", "close", "settle", "q", "q_dot")}
         for name, table in {**given, "asked": starts.close}.items():
             if name in programs.row.sizes:
@@ -157,7 +157,7 @@ class LaneRuns:
         """(cases,) those whose start is not one of lanes; what is held in the others is among their parameters now."""
         from runtime.schemes.switching.settle import NoMode, settled
 
-        model, scheme, alone = self.programs.model, self.question.plan.scheme, np.zeros(cases, dtype=bool)
+        model, scheme, alone = self.programs.model, self.spec.plan.scheme, np.zeros(cases, dtype=bool)
         modes, none = model.element_modes, np.zeros(len(model.element_modes))
         if not len(modes):
             return alone
@@ -198,8 +198,8 @@ class LaneRuns:
 
     def _stations(self) -> list[tuple[int, bool, int]]:
         """(step, is it a look?, number of the sample, -1 for none), in order."""
-        looks = set(self.question.looks)
-        samples = {step: k for k, step in enumerate(self.question.marks) if step}
+        looks = set(self.spec.looks)
+        samples = {step: k for k, step in enumerate(self.spec.marks) if step}
         return [(step, step in looks, samples.get(step, -1)) for step in sorted(looks | samples.keys())]
 
     def _longest(self, blocks: int) -> int:
@@ -209,31 +209,31 @@ class LaneRuns:
 
     def _first_samples(self, blocks: np.ndarray, cases: int) -> np.ndarray:
         """Room for samples (cases, outputs, times), the first of them there; none where values are reduced."""
-        if not self.question.marks:
+        if not self.spec.marks:
             return np.zeros((cases, 0, 0))
-        samples = np.empty((cases, len(self.question.outputs), len(self.question.marks)))
+        samples = np.empty((cases, len(self.spec.outputs), len(self.spec.marks)))
         samples[:, :, 0] = self.values(blocks, cases, "outputs")
         return samples
 
     def _found(
-        self, blocks: np.ndarray, samples: np.ndarray, watch: _Watch, alone: np.ndarray, impossible: np.ndarray
+        self, blocks: np.ndarray, samples: np.ndarray, monitor: _LaneMonitor, alone: np.ndarray, impossible: np.ndarray
     ) -> LaneResults:
         """Status and values; what is not known is NaN."""
         cases = len(alone)
         status = cause_of(self.values(blocks, cases, "causes")[:, 0])
         reached = self.values(blocks, cases, "reached")[:, 0].astype(int)
-        seen = (watch.wrong >= 0) & (status == "completed")
-        status[seen], reached[seen] = np.array(FOUND)[watch.wrong[seen]], watch.good[seen]
+        seen = (monitor.wrong >= 0) & (status == "completed")
+        status[seen], reached[seen] = np.array(FOUND)[monitor.wrong[seen]], monitor.good[seen]
         status[impossible], reached[impossible] = "not_assembled", 0
         alone = (alone | (status == ALONE)) & ~impossible
-        failed, time = status != "completed", self.question.plan.times(reached)
+        failed, time = status != "completed", self.spec.plan.times(reached)
         kept = np.zeros((cases, 0))
-        if self.question.reduced:
+        if self.spec.reduced:
             kept = self._reduced(blocks, cases)
             kept[failed] = np.nan
-        if not self.question.marks:
+        if not self.spec.marks:
             return LaneResults(kept, status, time, alone)
-        late = np.array(self.question.marks)[None, :] > reached[:, None]
+        late = np.array(self.spec.marks)[None, :] > reached[:, None]
         samples[np.broadcast_to((late & failed[:, None])[:, None, :], samples.shape)] = np.nan
         samples[impossible] = np.nan
         return LaneResults(np.hstack([kept, samples.reshape(cases, -1)]), status, time, alone)
@@ -241,15 +241,15 @@ class LaneRuns:
     def _reduced(self, blocks: np.ndarray, cases: int) -> np.ndarray:
         """(cases, values): sums as means, and values at the end as a run by itself shows them."""
         kept, end = self.values(blocks, cases, "reduced"), self._observed(blocks, cases)
-        for k, (output, reduction) in enumerate(self.question.reduced):
+        for k, (output, reduction) in enumerate(self.spec.reduced):
             if reduction == "end":
-                kept[:, k] = end[:, self.question.outputs.index(output)]
+                kept[:, k] = end[:, self.spec.outputs.index(output)]
             elif reduction in ("mean", "rms"):
                 kept[:, k] = finished(reduction, kept[:, k], self.steps + 1)
         return kept
 
 
-class _Watch:
+class _LaneMonitor:
     """What looks have found of each lane: wrong, a position in FOUND or -1; good, the step of the last good look."""
 
     def __init__(self, start: np.ndarray) -> None:

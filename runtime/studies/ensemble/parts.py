@@ -24,8 +24,8 @@ from runtime.contract.errors import ArgumentError, ModelError, NoResult, SymgenE
 from runtime.contract.files import OutputError, replacing, write_text
 from runtime.contract.model import EmittedModel
 from runtime.running.problem import Plan
+from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.lane_runs import TOLD, LaneResults
-from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.refined_rows import rows_of
 from runtime.studies.ensemble.refinement import Refinement
 
@@ -75,26 +75,26 @@ class Job:
     version: str
 
     @classmethod
-    def of(cls, question: Question, table: np.ndarray) -> Job:
-        """Of a question and its samples."""
-        plan = question.plan.numbers
-        parameters, initial, start = question.parameters, question.initial, question.start
-        outputs, reduced, model = question.outputs, question.reduced, question.model
+    def of(cls, spec: EnsembleSpec, table: np.ndarray) -> Job:
+        """Of an ensemble and its samples."""
+        plan = spec.plan.numbers
+        parameters, initial, start = spec.parameters, spec.initial, spec.start
+        outputs, reduced, model = spec.outputs, spec.reduced, spec.model
         said = [model.digest, own_version(), parameters, initial, plan, start, outputs, reduced]
-        if question.refinement is not None:
-            said.append(asdict(question.refinement))
+        if spec.refinement is not None:
+            said.append(asdict(spec.refinement))
         digest = hashlib.sha256(json.dumps(said, default=str, sort_keys=True).encode())
         digest.update(repr(sorted(model.input_values.items())).encode() + model.driven_by.encode())
         digest.update(np.ascontiguousarray(table).tobytes())
         key = digest.hexdigest()[:24]
-        refinement = question.refinement
+        refinement = spec.refinement
         return cls(key, model, parameters, initial, plan, start, outputs, reduced, refinement, own_version())
 
-    def question(self) -> Question:
+    def spec(self) -> EnsembleSpec:
         """As it was asked."""
         plan = Plan.of_numbers(self.model, self.plan)
         asked = (self.outputs, self.reduced, self.refinement)
-        return Question(self.model, self.parameters, self.initial, plan, self.start, *asked)
+        return EnsembleSpec(self.model, self.parameters, self.initial, plan, self.start, *asked)
 
 
 @cache
@@ -106,7 +106,7 @@ def own_version() -> str:
         return "unknown"
 
 
-_questions: dict[str, Question] = {}  # of this worker: prepared once for all parts of a study
+_specs: dict[str, EnsembleSpec] = {}  # of this worker: prepared once for all parts of a study
 
 
 def work_out(job: Job, table: np.ndarray, threads: int) -> dict[str, np.ndarray]:
@@ -114,12 +114,12 @@ def work_out(job: Job, table: np.ndarray, threads: int) -> dict[str, np.ndarray]
     if job.version != own_version():
         problem = f"this worker has symgen {own_version()}, the study was begun with {job.version}"
         raise ModelError("ensemble", problem, "install the same version everywhere")
-    if job.key not in _questions:
-        _questions.clear()
-        _questions[job.key] = job.question()
-    question = _questions[job.key]
-    found = LaneResults.none_yet(question, len(table))
-    for first, part in rows_of(question, table).in_threads(threads, lambda: False):
+    if job.key not in _specs:
+        _specs.clear()
+        _specs[job.key] = job.spec()
+    spec = _specs[job.key]
+    found = LaneResults.none_yet(spec, len(table))
+    for first, part in rows_of(spec, table).in_threads(threads, lambda: False):
         found.put(first, part)
     return found.kept
 
@@ -174,7 +174,7 @@ def _about(header: Any) -> str:
 
 
 def in_parts(
-    question: Question,
+    spec: EnsembleSpec,
     table: np.ndarray,
     *,
     executor: Executor | Maker,
@@ -189,7 +189,7 @@ def in_parts(
     executor: one, or a function that makes one, called again where its workers have died. A part that fails is tried
     again `retries` times. Raises NoResult with the first case of a part that still fails; what was done is kept.
     """
-    job = Job.of(question, table)
+    job = Job.of(spec, table)
     study = None if folder is None else StudyFolder(folder, job, len(table), chunk)
     left: list[int] = []
     for first in range(0, len(table), chunk):

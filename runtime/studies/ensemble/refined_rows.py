@@ -18,8 +18,8 @@ from runtime.contract.status import StatusName
 from runtime.results.motion_error import errors_of_many
 from runtime.running.outcome import LARGEST
 from runtime.running.step_refinement import ACCURATE, AFTER_LOST, MOST, RICHARDSON, SAFETY, SHOWN, SOON, STAGNANT
+from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.lane_runs import LaneResults
-from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.rows import Rows
 
 JOB = 1000  # cases of a thread, so that levels are shared
@@ -37,35 +37,35 @@ ORDERS = np.linspace(0.05, 12.0, 240)  # that are looked for
 NAME = f"U{max(map(len, get_args(StatusName)))}"
 
 
-def rows_of(question: Question, table: np.ndarray) -> Rows:
-    """Results of the cases of a question, to a tolerance if it has one."""
-    return Rows(question, table) if question.refinement is None else RefinedRows(question, table)
+def rows_of(spec: EnsembleSpec, table: np.ndarray) -> Rows:
+    """Results of the cases of an ensemble, to a tolerance if it has one."""
+    return Rows(spec, table) if spec.refinement is None else RefinedRows(spec, table)
 
 
 class RefinedRows(Rows):
-    """Results to a tolerance of any cases of a question."""
+    """Results to a tolerance of any cases of an ensemble."""
 
-    def __init__(self, question: Question, table: np.ndarray) -> None:
-        super().__init__(question, table)
-        assert question.refinement is not None
-        self._refinement, self._lock = question.refinement, threading.Lock()
-        self._levels = {question.refinement.first: Rows(question, table)}
+    def __init__(self, spec: EnsembleSpec, table: np.ndarray) -> None:
+        super().__init__(spec, table)
+        assert spec.refinement is not None
+        self._refinement, self._lock = spec.refinement, threading.Lock()
+        self._levels = {spec.refinement.first: Rows(spec, table)}
 
     def job(self, cases: int, workers: int) -> int:
         """Cases that a thread takes at a time."""
-        by_room = JOB_BYTES // (8 * max(1, self.question.width))
+        by_room = JOB_BYTES // (8 * max(1, self.spec.width))
         return max(LEAST_JOB, min(JOB, by_room, -(-cases // workers)))
 
     def level(self, steps: int) -> Rows:
         """Runs with so many steps in each unit."""
         with self._lock:
             if steps not in self._levels:
-                self._levels[steps] = Rows(self.question.level(steps), self.table)
+                self._levels[steps] = Rows(self.spec.level(steps), self.table)
             return self._levels[steps]
 
     def of(self, first: int, stop: int, stopped: Callable[[], bool] = lambda: False) -> LaneResults | None:
         """Results of these cases, each at its own level; None if `stopped` said so."""
-        cases = RefinedCases(self.question, stop - first)
+        cases = RefinedCases(self.spec, stop - first)
         samples = self.table[first:stop]
         while cases.open.any():
             for steps in np.unique(cases.steps[cases.open]):
@@ -74,7 +74,7 @@ class RefinedRows(Rows):
                 found = rows.run(samples[which], stopped)
                 if found is None:
                     return None
-                cases.take(which, rows.question, found)
+                cases.take(which, rows.spec, found)
         return cases.results()
 
 
@@ -84,13 +84,13 @@ class RefinedCases:
     steps (cases,): in each unit, of the level that a case takes next, or took last; open (cases,): which go on.
     """
 
-    def __init__(self, question: Question, cases: int) -> None:
-        assert question.refinement is not None
-        self._question, self._asked = question, question.refinement
-        self._order = int(question.plan.scheme.order)
+    def __init__(self, spec: EnsembleSpec, cases: int) -> None:
+        assert spec.refinement is not None
+        self._spec, self._asked = spec, spec.refinement
+        self._order = int(spec.plan.scheme.order)
         self.steps = np.full(cases, self._asked.first)
         self.open = np.ones(cases, dtype=bool)
-        self._answer = np.zeros(cases, dtype=int)  # the last level that came to its end
+        self._last_whole = np.zeros(cases, dtype=int)  # the last level that came to its end
         self._taken = np.zeros(cases, dtype=int)
         self._whole = np.zeros(cases, dtype=int)  # levels in a row that came to their ends
         self._lost = np.zeros(cases, dtype=int)  # the same of those that did not, in the same way
@@ -98,13 +98,13 @@ class RefinedCases:
         self._differs = np.full((cases, SOON), np.nan)  # of levels from those before, the last one first
         self._raw = np.full(cases, np.nan)  # the last one
         self._error = np.full(cases, np.nan)  # on the safe side
-        self._kept = LaneResults.none_yet(question, cases)
+        self._kept = LaneResults.none_yet(spec, cases)
         self._last = np.full((cases, 0, 0), np.nan)
 
-    def take(self, which: np.ndarray, question: Question, found: LaneResults) -> None:
+    def take(self, which: np.ndarray, spec: EnsembleSpec, found: LaneResults) -> None:
         """What a level has given for these cases: their errors, and what each does next."""
-        steps = round(self._asked.length / question.plan.grid.dt_L)
-        values, motion = self._parts(question, found.values)
+        steps = round(self._asked.length / spec.plan.grid.dt_L)
+        values, motion = self._parts(spec, found.values)
         if not self._last.shape[1]:
             self._last = np.full((len(self.steps), *motion.shape[1:]), np.nan)
         whole = (found.status == "completed") & np.isfinite(motion).all(axis=(1, 2))
@@ -112,27 +112,27 @@ class RefinedCases:
         self._note(which, steps, whole, found, values, motion)
         self._go_on(which, steps, whole)
 
-    def _parts(self, question: Question, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _parts(self, spec: EnsembleSpec, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(what is told of cases (cases, told), motions at the times of comparison (cases, 2 n_told, N))."""
-        reduced, names, marks = len(question.reduced), question.outputs, np.array(question.marks)
+        reduced, names, marks = len(spec.reduced), spec.outputs, np.array(spec.marks)
         samples = values[:, reduced:].reshape(len(values), len(names), len(marks))
-        assert question.refinement is not None
-        n = question.compared
-        at = np.searchsorted(marks, question.refinement.places(question.plan))
+        assert spec.refinement is not None
+        n = spec.compared
+        at = np.searchsorted(marks, spec.refinement.places(spec.plan))
         motion = samples[:, n][:, :, at]
         if reduced:
             return values[:, :reduced], motion
-        own = samples[:, : question.refinement.asked][:, :, np.searchsorted(marks, question.sampled)]
+        own = samples[:, : spec.refinement.asked][:, :, np.searchsorted(marks, spec.sampled)]
         return own.reshape(len(values), -1), motion
 
     def _judge(self, w: np.ndarray, steps: int, whole: np.ndarray, values: np.ndarray, motion: np.ndarray) -> None:
         """Errors by what levels differ from those before; by extrapolation where three of them show the order."""
-        model, tolerance = self._question.model, self._asked.tolerance
+        model, tolerance = self._spec.model, self._asked.tolerance
         relative, rates = errors_of_many(model, motion, self._last[w])
-        told = relative.max(axis=1)
-        asked = np.maximum(told, rates.max(axis=1) * tolerance / (ACCURATE * LARGEST))
+        estimated = relative.max(axis=1)
+        asked = np.maximum(estimated, rates.max(axis=1) * tolerance / (ACCURATE * LARGEST))
         both = whole & (self._whole[w] > 0)
-        ratio = np.where(both, steps / np.maximum(self._answer[w], 1), 2.0)
+        ratio = np.where(both, steps / np.maximum(self._last_whole[w], 1), 2.0)
         raw, before, third = self._raw[w], self._differs[w, 0], both & (self._whole[w] > 1)
         with np.errstate(all="ignore"):
             shown = np.where(third, shown_orders(raw / asked, self._ratio[w], ratio), 0.0)
@@ -147,11 +147,11 @@ class RefinedCases:
         asked = np.where(chance, expected, asked)
         self._error[w] = np.where(both, asked * np.where(shows, np.minimum(0.5, RICHARDSON / richer), 1.0), np.nan)
         share = np.where(both, share, np.nan)
-        self._kept.errors[w, 0] = told * share
+        self._kept.errors[w, 0] = estimated * share
         off = self._of_outputs(values, self._kept.values[w])
         with np.errstate(divide="ignore"):
             of_steps = np.where(both, 1 / np.maximum(ratio - 1, 0.1), np.nan)
-        at_ends = [how == "end" for _, how in self._question.reduced] or [True] * off.shape[1]
+        at_ends = [how == "end" for _, how in self._spec.reduced] or [True] * off.shape[1]
         self._kept.errors[w, 1:] = off * np.where(at_ends, share[:, None], of_steps[:, None])
         self._differs[w] = np.roll(self._differs[w], 1, axis=1)
         self._differs[w, 0] = np.where(both, asked, np.nan)
@@ -163,9 +163,9 @@ class RefinedCases:
         What is reduced over steps, a mean or a peak, knows them at their ends only: it converges with order 1.
         """
         off: np.ndarray = np.abs(values - before)
-        if self._question.reduced:
+        if self._spec.reduced:
             return off
-        return np.asarray(np.sqrt(np.mean(off.reshape(len(off), len(self._question.asked), -1) ** 2, axis=2)))
+        return np.asarray(np.sqrt(np.mean(off.reshape(len(off), len(self._spec.asked), -1) ** 2, axis=2)))
 
     def _note(
         self,
@@ -177,18 +177,18 @@ class RefinedCases:
         motion: np.ndarray,
     ) -> None:
         """What the level gave, and how it ended."""
-        kept, plan = self._kept, self._question.plan
+        kept, plan = self._kept, self._spec.plan
         near = np.abs(kept.time[w] - found.time) <= SAME_TIME * (plan.t_end - plan.t0)
         alike = ~whole & (kept.status[w] == found.status) & near
         self._lost[w] = np.where(whole, 0, np.where(alike, self._lost[w] + 1, 1))
         self._whole[w] = np.where(whole, self._whole[w] + 1, 0)
-        self._answer[w] = np.where(whole, steps, self._answer[w])
+        self._last_whole[w] = np.where(whole, steps, self._last_whole[w])
         self._taken[w] += 1
         kept.steps_of_all_levels[w] += steps * self._asked.units
         self._last[w[whole]] = motion[whole]
         kept.values[w], kept.status[w], kept.time[w] = values, found.status, found.time
         kept.status[w] = np.where((found.status == "completed") & ~whole, "not_finite", found.status)
-        kept.steps[w] = self._question.level(steps).plan.steps
+        kept.steps[w] = self._spec.level(steps).plan.steps
 
     def _go_on(self, w: np.ndarray, steps: int, whole: np.ndarray) -> None:
         """Which cases are done, and the next level of the others."""

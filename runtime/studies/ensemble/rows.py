@@ -13,19 +13,19 @@ from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.errors import ModelError
 from runtime.running.simulate import simulate
 from runtime.solutions.solution import Solution
+from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.lane_runs import LaneResults, LaneRuns, finished
-from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.starts import CaseStarts
 
 AHEAD = 3  # jobs a thread that wait, so that none is idle
 
 
 class Rows:
-    """Results of any cases of a question; table: its samples (cases, columns). Several threads may ask."""
+    """Results of any cases of an ensemble; table: its samples (cases, columns). Several threads may ask."""
 
-    def __init__(self, question: Question, table: np.ndarray, width: int | None = None) -> None:
-        self.question, self.table = question, table
-        self.lanes, self._starts = LaneRuns(question, width), CaseStarts(question)
+    def __init__(self, spec: EnsembleSpec, table: np.ndarray, width: int | None = None) -> None:
+        self.spec, self.table = spec, table
+        self.lanes, self._starts = LaneRuns(spec, width), CaseStarts(spec)
 
     def of(self, first: int, stop: int, stopped: Callable[[], bool] = lambda: False) -> LaneResults | None:
         """Results of these cases; None if `stopped` said so."""
@@ -39,7 +39,7 @@ class Rows:
         for case in np.flatnonzero(found.alone):
             if stopped():
                 return None
-            found.values[case], found.status[case], found.time[case] = run_alone(self.question, samples[case])
+            found.values[case], found.status[case], found.time[case] = run_alone(self.spec, samples[case])
         return found
 
     def job(self, cases: int, workers: int) -> int:
@@ -69,62 +69,62 @@ class Rows:
 # A case that lanes do not bring to its end is simulated by itself: singular positions, other ways to assemble.
 
 
-def run_alone(question: Question, sample: np.ndarray) -> tuple[np.ndarray, str, float]:
+def run_alone(spec: EnsembleSpec, sample: np.ndarray) -> tuple[np.ndarray, str, float]:
     """(values (width,), status, time reached [s]) of the case with these parameters and initial values."""
-    plan, count = question.plan, len(question.parameters)
+    plan, count = spec.plan, len(spec.parameters)
     given: dict[str, Any] = {
-        "parameters": dict(zip(question.parameters, sample[:count].tolist(), strict=True)),
-        "initial": dict(zip(question.initial, sample[count:].tolist(), strict=True)) or None,
+        "parameters": dict(zip(spec.parameters, sample[:count].tolist(), strict=True)),
+        "initial": dict(zip(spec.initial, sample[count:].tolist(), strict=True)) or None,
     }
     try:
         solution = simulate(
-            question.model,
+            spec.model,
             scheme=plan.name,
             dt=plan.grid.dt_L,
             m=list(plan.grid.m) or None,
             options=dict(plan.options),
             t0=plan.t0,
             t_end=plan.t_end,
-            start=question.start or None,
-            outputs=question.outputs,
-            seen_every=0.0 if question.reduced or question.refinement else plan.seen_steps * plan.grid.dt_L,
+            start=spec.start or None,
+            outputs=spec.outputs,
+            seen_every=0.0 if spec.reduced or spec.refinement else plan.seen_steps * plan.grid.dt_L,
             force=True,
             **given,
         )
     except (InitialStateError, ModelError):
-        return np.full(question.width, np.nan), "not_assembled", plan.t0
+        return np.full(spec.width, np.nan), "not_assembled", plan.t0
     # lanes estimate no errors: a case has one status, however it was run
     name = "completed" if solution.status.whole and not solution.status.ok else solution.status.name
-    return _values(question, solution), name, solution.status.time
+    return _values(spec, solution), name, solution.status.time
 
 
-def _values(question: Question, solution: Solution) -> np.ndarray:
-    if question.refinement is not None:
-        return np.concatenate([_whole(question, solution), _sampled(question, solution)])
-    if not question.reduced:
-        times = len(question.marks)
-        values = np.full((len(question.outputs), times), np.nan)
-        good = solution.outputs["t"] <= solution.status.time + 0.5 * question.plan.grid.dt_L
-        for k, name in enumerate(question.outputs):
+def _values(spec: EnsembleSpec, solution: Solution) -> np.ndarray:
+    if spec.refinement is not None:
+        return np.concatenate([_whole(spec, solution), _sampled(spec, solution)])
+    if not spec.reduced:
+        times = len(spec.marks)
+        values = np.full((len(spec.outputs), times), np.nan)
+        good = solution.outputs["t"] <= solution.status.time + 0.5 * spec.plan.grid.dt_L
+        for k, name in enumerate(spec.outputs):
             found = solution.outputs[name][good][:times]
             values[k, : len(found)] = found
         return values.ravel()
-    return _whole(question, solution)
+    return _whole(spec, solution)
 
 
-def _sampled(question: Question, solution: Solution) -> np.ndarray:
+def _sampled(spec: EnsembleSpec, solution: Solution) -> np.ndarray:
     """Outputs at the marks, of a run that is kept at every step."""
-    t, times = np.asarray(solution.outputs["t"]), question.plan.times(np.array(question.marks))
-    places = np.minimum(np.searchsorted(t, times - 0.25 * question.plan.last_step), len(t) - 1)
-    values = np.array([np.asarray(solution.outputs[name])[places] for name in question.outputs])
-    values[:, times > solution.status.time + 0.25 * question.plan.last_step] = np.nan
+    t, times = np.asarray(solution.outputs["t"]), spec.plan.times(np.array(spec.marks))
+    places = np.minimum(np.searchsorted(t, times - 0.25 * spec.plan.last_step), len(t) - 1)
+    values = np.array([np.asarray(solution.outputs[name])[places] for name in spec.outputs])
+    values[:, times > solution.status.time + 0.25 * spec.plan.last_step] = np.nan
     return values.ravel()
 
 
-def _whole(question: Question, solution: Solution) -> np.ndarray:
+def _whole(spec: EnsembleSpec, solution: Solution) -> np.ndarray:
     if not solution.status.whole:
-        return np.full(len(question.reduced), np.nan)
-    return np.array([_reduced(solution.outputs[name], how) for name, how in question.reduced])
+        return np.full(len(spec.reduced), np.nan)
+    return np.array([_reduced(solution.outputs[name], how) for name, how in spec.reduced])
 
 
 def _reduced(y: np.ndarray, reduction: str) -> float:

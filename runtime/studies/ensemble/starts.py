@@ -15,8 +15,8 @@ from runtime.contract.model import EmittedModel
 from runtime.operating.given_state import angle_starts, closable, keeps_independent, spin_names
 from runtime.running.inputs import Sampled, Schedule, bound, started
 from runtime.start.start_state import start_state
+from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.lane_programs import quasi_static
-from runtime.studies.ensemble.question import Question
 
 
 @dataclass(frozen=True)
@@ -41,11 +41,11 @@ class Starts:
 
 
 class CaseStarts:
-    """Starts of the cases of a question."""
+    """Starts of the cases of an ensemble."""
 
-    def __init__(self, question: Question) -> None:
-        self.model, self.parameters, self.initial = question.model, question.parameters, question.initial
-        self.t0, self.start = question.plan.t0, question.start
+    def __init__(self, spec: EnsembleSpec) -> None:
+        self.model, self.parameters, self.initial = spec.model, spec.parameters, spec.initial
+        self.t0, self.start = spec.plan.t0, spec.start
         model, parameters, initial, t0, start = self.model, self.parameters, self.initial, self.t0, self.start
         self._own = started(model, model.parameter_vector(), Schedule(model.signals), t0)
         self._defaults = np.array([parameter.default for parameter in model.parameters])

@@ -1,4 +1,4 @@
-"""The answer of an ensemble: an xarray Dataset, without xarray a dictionary of the same arrays."""
+"""The result of an ensemble: an xarray Dataset, without xarray a dictionary of the same arrays."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ import numpy as np
 from runtime.contract.escapes import csv_row
 from runtime.contract.files import write_text
 from runtime.results.dataset import described
+from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.lane_runs import LaneResults
-from runtime.studies.ensemble.question import Question
 
 
-def dataset(question: Question, table: np.ndarray, results: LaneResults) -> Any:
+def ensemble_result(spec: EnsembleSpec, table: np.ndarray, results: LaneResults) -> Any:
     """Of all cases: status(case), time_reached(case), what was varied, and the outputs."""
-    arrays, model, plan = columns(question, table, results), question.model, question.plan
-    asked = question.refinement
+    arrays, model, plan = columns(spec, table, results), spec.model, spec.plan
+    asked = spec.refinement
     if find_spec("xarray") is None:
         return {name: values for name, (_, values, _) in arrays.items()}
     import xarray
 
-    varied = [*question.parameters, *(f"initial.{name}" for name in question.initial)]
+    varied = [*spec.parameters, *(f"initial.{name}" for name in spec.initial)]
     coordinates = {name: arrays.pop(name) for name in ("case", "time", *varied) if name in arrays}
     attributes: dict[str, Any] = {"model": model.name, "title": model.title, "scheme": plan.name}
     attributes |= {"dt": plan.grid.dt_L} if asked is None else {"tolerance": asked.tolerance}
@@ -32,39 +32,39 @@ def dataset(question: Question, table: np.ndarray, results: LaneResults) -> Any:
 
 
 def columns(
-    question: Question, table: np.ndarray, results: LaneResults
+    spec: EnsembleSpec, table: np.ndarray, results: LaneResults
 ) -> dict[str, tuple[tuple[str, ...], np.ndarray, dict[str, str]]]:
     """{name: (dimensions, values, {"units": unit, "long_name": meaning})}."""
-    model, values = question.model, results.values
-    told = described(model, [*question.initial, *question.asked])
+    model, values = spec.model, results.values
+    labels = described(model, [*spec.initial, *spec.asked])
     found: dict[str, Any] = {"case": (("case",), np.arange(len(table)), {"long_name": "case"})}
 
     def keep(name: str, dimensions: tuple[str, ...], column: np.ndarray, meaning: str, unit: str = "") -> None:
         found[name] = (dimensions, column, ({"units": unit} if unit else {}) | {"long_name": meaning})
 
     def keep_output(name: str, dimensions: tuple[str, ...], column: np.ndarray, of: str, how: str = "") -> None:
-        keep(name, dimensions, column, how + told[of]["long_name"], told[of].get("units", ""))
+        keep(name, dimensions, column, how + labels[of]["long_name"], labels[of].get("units", ""))
 
     parameters = {one.name: one for one in model.parameters}
-    for name, column in zip([*question.parameters, *question.initial], table.T, strict=True):
-        if name in question.parameters:
+    for name, column in zip([*spec.parameters, *spec.initial], table.T, strict=True):
+        if name in spec.parameters:
             keep(name, ("case",), column, parameters[name].meaning or name, parameters[name].unit)
         else:
             keep_output(f"initial.{name}", ("case",), column, name, "initial ")
     keep("status", ("case",), results.status, "how the run ended")
     keep("time_reached", ("case",), results.time, "time at which it ended", "s")
-    for k, (output, reduction) in enumerate(question.reduced):
+    for k, (output, reduction) in enumerate(spec.reduced):
         keep_output(f"{output}_{reduction}", ("case",), values[:, k], output, f"{reduction} of ")
-    if not question.reduced:
-        marks = np.array(question.sampled)
-        keep("time", ("time",), question.plan.times(marks), "time", "s")
-        for output, part in zip(question.asked, np.split(values, len(question.asked), axis=1), strict=True):
+    if not spec.reduced:
+        marks = np.array(spec.sampled)
+        keep("time", ("time",), spec.plan.times(marks), "time", "s")
+        for output, part in zip(spec.asked, np.split(values, len(spec.asked), axis=1), strict=True):
             keep_output(output, ("case", "time"), part, output)
-    if question.refinement is not None:
+    if spec.refinement is not None:
         keep("error", ("case",), results.errors[:, 0], "estimated RMS error of the motion over its amplitudes", "1")
         keep("steps", ("case",), results.steps, "steps of the run that answers")
         keep("steps_of_all_levels", ("case",), results.steps_of_all_levels, "steps of all levels of the case")
-        values_of = question.reduced or [(name, "") for name in question.asked]
+        values_of = spec.reduced or [(name, "") for name in spec.asked]
         for (output, reduction), column in zip(values_of, results.errors.T[1:], strict=True):
             name, how = (f"{output}_{reduction}", f"{reduction} of ") if reduction else (output, "")
             keep_output(f"error.{name}", ("case",), column, output, f"estimated error of {how}")
@@ -74,9 +74,9 @@ def columns(
 # As a table: a row a case, with samples a row a case and time.
 
 
-def write_csv(answer: Any, path: str | Path) -> None:
+def write_csv(result: Any, path: str | Path) -> None:
     """Write a Dataset, or the dictionary that stands for one. Raises OutputError."""
-    found = variables(answer)
+    found = variables(result)
     times = len(found["time"][1]) if "time" in found else 1
     cases = len(found["case"][1])
     columns: dict[str, list[str]] = {}
@@ -89,15 +89,15 @@ def write_csv(answer: Any, path: str | Path) -> None:
     write_text(path, "\n".join(lines) + "\n")
 
 
-def variables(answer: Any) -> dict[str, tuple[tuple[str, ...], np.ndarray, str]]:
+def variables(result: Any) -> dict[str, tuple[tuple[str, ...], np.ndarray, str]]:
     """{name: (dimensions, values, unit)}."""
-    if isinstance(answer, Mapping) and not hasattr(answer, "variables"):
+    if isinstance(result, Mapping) and not hasattr(result, "variables"):
         shapes = {2: ("case", "time")}
         return {
             name: (shapes.get(values.ndim, ("time",) if name == "time" else ("case",)), values, "")
-            for name, values in answer.items()
+            for name, values in result.items()
         }
     return {
-        str(name): (tuple(map(str, answer[name].dims)), answer[name].values, str(answer[name].attrs.get("units", "")))
-        for name in (*answer.coords, *answer.data_vars)
+        str(name): (tuple(map(str, result[name].dims)), result[name].values, str(result[name].attrs.get("units", "")))
+        for name in (*result.coords, *result.data_vars)
     }

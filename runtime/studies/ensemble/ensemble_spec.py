@@ -20,7 +20,7 @@ LOOK_STEPS, MOST_LOOKS = 250, 16  # a run is looked at about every so many steps
 
 
 @dataclass(frozen=True, eq=False)
-class Question:
+class EnsembleSpec:
     """Names and settings; the samples themselves are an array (cases, parameters and initial values) beside it.
 
     start: "" for the scene's own. reduced: (output, reduction) of each value kept of a case; () where each output is
@@ -45,7 +45,7 @@ class Question:
         start: str | None,
         outputs: Sequence[str] | None,
         reduce: Mapping[str, str | Sequence[str]] | None,
-    ) -> Question:
+    ) -> EnsembleSpec:
         """Check the names of outputs and reductions. Raises ModelError or ArgumentError."""
         kept = _outputs(model, outputs, reduce)
         return cls(model, *names, plan, start or "", kept, [] if reduce is None else _reduced(kept, reduce))
@@ -61,7 +61,7 @@ class Question:
         outputs: Sequence[str] | None,
         reduce: Mapping[str, str | Sequence[str]] | None,
         **settings: Any,
-    ) -> Question:
+    ) -> EnsembleSpec:
         """The same for cases with a tolerance; table: samples. settings: of `refinement_of`. Raises what that does."""
         kept = _outputs(model, outputs, reduce)
         reduced = [] if reduce is None else _reduced(kept, reduce)
@@ -69,16 +69,16 @@ class Question:
         beside = [name for name in compared_names(model) if name not in kept]
         return cls(model, *names, plan, start or "", [*kept, *beside], reduced, found)
 
-    def alike(self, other: Question) -> bool:
+    def alike(self, other: EnsembleSpec) -> bool:
         """Do the two differ in their samples and the number of steps only? Both are data of lanes."""
 
-        def of(one: Question) -> tuple[object, ...]:
+        def of(one: EnsembleSpec) -> tuple[object, ...]:
             numbers = {name: value for name, value in one.plan.numbers.items() if name not in DATA}
             return numbers, one.plan.end is None, one.start, one.outputs, one.reduced
 
         return self.model is other.model and of(self) == of(other)
 
-    def level(self, steps: int) -> Question:
+    def level(self, steps: int) -> EnsembleSpec:
         """The same with so many steps in each unit of the refinement."""
         assert self.refinement is not None
         return replace(self, plan=self.refinement.plan(self.plan, steps))
@@ -118,8 +118,8 @@ class Question:
         return len(self.reduced) + len(self.outputs) * len(self.marks)
 
     @property
-    def told(self) -> int:
-        """Values told of a case."""
+    def reported(self) -> int:
+        """Values reported of a case."""
         return len(self.reduced) or len(self.asked) * len(self.sampled)
 
 
