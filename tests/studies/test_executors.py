@@ -98,6 +98,34 @@ def test_folders_of_other_studies_and_other_files_are_refused(model, tmp_path) -
     assert [path.name for path in (tmp_path / "mine").iterdir()] == ["letter.txt"]
 
 
+def test_results_on_disk_are_those_in_memory(model, here, tmp_path) -> None:
+    pytest.importorskip("zarr")
+    folder = tmp_path / "study"
+    found = model.ensemble(**ASKED, folder=folder, chunk=25, on_disk=True)
+    assert (folder / "results.zarr").is_dir()
+    assert found.isel(case=slice(20, 40)).load().identical(here.isel(case=slice(20, 40)))
+    again = model.ensemble(**ASKED, folder=folder, chunk=25, on_disk=True)  # parts are there, the store is new
+    assert again.load().identical(here)
+    histories = {key: value for key, value in ASKED.items() if key != "reduce"} | {
+        "outputs": ["arm.theta"],
+        "samples": 9,
+    }
+    stored = model.ensemble(**histories, folder=tmp_path / "other", chunk=25, on_disk=True)
+    assert stored.load().identical(model.ensemble(**histories))
+    refined = {key: value for key, value in ASKED.items() if key not in ("scheme", "dt")} | {"tolerance": 1e-4}
+    stored = model.ensemble(**refined, folder=tmp_path / "refined", chunk=25, on_disk=True)
+    assert stored.load().identical(model.ensemble(**refined))
+
+
+def test_results_on_disk_need_a_folder_and_zarr(model, tmp_path, monkeypatch) -> None:
+    with pytest.raises(ArgumentError, match="give folder"):
+        model.ensemble(**ASKED, on_disk=True)
+    monkeypatch.setattr("runtime.studies.ensemble.store.find_spec", lambda name: None)
+    with pytest.raises(NoResult, match=r"symgen\[zarr\]"):
+        model.ensemble(**ASKED, folder=tmp_path / "study", on_disk=True)
+    assert not (tmp_path / "study").exists()
+
+
 class Unreliable:
     """An executor of one worker that fails so many times."""
 

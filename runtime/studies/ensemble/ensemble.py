@@ -22,10 +22,11 @@ from runtime.start.start_state import start_state
 from runtime.studies.ensemble.ensemble_result import ensemble_result
 from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.lane_runs import LaneResults
-from runtime.studies.ensemble.parts import CHUNK, Executor, HereExecutor, Maker, in_parts
+from runtime.studies.ensemble.parts import CHUNK, Executor, HereExecutor, Maker, in_parts, study_folder
 from runtime.studies.ensemble.refined_rows import rows_of
 from runtime.studies.ensemble.refinement import refuse_steps
 from runtime.studies.ensemble.starts import columns_by_name, table_of, with_functions
+from runtime.studies.ensemble.store import check_store, stored
 
 
 @arguments(inputs=BY_NAME, options=BY_NAME, outputs=NAMES, reduce=BY_NAME, progress=CALLED)
@@ -52,6 +53,7 @@ def ensemble(
     folder: str | Path | None = None,
     chunk: int | None = None,
     retries: int = 3,
+    on_disk: bool = False,
     progress: Progress | bool | None = None,
 ) -> Any:
     """Run many cases of a model side by side; each is, bit for bit, the run that `simulate` makes.
@@ -89,6 +91,9 @@ def ensemble(
         Cases of a part; 1,000 by default.
     retries : int, optional
         How often a part that fails is tried again.
+    on_disk : bool, optional
+        True leaves the results in `folder`, as a Zarr store, and returns a Dataset that reads from there what is
+        asked for: memory then holds one part in place of the study (extra `zarr`).
     progress : bool or callable, optional
         True shows a line; a function is called with (cases done, cases).
 
@@ -140,6 +145,8 @@ def ensemble(
     size, tries = _whole("chunk", CHUNK if chunk is None else chunk, 1), _whole("retries", retries, 0)
     if executor is not None and not (hasattr(executor, "submit") or callable(executor)):
         raise ArgumentError("executor", f"{executor!r} has no submit", "give an executor, or a function that makes one")
+    if on_disk:
+        check_store(folder)
     if chunk is not None and executor is None and folder is None:
         raise ArgumentError("chunk", "is of parts, which nobody asked for", "give an executor or a folder, too")
 
@@ -152,24 +159,29 @@ def ensemble(
         )
 
     with Meter(model.name, counted="cases") if progress is True else nullcontext(progress or None) as meter:
-        return ensemble_result(spec, table, _results_of_parts(spec, len(table), parts, meter))
+        if on_disk:
+            assert folder is not None
+            _work_through(parts, len(table), meter, lambda first, part: None)
+            return stored(spec, table, folder, size, study_folder(spec, table, folder, size).read)
+        found = LaneResults.none_yet(spec, len(table))
+        _work_through(parts, len(table), meter, found.put)
+        return ensemble_result(spec, table, found)
 
 
-def _results_of_parts(
-    spec: EnsembleSpec,
-    cases: int,
+def _work_through(
     parts: Callable[[Callable[[], bool]], Iterator[tuple[int, LaneResults]]],
+    cases: int,
     progress: Progress | None,
-) -> LaneResults:
-    """Of all cases; those that were not done are `interrupted`."""
-    found, done = LaneResults.none_yet(spec, cases), 0
+    take: Callable[[int, LaneResults], None],
+) -> None:
+    """Hand on parts as they are done, up to the end or to Ctrl-C."""
+    done = 0
     with Interrupts() as interrupts:
         for first, part in parts(lambda: interrupts.asked):
-            found.put(first, part)
+            take(first, part)
             done += len(part.time)
             if progress is not None:
                 progress(done, cases)
-    return found
 
 
 def _whole(name: str, value: Any, least: int) -> int:

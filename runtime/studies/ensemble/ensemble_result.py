@@ -16,9 +16,9 @@ from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.lane_runs import LaneResults
 
 
-def ensemble_result(spec: EnsembleSpec, table: np.ndarray, results: LaneResults) -> Any:
-    """Of all cases: status(case), time_reached(case), what was varied, and the outputs."""
-    arrays, model, plan = columns(spec, table, results), spec.model, spec.plan
+def ensemble_result(spec: EnsembleSpec, table: np.ndarray, results: LaneResults, first: int = 0) -> Any:
+    """Of the cases from `first` on: status(case), time_reached(case), what was varied, and the outputs."""
+    arrays, model, plan = columns(spec, table, results, first), spec.model, spec.plan
     asked = spec.refinement
     if find_spec("xarray") is None:
         return {name: values for name, (_, values, _) in arrays.items()}
@@ -32,12 +32,12 @@ def ensemble_result(spec: EnsembleSpec, table: np.ndarray, results: LaneResults)
 
 
 def columns(
-    spec: EnsembleSpec, table: np.ndarray, results: LaneResults
+    spec: EnsembleSpec, table: np.ndarray, results: LaneResults, first: int = 0
 ) -> dict[str, tuple[tuple[str, ...], np.ndarray, dict[str, str]]]:
     """{name: (dimensions, values, {"units": unit, "long_name": meaning})}."""
     model, values = spec.model, results.values
     labels = described(model, [*spec.initial, *spec.asked])
-    found: dict[str, Any] = {"case": (("case",), np.arange(len(table)), {"long_name": "case"})}
+    found: dict[str, Any] = {"case": (("case",), np.arange(first, first + len(table)), {"long_name": "case"})}
 
     def keep(name: str, dimensions: tuple[str, ...], column: np.ndarray, meaning: str, unit: str = "") -> None:
         found[name] = (dimensions, column, ({"units": unit} if unit else {}) | {"long_name": meaning})

@@ -173,6 +173,11 @@ def _about(header: Any) -> str:
     return f"{header.get('study')} of {header.get('model')}, {header.get('cases')} cases by {header.get('chunk')}"
 
 
+def study_folder(spec: EnsembleSpec, table: np.ndarray, folder: str | Path, chunk: int) -> StudyFolder:
+    """Where the parts of this study are kept. Raises ArgumentError, OutputError for a folder of something else."""
+    return StudyFolder(folder, Job.of(spec, table), len(table), chunk)
+
+
 def in_parts(
     spec: EnsembleSpec,
     table: np.ndarray,
