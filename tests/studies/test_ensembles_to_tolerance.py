@@ -211,6 +211,28 @@ def test_histories_keep_their_times_and_have_errors(model) -> None:
 
 
 @pytest.mark.long
+def test_cases_with_impacts_and_friction_are_told_as_others() -> None:
+    """A pendulum with a stop and friction in its hinge, against runs to 1e-8."""
+    scene = (
+        Scene("swing")
+        .parameter("l", 0.5)
+        .gravity(0, -9.81)
+        .rigid("arm", mass=1.0, inertia=0.1, center_of_mass=("l", 0))
+    )
+    stop, friction = {"lower": -2.5, "restitution": 0.6}, {"coulomb": 0.05}
+    model = scene.revolute("pin", "ground.origin", "arm.origin", limits=stop, friction=friction).model()
+    lengths, asked = np.linspace(0.4, 0.6, 6), {"t_end": 2.0, "outputs": ["arm.theta"], "samples": 20}
+    found = model.ensemble({"l": lengths}, {"arm.theta": -0.5}, tolerance=1e-4, **asked)
+    assert (found["status"] == "completed").all()
+    for case, length in enumerate(lengths):
+        near = model.simulate(parameters={"l": float(length)}, initial={"arm.theta": -0.5}, tolerance=1e-8, **asked)
+        assert len(near.events) >= 3
+        exact = near.outputs["arm.theta"]
+        true = np.sqrt(np.mean((found["arm.theta"].values[case] - exact) ** 2)) / np.std(exact)
+        assert true <= 1e-4 and true / 3 <= found["error"].values[case] <= 3 * true
+
+
+@pytest.mark.long
 def test_cases_without_an_answer_are_not_completed() -> None:
     """A chaotic double pendulum for so long that no step of this price reaches the tolerance."""
     model, n = SCENES["double_pendulum"]().model(), 10

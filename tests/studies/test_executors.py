@@ -208,8 +208,12 @@ def test_a_cache_open_to_others_is_not_used_for_what_arrives(model, tmp_path, mo
     assert not list((tmp_path / "cache" / "sent").iterdir())
 
 
+TO_TOLERANCE = {key: value for key, value in ASKED.items() if key not in ("scheme", "dt")} | {"tolerance": 1e-4}
+
+
 @pytest.mark.long
-def test_killed_workers_are_replaced(model, here, tmp_path) -> None:
+@pytest.mark.parametrize("asked", [ASKED, TO_TOLERANCE], ids=["steps", "tolerance"])
+def test_killed_workers_are_replaced(model, asked, tmp_path) -> None:
     killed: list[int] = []
 
     def kill_one(done: int, cases: int) -> None:
@@ -218,8 +222,8 @@ def test_killed_workers_are_replaced(model, here, tmp_path) -> None:
             killed.append(victim.pid)
             os.kill(victim.pid, signal.SIGKILL)
 
-    found = model.ensemble(**ASKED, executor=two_processes, chunk=3, folder=tmp_path / "study", progress=kill_one)
-    assert killed and found.identical(here)
+    found = model.ensemble(**asked, executor=two_processes, chunk=3, folder=tmp_path / "study", progress=kill_one)
+    assert killed and found.identical(model.ensemble(**asked, workers=1))
 
 
 @pytest.mark.long
