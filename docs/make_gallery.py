@@ -35,6 +35,7 @@ SECTIONS = {
         "crane_mpc",
         "optimise_torque",
         "train_controller",
+        "swing_up_environment",
         "parameter_study",
         "monte_carlo",
         "design_rod",

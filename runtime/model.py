@@ -39,17 +39,18 @@ if TYPE_CHECKING:
     from runtime.studies.advice.report import report as _report
     from runtime.studies.convergence import convergence as _convergence
     from runtime.studies.ensemble.ensemble import ensemble as _ensemble
+    from runtime.studies.ensemble.lane_stepper import lanes as _lanes
     from runtime.studies.stability.chart import stability_chart as _stability_chart
 
 
 class Model(EmittedModel):
     """A mechanism ready to run: its equations as CasADi functions, and the studies that can be made of them.
 
-    Runs: simulate, resume, ensemble, stepper. States: equilibrium, modes, linearise, campbell, unbalance_response,
-    quasi_static_motion. Motions that repeat: periodic, periodic_over. Derivatives: gradient, output_jacobian, fit.
-    Methods: advise, report, stability. Modelling: convergence. Dynamics: mass_matrix, coriolis, gravity,
-    inverse_dynamics, forward_dynamics, jacobian, ode. Names: q_i, q_d, coordinates, parameters, inputs, measures,
-    joints, constraints. Functions: function, evaluate. Handed on: export_c, export_fmu, to_jax.
+    Runs: simulate, resume, ensemble, stepper, lanes. States: equilibrium, modes, linearise, campbell,
+    unbalance_response, quasi_static_motion. Motions that repeat: periodic, periodic_over. Derivatives: gradient,
+    output_jacobian, fit. Methods: advise, report, stability. Modelling: convergence. Dynamics: mass_matrix, coriolis,
+    gravity, inverse_dynamics, forward_dynamics, jacobian, ode. Names: q_i, q_d, coordinates, parameters, inputs,
+    measures, joints, constraints. Functions: function, evaluate. Handed on: export_c, export_fmu, to_jax.
     """
 
     # Each of these is the function that it names, with the model as its first argument.
@@ -73,6 +74,7 @@ class Model(EmittedModel):
         stability = _stability_chart
         convergence = _convergence
         stepper = _stepper
+        lanes = _lanes
         ode = _ode
         export_c = _export_c
         export_fmu = _export_fmu
@@ -192,6 +194,12 @@ class Model(EmittedModel):
             from runtime.running.stepping import stepper
 
             return stepper
+
+        @LazyMethod
+        def lanes():
+            from runtime.studies.ensemble.lane_stepper import lanes
+
+            return lanes
 
         @LazyMethod
         def ode():

@@ -141,6 +141,13 @@ def test_train_controller(said) -> None:
     assert first > 10 * least and least < last < 1.03 * least
 
 
+@pytest.mark.skipif(find_spec("gymnasium") is None, reason="needs the extra gym: pip install 'symgen[gym]'")
+def test_swing_up_environment(said) -> None:
+    """The pendulum stands at the end, and has done for a second."""
+    *_, at_the_end, _, least = line(said("swing_up_environment"), "height")
+    assert 0.999 < at_the_end <= 1 and 0.999 < least <= 1
+
+
 def test_quarter_car(said) -> None:
     text = said("quarter_car")
     assert numbers(text.splitlines()[0])[-1] < 1e-6  # m, off two equations by hand

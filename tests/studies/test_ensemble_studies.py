@@ -14,7 +14,7 @@ from scipy.stats import qmc
 from runtime import ensemble
 from runtime.contract.errors import SymgenError
 from runtime.model import Model
-from runtime.studies.ensemble import answer
+from runtime.studies.ensemble import ensemble_result
 from tests.support.pendula import SHORT, pendula
 
 pytestmark = pytest.mark.long
@@ -53,7 +53,7 @@ def test_samples_and_tables_go_straight_in(built_in: Load, monkeypatch: pytest.M
     by_name = ensemble(model, dict(zip((mass, "length"), points.T, strict=True)), **settings)
     assert by_name.identical(ensemble(model, pandas.DataFrame(columns), **settings))
     np.testing.assert_array_equal(by_name["length"], points[:, 1])
-    monkeypatch.setattr(answer, "find_spec", lambda name: None)
+    monkeypatch.setattr(ensemble_result, "find_spec", lambda name: None)
     plain = ensemble(model, columns, **settings)
     assert isinstance(plain, dict) and set(plain) == {
         "case",
