@@ -131,7 +131,7 @@ def model_of(scene: SceneRecord) -> Model:
         initial_q_dot=np.array([clean(value) for value in initial.q_dot]),
         builders=FunctionsOnDemand(derived),
         initial_changes=initial.changed,
-        assembly=tuple(text for _, text in initial.told),
+        assembly=tuple(text for _, text in initial.reported),
         digest=digest_on_demand(text),
         scene_toml=text,
     )

@@ -68,7 +68,7 @@ def arm_reference(model: Model, fastest: float) -> Reference:
     problem = Problem.of(model, T_END)
     refinement, steps = StepRefinement(problem, 1e-12), ceil(T_END * fastest / REFERENCE_REACH)
     level = refinement.level(replace(refinement.plan(Method("dop853"), steps), seen_steps=max(1, steps // KEPT)))
-    seen = level.run.seen()
+    seen = level.run.sampled_solution()
     columns = followed(model)[1]
     path = CubicHermiteSpline(seen.t, seen.q[:, columns], seen.q_dot[:, columns])
     return Reference(problem, path, [name for name in model.q_i if name.endswith("theta")], 1e-7)

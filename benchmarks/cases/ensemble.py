@@ -70,7 +70,7 @@ def _scheme(model: Model, scheme: str, m: list[int], goal: float | None) -> list
     rows = _rows(model, scheme, m, FEW)
     lanes, job = rows.lanes, FEW - FEW % rows.lanes.programs.width
     starts = CaseStarts(rows.spec)
-    blocks = lanes.begun(starts.of(rows.table[:job]))
+    blocks = lanes.started(starts.of(rows.table[:job]))
     first = blocks.copy()
 
     def steps(n: int) -> None:

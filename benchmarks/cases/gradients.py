@@ -89,35 +89,35 @@ def _scheme(
 
 def _contenders(prepared: DifferentiableRun) -> dict[str, Callable[[int], None]]:
     """The parts of a differentiated run on prepared arrays, each n times."""
-    begun, program = prepared._begun(prepared.x0), prepared.program
+    started, program = prepared._started(prepared.x0), prepared.program
     active = program.active
     plain = NativeProgram(program.step, wait=True)
     tangents = TangentCode(program.step, active, most_lanes(), wait=True)
     recorder = Recorder(program.step, active, wait=True)
-    z, tape = begun.z.copy(), np.zeros(STEPS * recorder.records + 1)
+    z, tape = started.z.copy(), np.zeros(STEPS * recorder.records + 1)
     adjoint, seed = np.zeros(active.size), np.random.default_rng(0).normal(size=active.size)
-    arrays = LaneArrays(len(z) + len(active.z), len(begun.ready) + len(active.c), most_lanes())
-    arrays.c[: len(begun.ready)] = begun.ready[:, None]
-    directions = Beginning(program).tangents(prepared._place, begun.x, begun.slopes)[:, -most_lanes() :]
+    arrays = LaneArrays(len(z) + len(active.z), len(started.ready) + len(active.c), most_lanes())
+    arrays.c[: len(started.ready)] = started.ready[:, None]
+    directions = Beginning(program).tangents(prepared._place, started.x, started.slopes)[:, -most_lanes() :]
 
     def scalar(n: int) -> None:
         for _ in range(n):
-            z[:] = begun.z
-            plain.run(z, begun.ready, STEPS)
+            z[:] = started.z
+            plain.run(z, started.ready, STEPS)
 
     def record(n: int) -> None:
         for _ in range(n):
-            z[:] = begun.z
-            recorder.record(z, begun.ready, tape, STEPS)
+            z[:] = started.z
+            recorder.record(z, started.ready, tape, STEPS)
 
     def reverse(n: int) -> None:
         for _ in range(n):
             adjoint[:] = seed
-            recorder.reverse(adjoint, begun.ready, tape, STEPS)
+            recorder.reverse(adjoint, started.ready, tape, STEPS)
 
     def along(n: int) -> None:
         for _ in range(n):
-            arrays.z[: len(z)] = begun.z[:, None]
+            arrays.z[: len(z)] = started.z[:, None]
             arrays.z[len(z) :] = directions[: len(active.z)]
             tangents.run(arrays, STEPS)
 

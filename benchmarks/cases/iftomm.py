@@ -169,7 +169,7 @@ class Runs:
 
     def worker(self, steps: int) -> Callable[[int], None]:
         """What repeats the run n times."""
-        first, ready = self._begun(steps)
+        first, ready = self._started(steps)
         z = first.copy()
 
         def work(n: int) -> None:
@@ -181,7 +181,7 @@ class Runs:
 
     def solution(self, steps: int) -> tuple[Solution, int]:
         """(the run at samples that hold the reference times, evaluations)."""
-        z, ready = self._begun(steps)
+        z, ready = self._started(steps)
         part = steps // self.case.steps
         every = next(k for k in range(max(1, steps // SAMPLES), 0, -1) if part % k == 0)
         samples = [self._stepper.state(z).copy()]
@@ -209,7 +209,7 @@ class Runs:
         ratios = list(self.spec.m) if self.spec.m else None
         return scheme_kind(self.spec.scheme).build(self.spec.scheme, self.model, dt, ratios, self.spec.options)
 
-    def _begun(self, steps: int) -> tuple[np.ndarray, np.ndarray]:
+    def _started(self, steps: int) -> tuple[np.ndarray, np.ndarray]:
         dt = self.case.t_end / steps
         return (
             self._stepper.start(0.0, self._state.q, self._state.q_dot, self._c, dt),

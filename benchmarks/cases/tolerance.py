@@ -61,7 +61,7 @@ def measured(case: Case) -> dict[str, Any]:
             {
                 "tolerance": tolerance,
                 "delivered": case.error_of(answer) / tolerance,
-                "told": answer.told.largest / tolerance,
+                "told": answer.estimated.largest / tolerance,
                 "said": bool(answer.error > tolerance) or answer.lost,
                 "rungs": len(levels),
                 "steps": answer.steps,

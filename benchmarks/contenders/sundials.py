@@ -230,7 +230,7 @@ class Sundials:
             "cpu_seconds": 0.0,
         }
         try:
-            integrator, arguments = self._begun(t, options)
+            integrator, arguments = self._started(t, options)
             spent = []
             for _ in range(repeats):
                 started, worked = time.perf_counter(), time.process_time()
@@ -243,7 +243,7 @@ class Sundials:
         stats |= {key: int(counted.get(counter, 0)) for key, counter in COUNTERS.items()}
         return SundialsRun(np.asarray(result["xf"]).T, stats)
 
-    def _begun(self, t: np.ndarray, options: dict[str, Any]) -> tuple[ca.Function, dict[str, Any]]:
+    def _started(self, t: np.ndarray, options: dict[str, Any]) -> tuple[ca.Function, dict[str, Any]]:
         """An integrator that has run once, and its arguments."""
         system, arguments = self._system()
         if self.method == "idas":  # the start is consistent: IDACalcIC, which gives up on some, has nothing to find

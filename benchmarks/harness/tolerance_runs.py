@@ -109,7 +109,7 @@ class Case:
         steps = level.run.record.steps()[1:]
         exact = self.reference[[step * KEPT // level.steps for step in steps]]
         with np.errstate(all="ignore"):
-            rms = np.sqrt(np.mean((level.run.record.told(self.model, steps)[0] - exact) ** 2, axis=0))
+            rms = np.sqrt(np.mean((level.run.record.compared_motion(self.model, steps)[0] - exact) ** 2, axis=0))
         found = float((rms / floored(self.model, self.reference.std(axis=0))).max())
         return found if np.isfinite(found) else np.inf
 

@@ -115,13 +115,13 @@ def observed_solution(
     status: Status,
 ) -> Solution:
     """Solution of the states y (N, size) at times t."""
-    seen = evaluate(CondensedOde(model, TO_ROUNDING).observe(), {"t": t[:, None], "y": y}, start.c)
+    observed = evaluate(CondensedOde(model, TO_ROUNDING).observe(), {"t": t[:, None], "y": y}, start.c)
     return assemble_solution(
         model,
         t,
-        whole(model, seen["q_i"], seen["q_d"]),
-        whole(model, seen["q_i_dot"], seen["q_d_dot"]),
-        whole(model, seen["q_i_ddot"], seen["q_d_ddot"]),
+        whole(model, observed["q_i"], observed["q_d"]),
+        whole(model, observed["q_i_dot"], observed["q_d_dot"]),
+        whole(model, observed["q_i_ddot"], observed["q_d_ddot"]),
         start.p,
         start.c,
         name,

@@ -60,8 +60,8 @@ class Impulses:
         """y just after."""
         if self._observe is None:
             return y
-        model, seen = self.model, self._observe(t=before, y=y, c=self.c)
-        parts = {name: np.asarray(value).ravel() for name, value in seen.items()}
+        model, observed = self.model, self._observe(t=before, y=y, c=self.c)
+        parts = {name: np.asarray(value).ravel() for name, value in observed.items()}
         q = whole(model, parts["q_i"], parts["q_d"])
         found = impulse_at(model, self.c, q, parts["q_i_dot"], before, after)
         if found is None:

@@ -118,7 +118,7 @@ class ConsistentState:
     """q and q_dot (all coordinates), and what had to be changed: {name: (given, used)}, deflections included.
 
     placed (n,): where joints that place bodies put what was not given, before loops were closed; other (n,): another
-    branch that lies about as near to it. None where that was not looked for, or there is none. told: events of the
+    branch that lies about as near to it. None where that was not looked for, or there is none. reported: events of the
     start: what may not be what was meant. not_given: names of what was changed that nobody gave.
     """
 
@@ -127,7 +127,7 @@ class ConsistentState:
     changed: dict[str, tuple[float, float]]
     placed: np.ndarray | None = None
     other: np.ndarray | None = None
-    told: tuple[tuple[EventKind, str], ...] = ()
+    reported: tuple[tuple[EventKind, str], ...] = ()
     not_given: frozenset[str] = frozenset()
 
 
@@ -383,12 +383,12 @@ class AngleForm:
             found |= set(self.columns(body)) if columns & set(own) else set()
         return frozenset(found)
 
-    def seen(self, q: np.ndarray) -> np.ndarray:
+    def of_coordinates(self, q: np.ndarray) -> np.ndarray:
         """Coordinates here of all coordinates (n,)."""
         turning = [angles(kind, q[self.parameters[body]]) for body, kind in self.sequences.items()]
         return np.concatenate([q[self.plain], *turning])
 
-    def seen_rates(self, q: np.ndarray, q_dot: np.ndarray) -> np.ndarray:
+    def of_rates(self, q: np.ndarray, q_dot: np.ndarray) -> np.ndarray:
         """Rates here of all coordinates and rates (n,)."""
         turning = []
         for body, kind in self.sequences.items():
@@ -440,7 +440,7 @@ def _by_angles(task: Assembly) -> ConsistentState:
         name: form.chosen(getattr(task, name)) for name in ("elastic", "reluctant", "following", "origins")
     }
     own = replace(task, names=form.own, position=position_by, velocity=velocity_by, sequences={}, **columns)
-    found = consistent_state(replace(own, guess=form.seen(task.guess)))
+    found = consistent_state(replace(own, guess=form.of_coordinates(task.guess)))
     q, slope = form.fitting(found.q, position)
     placed, other = (None if x is None else form.whole(x)[0] for x in (found.placed, found.other))
     return replace(found, q=q, q_dot=slope @ found.q_dot, placed=placed, other=other)
@@ -459,13 +459,13 @@ SHOWN = 4  # coordinates that a text names
 
 
 def with_words(state: ConsistentState, coordinates: Sequence[Coordinate], given: Collection[str]) -> ConsistentState:
-    """The state with `told` of what assembly did; given: names of coordinates that were."""
-    told: list[str] = []
+    """The state with `reported` of what assembly did; given: names of coordinates that were."""
+    reported: list[str] = []
     if state.placed is not None:
         far = [k for k in _left_open(coordinates, given) if _is_far(coordinates, k, state.placed, state.q)]
         moves = [f"{coordinates[k].name} {state.placed[k]:.4g} -> {state.q[k]:.4g}" for k in far]
         if moves:
-            told.append(
+            reported.append(
                 f"closing the loops moved far what was not given: {_shown(moves)}. Give them to choose the branch"
             )
     if state.other is not None:
@@ -473,8 +473,8 @@ def with_words(state: ConsistentState, coordinates: Sequence[Coordinate], given:
         apart = [k for k in _left_open(coordinates, given) if abs(less_turns(other[k] - state.q[k])) > SAME_PLACE]
         places = [f"{coordinates[k].name} = {other[k]:.4g}, not {state.q[k]:.4g}" for k in apart]
         if places:
-            told.append(f"another branch lies about as near: {_shown(places)}. Give one of them to choose it")
-    return replace(state, told=(*state.told, *((ASSEMBLED, text) for text in told)))
+            reported.append(f"another branch lies about as near: {_shown(places)}. Give one of them to choose it")
+    return replace(state, reported=(*state.reported, *((ASSEMBLED, text) for text in reported)))
 
 
 # What assembly did to what somebody gave: told where it is more than the digits that were given.
@@ -485,7 +485,7 @@ DIGITS = 1e-3  # of a value: no more is laid to digits that were left out
 
 def start_events(state: ConsistentState, t0: float) -> list[Event]:
     """What a run tells of its start at t0 [s]: what may not be what was meant."""
-    found = [Event(t0, kind, text) for kind, text in state.told]
+    found = [Event(t0, kind, text) for kind, text in state.reported]
     for name, (given, used) in state.changed.items():
         if name not in state.not_given and not rounds_to(given, used):
             text = f"{name} was given as {given:.9g} and begins at {used:.9g}, where joints and stops allow it"

@@ -130,8 +130,8 @@ class StageDerivatives:
         read = {symbol.name() for symbol in ca.symvar(before)}
         entries = ca.vertsplit(self.z) if self.active.z_size else []
         saved = tuple(k for k, entry in enumerate(entries) if entry.name() in read)
-        seen = ca.vertcat(*(entries[k] for k in saved)) if saved else ca.SX(0, 1)
-        inputs = [ca.vertcat(zbar, cbar), self.c, seen]
+        kept = ca.vertcat(*(entries[k] for k in saved)) if saved else ca.SX(0, 1)
+        inputs = [ca.vertcat(zbar, cbar), self.c, kept]
         return AdjointStage(_function(f"{self.name}_adjoint", inputs, before, ["z", "c", "s"]), saved)
 
     def _along(self, rows: ca.SX, dz: ca.SX, dc: ca.SX) -> ca.SX:

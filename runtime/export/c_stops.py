@@ -25,7 +25,7 @@ from runtime.schemes.switching.impulse import may_give_impulses
 from runtime.schemes.switching.settle import weights
 from runtime.schemes.switching.stop_program import StopProgram
 from runtime.schemes.switching.times import switching_times
-from runtime.schemes.switching.watched import seen_function, watched_events, watches
+from runtime.schemes.switching.watched import observed_function, watched_events, watches
 
 ENDS = {"BY_EVENT": 1, "CHATTERING": 2, "NO_MODE": 3, "NOT_FINITE": 4, "TOO_MANY": 5, "BEYOND_A_STOP": 6}
 KEPT_OF_A_KINK = 22
@@ -125,7 +125,7 @@ def stop_functions(scheme: Scheme, prepared: Prepared, prefix: str, library: Sty
     if watches(scheme):
         names = ["events", "slopes", *(["actions"] if sets_of(scheme) else [])]
         for name in names:
-            tape = named(seen_function(scheme, name), "z", "c")
+            tape = named(observed_function(scheme, name), "z", "c")
             found[name] = tape_code(f"{prefix}{name}", tape, ["y"], library)
     if scheme.model.element_modes.size:
         found |= _element_functions(scheme, prefix, library)

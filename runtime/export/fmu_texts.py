@@ -137,10 +137,10 @@ def equations(one: Exported) -> tuple[ca.Function, ca.Function]:
         a_d = system.equations.dependent_accelerations(system.motion, system.v, a)
     q = joined(model, system.q_i, system.motion.q_d)
     q_dot, q_ddot = joined(model, system.v, system.v_d), joined(model, a, a_d)
-    seen = [q, q_dot, ca.vertcat(*(q_ddot[model.coordinates.index(name)] for name in model.q_i))]
+    shown = [q, q_dot, ca.vertcat(*(q_ddot[model.coordinates.index(name)] for name in model.q_i))]
     if model.measures:
-        seen.append(model.evaluate("measures", q=q, q_dot=q_dot, t=system.t, c=system.c)["measures"])
-    (y,) = shared([ca.densify(ca.vertcat(*seen))])
+        shown.append(model.evaluate("measures", q=q, q_dot=q_dot, t=system.t, c=system.c)["measures"])
+    (y,) = shared([ca.densify(ca.vertcat(*shown))])
     first = model.c_size - model.signals.size
     u = system.c[first:]
     dx, du = ca.SX.sym("dx", system.y.numel()), ca.SX.sym("du", u.numel())
@@ -155,8 +155,8 @@ def event_equations(one: Exported) -> dict[str, ca.Function]:
     both, t) where elements are held and let go; those that there are.
     """
     model, system = one.model, CondensedOde(one.model, 1)
-    seen = event_outputs(one.scheme, system.equations, system.motion, system.v, system.v_d)
-    found = {"indicators": seen["events"], "acts": seen.get("actions", ca.SX(0, 1))}
+    shown = event_outputs(one.scheme, system.equations, system.motion, system.v, system.v_d)
+    found = {"indicators": shown["events"], "acts": shown.get("actions", ca.SX(0, 1))}
     if model.element_modes.size:
         found["place"] = ca.vertcat(system.q_i, system.motion.q_d, system.v, system.v_d, system.t)
     arguments = [system.y, system.t, system.c]
@@ -223,24 +223,28 @@ def variables(one: Exported) -> list[Variable]:
     states, modal = state_names(one.model), {e.name for e in one.model.description.coordinates if e.elastic}
     place = {quantity.name: len(found) + k for k, quantity in enumerate(one.outputs)}
     inputs = {quantity.name for quantity in one.inputs}
-    for k, seen in enumerate(one.outputs):
-        if seen.name in inputs:  # a measure of what is given
+    for k, shown in enumerate(one.outputs):
+        if shown.name in inputs:  # a measure of what is given
             continue
-        given = starts.get(seen.name)
+        given = starts.get(shown.name)
         initial = "calculated" if given is None else "approx" if given.meaning.startswith("about") else "exact"
-        of = seen.name.removesuffix("_ddot") + "_dot" if seen.name.endswith("_ddot") else seen.name.removesuffix("_dot")
+        of = (
+            shown.name.removesuffix("_ddot") + "_dot"
+            if shown.name.endswith("_ddot")
+            else shown.name.removesuffix("_dot")
+        )
         found.append(
             Variable(
-                seen.name,
+                shown.name,
                 first + k,
                 "output",
                 "continuous",
-                seen.unit,
-                seen.meaning,
+                shown.unit,
+                shown.meaning,
                 initial,
                 given.start if given else None,
-                nominal=nominal(seen.name, modal) if seen.name in states else 1.0,
-                derivative=place[of] if of != seen.name and of in states else None,
+                nominal=nominal(shown.name, modal) if shown.name in states else 1.0,
+                derivative=place[of] if of != shown.name and of in states else None,
             )
         )
     first += len(one.outputs)

@@ -21,7 +21,7 @@ from runtime.gradients.observed_program import ObservedProgram, check_outputs, o
 from runtime.gradients.passages import Passages
 from runtime.gradients.passes import Backward, forward
 from runtime.gradients.recorded_run import RecordedRun, require_finite
-from runtime.gradients.start_of_run import Beginning, Begun, StartOfRun
+from runtime.gradients.start_of_run import Beginning, StartedRun, StartOfRun
 from runtime.gradients.switches import Switches
 from runtime.gradients.turns import TurnProgram
 from runtime.gradients.variables import Inputs, driven_by, held_samples, holds_of, variables_of
@@ -55,12 +55,12 @@ class RunCode:
             self._turns[turn.kind] = TurnProgram(self._program, turn.kind, self.width, self._wait)
         return self._turns[turn.kind]
 
-    def turned(self, stop: Stop, z: np.ndarray, begun: Begun) -> np.ndarray:
+    def turned(self, stop: Stop, z: np.ndarray, started: StartedRun) -> np.ndarray:
         """What is done at a stop before its steps, to z (n_z,) in place; what the steps read."""
         if stop.turn is not None:
-            return self.turns(stop.turn).take(stop.turn, z, begun)
+            return self.turns(stop.turn).take(stop.turn, z, started)
         z[0] = stop.t0
-        return begun.ready
+        return started.ready
 
     @cached_property
     def plain(self) -> tuple[NativeProgram, NativeProgram]:
@@ -144,8 +144,8 @@ class DifferentiableRun:
         if not model.q_i:
             raise ModelError(f"every coordinate of model {model.name} is driven: there is nothing to step")
         self.model, self.outputs = model, check_outputs(model, outputs)
-        seen = seen_every_of(seen_every, samples, *span_of(model, t0, t_end))
-        self.plan, plan = (make_plan(model, t_end, dt, m, scheme, seen, options, t0) for _ in range(2))
+        spacing = seen_every_of(seen_every, samples, *span_of(model, t0, t_end))
+        self.plan, plan = (make_plan(model, t_end, dt, m, scheme, spacing, options, t0) for _ in range(2))
         self._passages = Passages(model, plan)
         held = held_samples(model, inputs, self.plan)
         self._passages.refuse(samples=any(one.step > 0 for one in held))
@@ -239,16 +239,16 @@ class DifferentiableRun:
         NoResult
             For a run that does not come to its end.
         """
-        begun = self._begun(x, slopes=False)
-        z, y = begun.z.copy(), np.zeros((len(self.t), len(self.outputs)))
+        started = self._started(x, slopes=False)
+        z, y = started.z.copy(), np.zeros((len(self.t), len(self.outputs)))
         stepping, observing = self._codes.plain
-        for stop in self._across(begun).stops:
-            ready = self._codes.turned(stop, z, begun)
+        for stop in self._across(started).stops:
+            ready = self._codes.turned(stop, z, started)
             stepping.run(z, ready, stop.steps)
             if stop.sample >= 0:
                 observing.run(z, ready, 1)
                 y[stop.sample] = z[self.program.outputs]
-        begun.watch.end(z)
+        started.checks.end(z)
         return y
 
     def jacobian(self, x: Values) -> OutputJacobian:
@@ -269,12 +269,12 @@ class DifferentiableRun:
         ArgumentError, NoResult
             As of `values`; NoResult also where a derivative is not finite.
         """
-        begun = self._begun(x)
-        directions = self._codes.beginning.tangents(self._place, begun.x, begun.slopes)
-        course, codes = self._across(begun), self._codes
-        y, slopes, last = forward(self.program, codes.tangents, codes.turns, course, begun, directions)
-        begun.watch.end(last)
-        self._switches.check(begun, course, codes.turned)
+        started = self._started(x)
+        directions = self._codes.beginning.tangents(self._place, started.x, started.slopes)
+        course, codes = self._across(started), self._codes
+        y, slopes, last = forward(self.program, codes.tangents, codes.turns, course, started, directions)
+        started.checks.end(last)
+        self._switches.check(started, course, codes.turned)
         require_finite(slopes, self.by)
         return OutputJacobian(self.t, self.outputs, self.by, y, slopes)
 
@@ -340,18 +340,18 @@ class DifferentiableRun:
             slopes = self.jacobian(x)
             y, derivatives = slopes.values, slopes.derivatives
             return self._recorded(y, chosen, lambda bars: np.einsum("ny,nyk->k", bars, derivatives))
-        begun = self._begun(x)
-        course = self._across(begun)
+        started = self._started(x)
+        course = self._across(started)
         backward = self._backward if course is self.course else self._way_back(course)
-        recording = backward.record(begun)
-        begun.watch.end(recording.last)
-        self._switches.check(begun, course, self._codes.turned)
+        recording = backward.record(started)
+        started.checks.end(recording.last)
+        self._switches.check(started, course, self._codes.turned)
 
         def back(bars: np.ndarray) -> np.ndarray:
             adjoint, held, of_parameters = recording.back(bars)
-            of_x = self._codes.beginning.pulled_back(self._place, begun.x, adjoint)
+            of_x = self._codes.beginning.pulled_back(self._place, started.x, adjoint)
             of_x[: len(of_parameters)] += of_parameters
-            return np.asarray(begun.slopes.T @ of_x + held)
+            return np.asarray(started.slopes.T @ of_x + held)
 
         return self._recorded(recording.y, chosen, back)
 
@@ -411,13 +411,13 @@ class DifferentiableRun:
     def _recorded(self, y: np.ndarray, mode: str, back: Callable[[np.ndarray], np.ndarray]) -> RecordedRun:
         return RecordedRun(self.t, self.outputs, self.by, y, mode, back)
 
-    def _across(self, begun: Begun) -> Course:
+    def _across(self, started: StartedRun) -> Course:
         """The course with its steps in parts where something jumps or happens."""
-        passages = self._passages.found(begun)
-        return self._jumps.broken(self.course, self.plan, begun.x[: len(self.model.parameters)], passages)
+        passages = self._passages.found(started)
+        return self._jumps.broken(self.course, self.plan, started.x[: len(self.model.parameters)], passages)
 
-    def _begun(self, x: Values, slopes: bool = True) -> Begun:
-        return self._start.begun(self.variables.checked(x), slopes)
+    def _started(self, x: Values, slopes: bool = True) -> StartedRun:
+        return self._start.started(self.variables.checked(x), slopes)
 
     @cached_property
     def _backward(self) -> Backward:

@@ -98,13 +98,13 @@ def fit_prepared(
     deviation: float | Mapping[str, Any] | None = None,
 ) -> Fit:
     """`fit` on a run prepared once, for who fits again and again: data of its outputs, unknown what it takes."""
-    seen = measured(run, data, deviation)
+    measurements = measured(run, data, deviation)
     begin = dict(guess or {})
     wrong = [name for name in begin if name not in run.by]
     if wrong:
         raise ArgumentError(f"guess of {wrong[0]}", "is not fitted", f"guess only {', '.join(run.by)}")
     x = np.array([begin.get(name, value) for name, value in zip(run.by, run.x0, strict=True)], dtype=float)
-    search = _Search(run, seen, np.where(x == 0, 1.0, np.abs(x)))
+    search = _Search(run, measurements, np.where(x == 0, 1.0, np.abs(x)))
     low, high = _limits(run.model, run.by, bounds or {}, x)
     found = least_squares(
         search.residuals,
@@ -116,17 +116,17 @@ def fit_prepared(
         gtol=TOLERANCE,
     )
     at = run.jacobian(found.x * search.scale)
-    freedom = seen.count - len(x)
+    freedom = measurements.count - len(x)
     covariance = _covariance(run.by, search.weighted(at)) * np.outer(search.scale, search.scale)
-    if not seen.known:
+    if not measurements.known:
         covariance *= float(np.sum(found.fun**2)) / freedom
     return Fit(
         names=run.by,
         x=found.x * search.scale,
         covariance=covariance,
-        freedom=np.inf if seen.known else freedom,
+        freedom=np.inf if measurements.known else freedom,
         t=run.t,
-        data={name: seen.values[:, k] for k, name in enumerate(run.outputs)},
+        data={name: measurements.values[:, k] for k, name in enumerate(run.outputs)},
         fitted={name: at.values[:, k] for k, name in enumerate(run.outputs)},
         evaluations=int(found.nfev),
         converged=bool(found.status > 0),
@@ -137,8 +137,8 @@ def fit_prepared(
 class _Search:
     """Residuals and their Jacobian by x over its scale; each run is made once, with its derivatives."""
 
-    def __init__(self, run: DifferentiableRun, seen: Measured, scale: np.ndarray) -> None:
-        self._run, self._seen, self.scale = run, seen, scale
+    def __init__(self, run: DifferentiableRun, measurements: Measured, scale: np.ndarray) -> None:
+        self._run, self._measurements, self.scale = run, measurements, scale
         self._at: tuple[np.ndarray, OutputJacobian | None] | None = None
         self._far = 0.0
 
@@ -146,19 +146,19 @@ class _Search:
         """(outputs - data) / deviation, flat."""
         at = self._evaluated(x)
         if at is None:
-            return np.full(self._seen.values.size, self._far)
-        found = self._seen.residuals(at.values)
+            return np.full(self._measurements.values.size, self._far)
+        found = self._measurements.residuals(at.values)
         self._far = self._far or FAR * max(float(np.abs(found).max()), 1e-300)
         return found
 
     def jacobian(self, x: np.ndarray) -> np.ndarray:
         """Of the residuals."""
         at = self._evaluated(x)
-        return np.zeros((self._seen.values.size, len(x))) if at is None else self.weighted(at)
+        return np.zeros((self._measurements.values.size, len(x))) if at is None else self.weighted(at)
 
     def weighted(self, at: OutputJacobian) -> np.ndarray:
         """(residuals, n)."""
-        rows = at.derivatives * self._seen.weights[:, :, None]
+        rows = at.derivatives * self._measurements.weights[:, :, None]
         return np.asarray(rows.reshape(-1, len(self.scale)) * self.scale)
 
     def _evaluated(self, x: np.ndarray) -> OutputJacobian | None:

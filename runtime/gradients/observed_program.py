@@ -45,8 +45,8 @@ def observed_program(scheme: Scheme, names: Sequence[str], parameters: Sequence[
     first = scheme.layout.size
     outputs = slice(first, first + len(names))
     z, c = ca.SX.sym("z", outputs.stop), ca.SX.sym("c", scheme.c_size)
-    seen = ca.vertcat(z[:first], ca.densify(output_values(scheme, names, z[:first], c)))
-    observe = ca.Function("observe_outputs", [z, c], shared([seen]), ["z", "c"], ["z_next"])
+    observed = ca.vertcat(z[:first], ca.densify(output_values(scheme, names, z[:first], c)))
+    observe = ca.Function("observe_outputs", [z, c], shared([observed]), ["z", "c"], ["z_next"])
     step = scheme.program().map(lambda stage: _widened(stage, outputs.stop))
     prepared = prepare(InTurn((step, Call(observe))), outputs.stop, scheme.c_size)
     assert isinstance(prepared.program, InTurn)

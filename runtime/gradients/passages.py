@@ -15,7 +15,7 @@ from runtime.contract.model import EmittedModel
 from runtime.contract.signals import SINCE
 from runtime.gradients.course import ALIKE, EventPassage, Hold
 from runtime.gradients.impacts import rows_of
-from runtime.gradients.start_of_run import Begun
+from runtime.gradients.start_of_run import StartedRun
 from runtime.running.events import EventHandler, Passage, state_of
 from runtime.running.problem import Plan
 from runtime.running.stepped_model import SteppedModel
@@ -59,15 +59,15 @@ class Passages:
                 "give constants",
             )
 
-    def found(self, begun: Begun) -> dict[int, list[EventPassage]]:
+    def found(self, started: StartedRun) -> dict[int, list[EventPassage]]:
         """By the step in which they happen. Raises NoResult for a run that they end."""
         plan = self._plan
         if not watches(plan.scheme):
             return {}
-        own = SteppedModel.prepared(self._model, plan, begun.x[: len(self._model.parameters)], "auto")
+        own = SteppedModel.prepared(self._model, plan, started.x[: len(self._model.parameters)], "auto")
         own.find_switches(plan.t0, plan.t_end)
         assert own.broken is not None
-        z = own.stepper.start(own.broken.grid.clock(0), *begun.state, own.c, plan.grid.dt_L)
+        z = own.stepper.start(own.broken.grid.clock(0), *started.state, own.c, plan.grid.dt_L)
         own.begin_events(z)
         made, passages, kinks = list[Passage](), dict[int, list[EventPassage]](), list[float]()
         event_handler = EventHandler(own, made)
@@ -78,10 +78,10 @@ class Passages:
                     f"model {self._model.name}", f"the run has no derivative, it ends: {event_handler.status}"
                 )
             if made:
-                passages[int(z[1]) - 1] = self._told(own, event_handler.start, made)
+                passages[int(z[1]) - 1] = self._event_passages(own, event_handler.start, made)
                 kinks += [one.t for one in made if are_kinks(plan.scheme)[one.events].any()]
                 made.clear()
-                event_handler.told.clear()
+                event_handler.reported.clear()
         return self._approached(passages, kinks)
 
     def _approached(
@@ -103,7 +103,7 @@ class Passages:
                         passages.setdefault(step, []).append(EventPassage(near))
         return {step: sorted(found, key=lambda one: one.clock) for step, found in passages.items()}
 
-    def _told(self, own: SteppedModel, start: np.ndarray, made: Sequence[Passage]) -> list[EventPassage]:
+    def _event_passages(self, own: SteppedModel, start: np.ndarray, made: Sequence[Passage]) -> list[EventPassage]:
         """Of one step from a state (whole, flat)."""
         scheme, found = own.plan.scheme, list[EventPassage]()
         t, values = float(start[0] + start[1] * self._plan.grid.dt_L), start[scheme.layout.slice("event_values")]
@@ -128,7 +128,7 @@ class Passages:
         scheme, model = own.plan.scheme, self._model
         if one.settled is None:
             return ()
-        at = state_of(scheme, one.seen.z, one.seen.c)
+        at = state_of(scheme, one.observed.z, one.observed.c)
         c = np.concatenate([own.c[: len(own.c) - len(one.inputs)], one.inputs])
         first = scheme.layout.slice("inputs").start
         modes = tuple(Hold(0, first + int(k), float(one.inputs[k])) for k in model.element_modes)
@@ -138,9 +138,9 @@ class Passages:
         """Do these events stay together, whatever disturbs the motion?"""
         scheme = self._plan.scheme
         z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
-        seen = values_at(scheme, z, scheme.equations(c, scheme.layout.unpack(z)))
+        observed = values_at(scheme, z, scheme.equations(c, scheme.layout.unpack(z)))
         moving = np.setdiff1d(np.arange(z.numel()), scheme.layout.slice("inputs").start + self._model.element_modes)
-        by = ca.jacobian(seen["events"][list(acting)], ca.vertcat(z[moving.tolist()], c[: self._model.c_size]))
-        moves = ca.Function("moves", [z, c], [ca.densify(ca.diag(1 / seen["slopes"][list(acting)]) @ by)])
-        found = np.asarray(moves(one.seen.z[: scheme.layout.size], one.seen.c))
+        by = ca.jacobian(observed["events"][list(acting)], ca.vertcat(z[moving.tolist()], c[: self._model.c_size]))
+        moves = ca.Function("moves", [z, c], [ca.densify(ca.diag(1 / observed["slopes"][list(acting)]) @ by)])
+        found = np.asarray(moves(one.observed.z[: scheme.layout.size], one.observed.c))
         return bool(np.abs(found - found[0]).max() <= ALIKE * np.abs(found).max())

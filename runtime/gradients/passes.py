@@ -16,7 +16,7 @@ import numpy as np
 from runtime.engine.derivatives import LaneArrays, Recorder, TangentCode
 from runtime.gradients.course import Course, Stop, Turn
 from runtime.gradients.observed_program import ObservedProgram
-from runtime.gradients.start_of_run import Begun
+from runtime.gradients.start_of_run import StartedRun
 from runtime.gradients.turns import TurnProgram
 
 TAPE_NUMBERS = 500_000  # a run whose tape is shorter is recorded whole; about what a second-level cache holds
@@ -30,7 +30,7 @@ def forward(
     codes: tuple[TangentCode, TangentCode],
     turns: Turns,
     course: Course,
-    begun: Begun,
+    started: StartedRun,
     directions: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(outputs (N, n_y), their derivatives (N, n_y, k), the last z) along directions (active, k).
@@ -39,7 +39,7 @@ def forward(
     """
     stepping, observing = codes
     active, width, n_y = program.active, stepping.width, program.outputs.stop - program.outputs.start
-    count, z, constants = directions.shape[1], begun.z, begun.ready
+    count, z, constants = directions.shape[1], started.z, started.ready
     y, slopes = np.zeros((len(course.times), n_y)), np.zeros((len(course.times), n_y, count))
     arrays = LaneArrays(len(z) + len(active.z), len(constants) + len(active.c), width)
     grid = LaneArrays(0, len(arrays.c), width).c
@@ -53,7 +53,7 @@ def forward(
         grid[:] = arrays.c
         for stop in course.stops:
             if stop.turn is not None:
-                turns(stop.turn).along(stop.turn, arrays, begun, grid, first, here)
+                turns(stop.turn).along(stop.turn, arrays, started, grid, first, here)
             else:
                 arrays.z[0] = stop.t0
             if stop.steps:
@@ -103,9 +103,9 @@ class Backward:
                 left = replace(left, steps=left.steps - taken)
         return segments
 
-    def record(self, begun: Begun) -> Recording:
+    def record(self, started: StartedRun) -> Recording:
         """Run forward, on tapes."""
-        return Recording(self, begun)
+        return Recording(self, started)
 
     @property
     def rows(self) -> slice:
@@ -116,15 +116,15 @@ class Backward:
 class Recording:
     """A run that went forward on tapes. y (N, n_y): its outputs; last: the last z."""
 
-    def __init__(self, run: Backward, begun: Begun) -> None:
-        self._run, self._begun = run, begun
+    def __init__(self, run: Backward, started: StartedRun) -> None:
+        self._run, self._started = run, started
         outputs = run.program.outputs
         self.y = np.zeros((len(run.course.times), outputs.stop - outputs.start))
-        self._tapes = _Tapes(run, begun, self.y)
+        self._tapes = _Tapes(run, started, self.y)
         self._first = np.zeros(run.observing.records + 1)
         self._kept: list[np.ndarray] = []  # z at the beginning of each part
-        z = begun.z.copy()
-        run.observing.record(z, begun.ready, self._first, 1)
+        z = started.z.copy()
+        run.observing.record(z, started.ready, self._first, 1)
         self.y[0] = z[outputs]
         for part in run.parts:
             self._kept.append(z.copy())
@@ -137,7 +137,7 @@ class Recording:
         that of p through the times of jumps (n_p,)) from bars (N, n_y) of the outputs.
         """
         run, tapes = self._run, self._tapes
-        adjoint, held = np.zeros(run.program.active.size), np.zeros(len(self._begun.values))
+        adjoint, held = np.zeros(run.program.active.size), np.zeros(len(self._started.values))
         tapes.of_parameters[:] = 0.0
         for part, start in zip(reversed(run.parts), reversed(self._kept), strict=True):
             if not self._on_tapes:
@@ -145,51 +145,51 @@ class Recording:
             self._on_tapes = False
             tapes.back(adjoint, held, bars, part)
         adjoint[run.rows] = bars[0]
-        run.observing.reverse(adjoint, self._begun.ready, self._first, 1)
+        run.observing.reverse(adjoint, self._started.ready, self._first, 1)
         return adjoint, held, tapes.of_parameters
 
 
 class _Tapes:
     """What a segment recorded: of steps and of outputs, each in its order; outputs go to y (N, n_y)."""
 
-    def __init__(self, run: Backward, begun: Begun, y: np.ndarray) -> None:
-        self._run, self._begun, self._y = run, begun, y
+    def __init__(self, run: Backward, started: StartedRun, y: np.ndarray) -> None:
+        self._run, self._started, self._y = run, started, y
         self._step, self._output = run.stepping, run.observing
         steps = max((sum(stop.steps for stop in part) for part in run.parts), default=0)
         most = max((sum(stop.sample >= 0 for stop in part) for part in run.parts), default=0)
         self._steps = np.zeros(steps * self._step.records + 1)
         self._outputs = np.zeros(most * self._output.records + 1)
-        self._at, self._seen = 0, 0
+        self._at, self._sampled = 0, 0
         self._turned: list[tuple[np.ndarray, np.ndarray]] = []  # tapes, and what steps read behind them
         self.of_parameters = np.zeros(len(run.program.scheme.model.parameters))
 
     def forward(self, z: np.ndarray, part: list[Stop]) -> None:
         """Run a segment and record it, from the beginning of the tapes."""
-        self._at, self._seen = 0, 0
+        self._at, self._sampled = 0, 0
         self._turned.clear()
         for stop in part:
-            c = self._begun.ready
+            c = self._started.ready
             if stop.turn is not None:
-                c, tape = self._run.turns(stop.turn).record(stop.turn, z, self._begun)
+                c, tape = self._run.turns(stop.turn).record(stop.turn, z, self._started)
                 self._turned.append((tape, c))
             else:
                 z[0] = stop.t0
             self._step.record(z, c, self._steps[self._at :], stop.steps)
             self._at += stop.steps * self._step.records
             if stop.sample >= 0:
-                self._output.record(z, c, self._outputs[self._seen :], 1)
-                self._seen += self._output.records
+                self._output.record(z, c, self._outputs[self._sampled :], 1)
+                self._sampled += self._output.records
                 self._y[stop.sample] = z[self._run.program.outputs]
 
     def back(self, adjoint: np.ndarray, held: np.ndarray, bars: np.ndarray, part: list[Stop]) -> None:
         """The same, the other way."""
         first = len(self._run.program.active.z)
         for stop in reversed(part):
-            tape, c = self._turned.pop() if stop.turn is not None else (None, self._begun.ready)
+            tape, c = self._turned.pop() if stop.turn is not None else (None, self._started.ready)
             if stop.sample >= 0:
                 adjoint[self._run.rows] = bars[stop.sample]
-                self._seen -= self._output.records
-                self._output.reverse(adjoint, c, self._outputs[self._seen :], 1)
+                self._sampled -= self._output.records
+                self._output.reverse(adjoint, c, self._outputs[self._sampled :], 1)
             grid = adjoint[first:].copy()
             if stop.turn is not None:
                 adjoint[first:] = 0.0
@@ -198,4 +198,4 @@ class _Tapes:
             if stop.turn is not None and tape is not None:
                 ready, adjoint[first:] = adjoint[first:].copy(), grid
                 turned = self._run.turns(stop.turn)
-                self.of_parameters += turned.back(stop.turn, tape, adjoint, ready, self._begun, held)
+                self.of_parameters += turned.back(stop.turn, tape, adjoint, ready, self._started, held)

@@ -80,7 +80,7 @@ class StartOfRun:
             x[k] = angular_velocity(state.q[e], state.q_dot[e])[axis] if is_rate else 0.0
         return x
 
-    def begun(self, x: np.ndarray, slopes: bool) -> Begun:
+    def started(self, x: np.ndarray, slopes: bool) -> StartedRun:
         """The beginning for values x (n,), with its derivatives if they are asked for. Raises NoResult."""
         parameters, initial = self._variables.named(x)
         given = turned_start(self._model, {**self._initial, **initial}, self._variables, x)
@@ -93,13 +93,13 @@ class StartOfRun:
             c = model.constants(p)
             z = self._program.prepared.widened(start_vector(scheme, plan.t0, state.q, state.q_dot, c))
         moved = self._slopes(p, c, given, state, x) if slopes else np.zeros((0, 0))
-        watch = Watch(plan, c, p)
-        watch.begin(z)
+        checks = RunChecks(plan, c, p)
+        checks.begin(z)
         where = np.concatenate([p, *independent(model, state.q, state.q_dot), loop_part(model, state.q)])
         if slopes and held is not None:
             moved = held_slopes(model, plan.t0, where, moved, self._variables.names, held)
-        return Begun(
-            z, self._program.prepared.ready(scheme.constants(c)), where, moved, x, watch, (state.q, state.q_dot)
+        return StartedRun(
+            z, self._program.prepared.ready(scheme.constants(c)), where, moved, x, checks, (state.q, state.q_dot)
         )
 
     def _slopes(self, p: np.ndarray, c: np.ndarray, given: Given, state: ConsistentState, x: np.ndarray) -> np.ndarray:
@@ -373,7 +373,7 @@ def _rate_slopes(model: EmittedModel) -> ca.Function:
 LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all
 
 
-class Watch:
+class RunChecks:
     """Checks of a run with constants c (c_size,) and parameters p (n_p,)."""
 
     def __init__(self, plan: Plan, c: np.ndarray, p: np.ndarray) -> None:
@@ -412,7 +412,7 @@ class Watch:
 
 
 @dataclass(frozen=True)
-class Begun:
+class StartedRun:
     """A run at its start: z, the prepared constants, x (n_x,), slopes of x by the values (n_x, n), the values (n,).
 
     state: all coordinates and rates (n,).
@@ -423,7 +423,7 @@ class Begun:
     x: np.ndarray
     slopes: np.ndarray
     values: np.ndarray
-    watch: Watch
+    checks: RunChecks
     state: tuple[np.ndarray, np.ndarray]
 
 

@@ -21,7 +21,7 @@ from runtime.contract.tape import UNUSED, Tape, node_value, read_tape
 from runtime.engine.native import NativeProgram
 from runtime.gradients.course import Course, Stop
 from runtime.gradients.observed_program import ObservedProgram
-from runtime.gradients.start_of_run import Begun
+from runtime.gradients.start_of_run import StartedRun
 from runtime.running.problem import Plan
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.switching.times import has_switching_times
@@ -32,7 +32,7 @@ MEETING = 1e-6  # of the force: branches that differ by less meet
 
 
 @dataclass(frozen=True)
-class _Watched:
+class _SwitchConditions:
     """conditions: (t, q_i, q_i_dot, loop, c) -> their values; forces: (the same, values) -> Q_hat with these values."""
 
     conditions: ca.Function
@@ -44,15 +44,17 @@ class Switches:
 
     def __init__(self, plan: Plan, program: ObservedProgram, parameters: Sequence[int]) -> None:
         self._plan, self._program = plan, program
-        self._watched = _watched(plan, parameters)
+        self._switch_conditions = _switch_conditions(plan, parameters)
 
-    def check(self, begun: Begun, course: Course, turned: Callable[[Stop, np.ndarray, Begun], np.ndarray]) -> None:
+    def check(
+        self, started: StartedRun, course: Course, turned: Callable[[Stop, np.ndarray, StartedRun], np.ndarray]
+    ) -> None:
         """Look along a run. Raises NoResult for a force that jumps there. turned: see RunCode."""
-        if self._watched is None:
+        if self._switch_conditions is None:
             return
-        stepping, z = NativeProgram(self._program.step), begun.z.copy()
+        stepping, z = NativeProgram(self._program.step), started.z.copy()
         for stop in course.stops:
-            ready = turned(stop, z, begun)
+            ready = turned(stop, z, started)
             c, constants = self._constants(z, ready), ready[: self._plan.scheme.c_size]
             before = self._at(z, constants)
             for _ in range(stop.steps):
@@ -74,18 +76,18 @@ class Switches:
     def _at(self, z: np.ndarray, constants: np.ndarray) -> np.ndarray:
         """(t, q_i, q_i_dot, loop unknowns) that a state shows."""
         scheme, model = self._plan.scheme, self._plan.scheme.model
-        seen = scheme.observer(z=z[: scheme.layout.size], c=constants)
-        t, q_i, rates, q_d = (np.asarray(seen[key]).ravel() for key in ("t", "q_i", "q_i_dot", "q_d"))
+        observed = scheme.observer(z=z[: scheme.layout.size], c=constants)
+        t, q_i, rates, q_d = (np.asarray(observed[key]).ravel() for key in ("t", "q_i", "q_i_dot", "q_d"))
         q = whole(model, q_i, q_d)
         return np.concatenate([t, independent_part(model, q), rates, loop_part(model, q)])
 
     def _conditions(self, at: np.ndarray, c: np.ndarray) -> np.ndarray:
-        assert self._watched is not None
-        return np.asarray(self._watched.conditions(at, c)).ravel()
+        assert self._switch_conditions is not None
+        return np.asarray(self._switch_conditions.conditions(at, c)).ravel()
 
     def _compare(self, k: int, before: np.ndarray, after: np.ndarray, held: np.ndarray, c: np.ndarray) -> None:
         """The forces of both branches where condition k changes between two states."""
-        assert self._watched is not None
+        assert self._switch_conditions is not None
         low, high = 0.0, 1.0
         for _ in range(HALVINGS):
             middle = (low + high) / 2
@@ -93,7 +95,7 @@ class Switches:
             low, high = (middle, high) if self._conditions(at, c)[k] == held[k] else (low, middle)
         at, until = (before + share * (after - before) for share in (high, low))
         values = (self._conditions(at, c), self._conditions(until, c))
-        Q = [np.asarray(self._watched.forces(at, c, one)).ravel() for one in values]
+        Q = [np.asarray(self._switch_conditions.forces(at, c, one)).ravel() for one in values]
         gap = np.abs(Q[0] - Q[1])
         scale = max(np.abs(Q[0]).max(), np.abs(Q[1]).max(), 1e-300)
         if gap.max() > MEETING * scale:
@@ -107,7 +109,7 @@ class Switches:
             )
 
 
-def _watched(plan: Plan, parameters: Sequence[int]) -> _Watched | None:
+def _switch_conditions(plan: Plan, parameters: Sequence[int]) -> _SwitchConditions | None:
     """None where no condition depends on the motion or on these entries of p."""
     model, n = plan.scheme.model, len(plan.scheme.model.q_i)
     at, c = ca.SX.sym("at", 1 + 2 * n + len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
@@ -135,7 +137,7 @@ def _watched(plan: Plan, parameters: Sequence[int]) -> _Watched | None:
         else:
             values.append(node_value(node, values, given))
     forces = ca.vertcat(*(values[k] for k in tape.outputs[0]))
-    return _Watched(
+    return _SwitchConditions(
         ca.Function("conditions", [at, c], [ca.densify(ca.vertcat(*conditions))]),
         ca.Function("forces", [at, c, symbols], [ca.densify(forces)]),
     )

@@ -27,7 +27,7 @@ from runtime.engine.program import Fields, Layout, Program, Sequence, make_stage
 from runtime.gradients.course import EVENT, EventPassage, Turn
 from runtime.gradients.impacts import sizes, thrown
 from runtime.gradients.observed_program import ObservedProgram
-from runtime.gradients.start_of_run import Begun
+from runtime.gradients.start_of_run import StartedRun
 from runtime.schemes.switching.stop_program import loop_guess, restarted, with_steps
 from runtime.schemes.switching.watched import values_at, watched_events
 
@@ -72,27 +72,29 @@ class TurnProgram:
 
     # ---- what a turn does -----------------------------------------------------------------------------------
 
-    def take(self, turn: Turn, z: np.ndarray, begun: Begun) -> np.ndarray:
+    def take(self, turn: Turn, z: np.ndarray, started: StartedRun) -> np.ndarray:
         """A turn at z (n_z,), in place; what steps behind it read."""
-        own = self._given(turn, z, begun)
-        self._plain.run(own, begun.ready, 1)
-        return self._taken(turn, own, z, begun)
+        own = self._given(turn, z, started)
+        self._plain.run(own, started.ready, 1)
+        return self._taken(turn, own, z, started)
 
-    def along(self, turn: Turn, arrays: LaneArrays, begun: Begun, grid: np.ndarray, first: int, here: int) -> None:
+    def along(
+        self, turn: Turn, arrays: LaneArrays, started: StartedRun, grid: np.ndarray, first: int, here: int
+    ) -> None:
         """The same in lanes, of directions first ... first + here; grid: constants in lanes of steps of the grid."""
-        n, n_z, n_c, code = self.layout.size, len(begun.z), len(begun.ready), self._tangents
+        n, n_z, n_c, code = self.layout.size, len(started.z), len(started.ready), self._tangents
         own = LaneArrays(n + len(self._active.z), 0, code.width)
         own.c, moving, seeds = grid, own.z[n:], np.zeros((self._seeds.stop - self._seeds.start, here))
-        own.z[:n] = self._given(turn, arrays.z[:, 0], begun)[:, None]
+        own.z[:n] = self._given(turn, arrays.z[:, 0], started)[:, None]
         moving[: len(self._rows)] = arrays.z[[n_z + k for k in self._own]]
         if turn.jump is not None:
-            seeds[0] = turn.jump.moves @ begun.slopes[: len(turn.jump.moves), first : first + here]
+            seeds[0] = turn.jump.moves @ started.slopes[: len(turn.jump.moves), first : first + here]
         for row, place in self._seeded(turn):
             if first <= place < first + here:
                 seeds[row, place - first] = 1.0
         moving[self._seeds, :here] = seeds
         code.run(own, 1)
-        ready, z = self._taken(turn, own.z[:n, 0].copy(), arrays.z[:n_z, 0].copy(), begun), arrays.z
+        ready, z = self._taken(turn, own.z[:n, 0].copy(), arrays.z[:n_z, 0].copy(), started), arrays.z
         z[: self._scheme.layout.size] = own.z[: self._scheme.layout.size]
         z[0], z[1] = turn.t0, turn.n
         z[[n_z + k for k in self._own]] = moving[: len(self._rows)]
@@ -100,14 +102,20 @@ class TurnProgram:
         if turn.goes_on:
             arrays.c[:n_c], arrays.c[n_c:] = ready[:, None], moving[self._ready :]
 
-    def record(self, turn: Turn, z: np.ndarray, begun: Begun) -> tuple[np.ndarray, np.ndarray]:
+    def record(self, turn: Turn, z: np.ndarray, started: StartedRun) -> tuple[np.ndarray, np.ndarray]:
         """`take`, and the tape for the way back."""
-        own, tape = self._given(turn, z, begun), np.zeros(self._recorder.records + 1)
-        self._recorder.record(own, begun.ready, tape, 1)
-        return self._taken(turn, own, z, begun), tape
+        own, tape = self._given(turn, z, started), np.zeros(self._recorder.records + 1)
+        self._recorder.record(own, started.ready, tape, 1)
+        return self._taken(turn, own, z, started), tape
 
     def back(
-        self, turn: Turn, tape: np.ndarray, adjoint: np.ndarray, ready: np.ndarray, begun: Begun, held: np.ndarray
+        self,
+        turn: Turn,
+        tape: np.ndarray,
+        adjoint: np.ndarray,
+        ready: np.ndarray,
+        started: StartedRun,
+        held: np.ndarray,
     ) -> np.ndarray | float:
         """The adjoint behind a turn becomes that before it, in place; the derivative by p (n_p,) through its time.
 
@@ -115,22 +123,22 @@ class TurnProgram:
         """
         bar, first, last = np.zeros(self._active.size), len(self._of.active.z), len(self._active.z)
         bar[: len(self._rows)], bar[self._ready : last], bar[last:] = adjoint[self._own], ready, adjoint[first:]
-        self._recorder.reverse(bar, begun.ready, tape, 1)
+        self._recorder.reverse(bar, started.ready, tape, 1)
         adjoint[self._own], adjoint[first:] = bar[: len(self._rows)], bar[last:]
         for row, place in self._seeded(turn):
             held[place] += bar[self._seeds][row]
         return turn.jump.moves * bar[self._seeds.start] if turn.jump is not None else 0.0
 
-    def _given(self, turn: Turn, z: np.ndarray, begun: Begun) -> np.ndarray:
+    def _given(self, turn: Turn, z: np.ndarray, started: StartedRun) -> np.ndarray:
         """z of the program."""
         given, at, steps = np.zeros(self.layout.size), self.layout.slice, self._scheme.layout.size
         sides = (turn.jump.before, turn.jump.after) if turn.jump is not None else (0.0, 0.0)
-        share = turn.dt / begun.ready[self._scheme.model.c_size]
+        share = turn.dt / started.ready[self._scheme.model.c_size]
         given[:steps] = z[:steps]
         given[steps : steps + len(DATA)] = turn.dt_before, turn.dt, share, turn.clock, *sides
         for hold in turn.holds:
             row = hold.row - self._scheme.layout.slice("inputs").start
-            given[at("holds")][row], given[at("held")][row] = 1.0, hold.number(begun.values)
+            given[at("holds")][row], given[at("held")][row] = 1.0, hold.number(started.values)
         if self._kind == EVENT and turn.passage is not None:
             given[at("acts")][turn.passage.event] = 1.0
             for name in ("push", "rows", "hit") if self._struck else ():
@@ -142,13 +150,13 @@ class TurnProgram:
         start = self._scheme.layout.slice("inputs").start if turn.holds else 0
         return [(1 + hold.row - start, hold.place) for hold in turn.holds if hold.place >= 0]
 
-    def _taken(self, turn: Turn, own: np.ndarray, z: np.ndarray, begun: Begun) -> np.ndarray:
+    def _taken(self, turn: Turn, own: np.ndarray, z: np.ndarray, started: StartedRun) -> np.ndarray:
         """Into z; what steps read. Raises NoResult where an event grazes zero, or impacts follow one another."""
         if self._kind == EVENT and turn.passage is not None:
             self._check(turn.passage, own)
         z[: self._scheme.layout.size] = own[: self._scheme.layout.size]
         z[0], z[1] = turn.t0, turn.n
-        return own[self.layout.slice("ready")].copy() if turn.goes_on else begun.ready
+        return own[self.layout.slice("ready")].copy() if turn.goes_on else started.ready
 
     def _check(self, passage: EventPassage, own: np.ndarray) -> None:
         rate, at = float(own[self.layout.slice("rate")][0]), self.layout.slice
@@ -189,17 +197,17 @@ class TurnProgram:
         stages = [*parts, ("turned", self._turned)]
         return Sequence(tuple(make_stage(name, self.layout, self._active.c_size, body) for name, body in stages))
 
-    def _seen(self, z: Fields, c: ca.SX) -> tuple[Fields, ca.SX, dict[str, ca.SX]]:
+    def _observed(self, z: Fields, c: ca.SX) -> tuple[Fields, ca.SX, dict[str, ca.SX]]:
         """The scheme's fields, the constants that show them, and what events are there."""
         fields = self._scheme.layout.unpack(z["state"])
         c = with_steps(self._scheme, z["state"], c[: self._scheme.c_size], z["dt_before"])
         if self._kind != EVENT:
             return fields, c, {}
-        seen = values_at(self._scheme, z["state"], self._scheme.equations(c))
+        observed = values_at(self._scheme, z["state"], self._scheme.equations(c))
         for name in ("events", "slopes"):  # of the event that counts
-            values = zip(ca.vertsplit(z["acts"]), ca.vertsplit(seen[name]), strict=True)
-            seen[name] = sum((ca.if_else(acts, value, 0) for acts, value in values), ca.SX(0))
-        return fields, c, seen
+            values = zip(ca.vertsplit(z["acts"]), ca.vertsplit(observed[name]), strict=True)
+            observed[name] = sum((ca.if_else(acts, value, 0) for acts, value in values), ca.SX(0))
+        return fields, c, observed
 
     def _motion(self, z: Fields, fields: Fields, c: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
         """q_i, their rates, and a guess of the loop unknowns."""
@@ -210,9 +218,9 @@ class TurnProgram:
 
     def _measured(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
         """The event and its rate, the accelerations on both sides, and what is added to the rates."""
-        fields, c, seen = self._seen(z, c)
-        t = (seen["t"], seen["t"]) if seen else (z["before"], z["after"])
-        w = (fields.get("inputs"), self._inputs(z, fields, seen, ca.SX(0)))
+        fields, c, observed = self._observed(z, c)
+        t = (observed["t"], observed["t"]) if observed else (z["before"], z["after"])
+        w = (fields.get("inputs"), self._inputs(z, fields, observed, ca.SX(0)))
         q_i, v, loop = self._motion(z, fields, c)
         rates, a = (v, v + z["push"] if self._struck else v), []
         for clock, inputs, rate in zip(t, w, rates, strict=True):
@@ -221,30 +229,30 @@ class TurnProgram:
         found = {"ends": a[0], "begins": a[1]}
         if self._struck:
             found["thrown"] = thrown(self._scheme.equations(c, fields), (q_i, loop, t[0]), v, z["rows"], z["hit"])
-        return found | {"value": seen["events"], "rate": seen["slopes"]} if seen else found
+        return found | {"value": observed["events"], "rate": observed["slopes"]} if observed else found
 
-    def _inputs(self, z: Fields, fields: Fields, seen: dict[str, ca.SX], moved: ca.SX) -> ca.SX | None:
+    def _inputs(self, z: Fields, fields: Fields, observed: dict[str, ca.SX], moved: ca.SX) -> ca.SX | None:
         """The inputs (n_w,) behind the turn, whose time moves by so much; None where there are none."""
         if "inputs" not in fields:
             return None
         found, names, events = ca.SX(fields["inputs"]), self._scheme.model.signals.names, watched_events(self._scheme)
-        sets = [(k, name) for k, event in enumerate(events) for name in event.sets] if seen else []
+        sets = [(k, name) for k, event in enumerate(events) for name in event.sets] if observed else []
         for j, (k, name) in enumerate(sets):
-            value, place = seen["actions"][j] + seen["drifts"][j] * moved, names.index(name)
+            value, place = observed["actions"][j] + observed["drifts"][j] * moved, names.index(name)
             found[place] = ca.if_else(z["acts"][k], value, found[place])
         return ca.if_else(z["holds"], z["held"], found)
 
     def _turned(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
         """The restart, and what the step program reads behind it."""
-        fields, shown, seen = self._seen(z, c)
+        fields, shown, observed = self._observed(z, c)
         scheme, end, c = self._scheme, self._scheme.model.c_size, c[: self._scheme.c_size]
-        moved = (z["value"] - seen["events"]) / z["rate"] if seen else z["moved"]
+        moved = (z["value"] - observed["events"]) / z["rate"] if observed else z["moved"]
         push, shift = (z["ends"] - z["begins"]) * moved if self._kind else None, ca.SX(0)
         if push is not None and self._struck:
             q_i, v, loop = self._motion(z, fields, shown)
-            place = q_i + v * moved, loop, seen["t"] + moved
+            place = q_i + v * moved, loop, observed["t"] + moved
             added = thrown(scheme.equations(shown, fields), place, v + z["ends"] * moved, z["rows"], z["hit"])
             push, shift = push + z["push"] + (added - z["thrown"]), -z["push"] * moved
-        inputs = self._inputs(z, fields, seen, moved)
+        inputs = self._inputs(z, fields, observed, moved)
         found = restarted(scheme, z["state"], c, z["dt_before"], z["dt"], z["clock"], push, inputs, shift)
         return {"state": found, "ready": self._of.prepared.constants(ca.vertcat(c[:end], c[end:] * z["share"]))}

@@ -23,7 +23,7 @@ def within_stops(
 
     assemble: coordinates by name that are kept -> a state. Raises InitialStateError by the name of a stop.
     """
-    stops, begun, moved = [one for one in model.mode_events if one.side], state, set[str]()
+    stops, given, moved = [one for one in model.mode_events if one.side], state, set[str]()
     for _ in range(MOST):
         gap, G = gaps(model, c, t, state.q, state.q_dot)
         beyond = np.flatnonzero(gap < -ON_IT)
@@ -49,10 +49,10 @@ def within_stops(
         return state
     changed = {
         name: (float(a), float(b))
-        for name, a, b in zip(model.coordinates, begun.q, state.q, strict=True)
+        for name, a, b in zip(model.coordinates, given.q, state.q, strict=True)
         if abs(a - b) > ON_IT
     }
-    return replace(state, changed={**begun.changed, **changed})
+    return replace(state, changed={**given.changed, **changed})
 
 
 def gaps(

@@ -185,12 +185,14 @@ def equilibrium(
             raise _no_trim(clamped, trim, fixed)
         q_i, p, iterations = trim_found.q_i, trim_found.p, iterations + trim_found.iterations
     values = dict(zip([parameter.name for parameter in model.parameters], p, strict=True))
-    told = _told(clamped, q_i, p, tuple(held), tuple(rates), {name: float(values[name]) for name in trim}, iterations)
+    balanced = _equilibrium(
+        clamped, q_i, p, tuple(held), tuple(rates), {name: float(values[name]) for name in trim}, iterations
+    )
     if stops:
         from runtime.operating.resting import refuse_beyond
 
-        refuse_beyond(model, model.constants(p), clamped.t, told.q, told.q_dot)
-    return told
+        refuse_beyond(model, model.constants(p), clamped.t, balanced.q, balanced.q_dot)
+    return balanced
 
 
 def _places(model: EmittedModel, initial: Initial) -> Mapping[str, float]:
@@ -292,7 +294,7 @@ def _led_around(
     return clamped.solve(independent_part(model, q))
 
 
-def _told(
+def _equilibrium(
     clamped: Clamped,
     q_i: np.ndarray,
     p: np.ndarray,

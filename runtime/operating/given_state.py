@@ -165,8 +165,8 @@ def given_state(model: EmittedModel, p: np.ndarray, c: np.ndarray, t0: float, in
     coordinates, rates = _split(model, changes or {})
     defaults = np.array([parameter.default for parameter in model.parameters])
     if not changes and t0 == 0 and np.array_equal(p, defaults) and not model.sources:
-        told = tuple((ASSEMBLED, text) for text in model.assembly)
-        return ConsistentState(model.initial_q, model.initial_q_dot, dict(model.initial_changes), told=told)
+        reported = tuple((ASSEMBLED, text) for text in model.assembly)
+        return ConsistentState(model.initial_q, model.initial_q_dot, dict(model.initial_changes), reported=reported)
     if not model.constraints:
         q, q_dot = model.initial_q.copy(), model.initial_q_dot.copy()
         for k, name in enumerate(model.coordinates):
@@ -263,8 +263,8 @@ def _assembled(
     form = AngleForm(model.coordinates, angle_bodies({**coordinates, **rates}, euler_angles(model)))
     own = [name for name in followed(model)[0] if name in form.own] + form.own[len(form.plain) :]
     at = [form.own.index(name) for name in own]
-    independent = dict(zip(own, form.seen(model.initial_q)[at], strict=True))
-    independent_rates = dict(zip(own, form.seen_rates(model.initial_q, model.initial_q_dot)[at], strict=True))
+    independent = dict(zip(own, form.of_coordinates(model.initial_q)[at], strict=True))
+    independent_rates = dict(zip(own, form.of_rates(model.initial_q, model.initial_q_dot)[at], strict=True))
     elastic = frozenset(model.coordinates.index(name) for name in model.elastic)
     keep = {
         name: value

@@ -172,19 +172,19 @@ class Linearisation:
 
     def remarks(self) -> list[str]:
         """What a reader should know: not an equilibrium, not steady, unstable, a modal basis that is too small."""
-        told = []
+        remarks = []
         if not self.steady:
-            told.append("the forces change with time or along the motion: the system is that of one instant")
+            remarks.append("the forces change with time or along the motion: the system is that of one instant")
         if np.abs(np.linalg.solve(self.M, self.residual)).max(initial=0.0) > 1e-6:
-            told.append("the state is not an equilibrium: it accelerates")
+            remarks.append("the state is not an equilibrium: it accelerates")
         if not self.modal.stable:
-            told.append("unstable: at least one mode grows")
+            remarks.append("unstable: at least one mode grows")
         poor = [k for k in range(len(self.basis_change)) if self.basis_change[k] > POOR_BASIS]
-        told += [
+        remarks += [
             f"mode {k + 1} ({self.mode_names[k]}) changes by more than 1 % with one assumed mode less: take more modes"
             for k in poor[:3]
         ]
-        return told
+        return remarks
 
     def to_scipy(self) -> StateSpace:
         """scipy.signal.StateSpace of the first-order form."""

@@ -185,12 +185,12 @@ class PeriodicBranch:
         return show_branch(self, path, list(outputs) or list(self.model.q_i))
 
     def __repr__(self) -> str:
-        told = ", ".join(f"{one.kind} at {one.value:.6g}" for one in self.specials) or "no change of stability"
+        changes = ", ".join(f"{one.kind} at {one.value:.6g}" for one in self.specials) or "no change of stability"
         more = f"; {len(self.branches)} branches of twice the period" if self.branches else ""
         ended = f"; stopped: {self.stopped}" if self.stopped else ""
         return (
             f"<PeriodicBranch of {self.model.name}: {len(self.points)} motions over {self.over} from "
-            f"{self.values[0]:g} to {self.values[-1]:g}, {told}, errors up to {self.errors.max():.2g}{more}{ended}>"
+            f"{self.values[0]:g} to {self.values[-1]:g}, {changes}, errors up to {self.errors.max():.2g}{more}{ended}>"
         )
 
 

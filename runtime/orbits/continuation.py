@@ -203,7 +203,7 @@ class _Walk:
         try:
             if not self._read(done, specials):
                 if not done:
-                    done.append(self._begun())
+                    done.append(self._started())
                 stopped = self._walked(done, most, progress, specials)
                 self._keep(done, specials, not stopped)
         except KeyboardInterrupt:
@@ -270,7 +270,7 @@ class _Walk:
         speed = self._first.speed
         return speed_period(speed[1], value) if speed is not None and speed[0] == self._over else period
 
-    def _begun(self) -> Point:
+    def _started(self) -> Point:
         first = self._first
         x, value = first.found.shot.x, self._span[0]
         shot = self._map.shot(x, first.period, [value])

@@ -18,7 +18,7 @@ import numpy as np
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import EmittedModel
 from runtime.gradients.differentiable_run import DifferentiableRun
-from runtime.orbits.shooting import PeriodMap, Setting, Shot, told
+from runtime.orbits.shooting import PeriodMap, Setting, Shot, result_of
 from runtime.orbits.states import States
 from runtime.running.inputs import ON_THE_GRID, InputValue, Sampled
 
@@ -118,9 +118,9 @@ def decision(name: str, controller: Sampled, t: float) -> ca.Function:
     Raises ArgumentError for a function that takes no symbols.
     """
     values, memory = ca.SX.sym("values", len(controller.reads)), ca.SX.sym("memory", len(controller.memory or ()))
-    seen, kept = (np.array(ca.vertsplit(one) if one.numel() else [], dtype=object) for one in (values, memory))
+    readings, kept = (np.array(ca.vertsplit(one) if one.numel() else [], dtype=object) for one in (values, memory))
     try:
-        given: Any = controller.function(t, seen, kept) if len(kept) else controller.function(t, seen)
+        given: Any = controller.function(t, readings, kept) if len(kept) else controller.function(t, readings)
         decided = ca.densify(ca.vertcat(ca.SX(given.item() if isinstance(given, np.ndarray) else given), *kept))
         slopes = ca.densify(ca.jacobian(ca.SX(decided), ca.vertcat(values, memory)))
     except Exception as error:  # whatever a function says that gets symbols
@@ -186,15 +186,15 @@ class SampledMap(PeriodMap):
         by_p = np.eye(len(self.by), D.shape[1], len(x))
         z, memory = (x[:n], D[:n]), (x[n:], D[n:])
         u = np.zeros(len(strides)), np.zeros((len(strides), D.shape[1]))
-        seen, own = self._read_first(k * pieces * length, length, z, values, by_p), len(states.outputs)
+        readings, own = self._read_first(k * pieces * length, length, z, values, by_p), len(states.outputs)
         rates = np.zeros(len(x))
         for j in range(k * pieces, (k + 1) * pieces):
-            memory, u = self._decided(j, length, strides, seen, memory, u)
+            memory, u = self._decided(j, length, strides, readings, memory, u)
             run = self._piece(j * length, length, self.setting.steps // pieces)
-            found = told(run.jacobian, np.concatenate([z[0], u[0], values]))
+            found = result_of(run.jacobian, np.concatenate([z[0], u[0], values]))
             shown, slopes = found.values[-1], found.derivatives[-1] @ np.vstack([z[1], u[1], by_p])
-            end, rates[:n] = states.seen(shown[:own], beside[:n] if j + 1 == (k + 1) * pieces else z[0])
-            z, seen = (end, states.slopes(shown[:own], slopes[:own], end)), (shown[own:], slopes[own:])
+            end, rates[:n] = states.state_of_outputs(shown[:own], beside[:n] if j + 1 == (k + 1) * pieces else z[0])
+            z, readings = (end, states.slopes(shown[:own], slopes[:own], end)), (shown[own:], slopes[own:])
         return np.append(z[0], memory[0]), np.vstack([z[1], memory[1]]), rates
 
     def _strides(self, period: float, count: int) -> dict[str, int]:
@@ -212,7 +212,7 @@ class SampledMap(PeriodMap):
         """What is read at the start of a part. Raises ArgumentError for what inputs act on at once."""
         n, n_u, own = len(z[0]), len(self._controllers), len(self._motion.outputs)
         run = self._piece(start, length / self.setting.steps, 1)
-        found = told(run.jacobian, np.concatenate([z[0], np.zeros(n_u), values]))
+        found = result_of(run.jacobian, np.concatenate([z[0], np.zeros(n_u), values]))
         slopes = found.derivatives[0, own:]
         at_once = np.abs(slopes[:, n : n + n_u]).max(axis=1, initial=0.0) > 0
         if at_once.any():
@@ -230,7 +230,7 @@ class SampledMap(PeriodMap):
         return self._placed[key]
 
     def _decided(
-        self, j: int, length: float, strides: Mapping[str, int], seen: Moving, memory: Moving, u: Moving
+        self, j: int, length: float, strides: Mapping[str, int], readings: Moving, memory: Moving, u: Moving
     ) -> tuple[Moving, Moving]:
         """(memory, inputs) behind sample j."""
         memory, u, first = (memory[0].copy(), memory[1].copy()), (u[0].copy(), u[1].copy()), 0
@@ -241,8 +241,8 @@ class SampledMap(PeriodMap):
             if (name, j) not in self._decisions:
                 self._decisions[name, j] = decision(name, one, self.setting.t0 + j * length)
             reads = [self._reads.index(read) for read in one.reads]
-            found, slopes = (np.asarray(part) for part in self._decisions[name, j](seen[0][reads], memory[0][own]))
-            moved = slopes @ np.vstack([seen[1][reads], memory[1][own]])
+            found, slopes = (np.asarray(part) for part in self._decisions[name, j](readings[0][reads], memory[0][own]))
+            moved = slopes @ np.vstack([readings[1][reads], memory[1][own]])
             u[0][k], u[1][k] = found[0, 0], moved[0]
             memory[0][own], memory[1][own] = found[1:, 0], moved[1:]
         return memory, u

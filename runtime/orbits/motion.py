@@ -154,9 +154,9 @@ class PeriodicMotion:
 
     def __repr__(self) -> str:
         kind = f" ({self.floquet.kind})" if self.floquet.kind else ""
-        told = f"period {self.period:.10g} s, {self.stability}{kind}, largest multiplier {self.floquet.largest:.6g}"
+        summary = f"period {self.period:.10g} s, {self.stability}{kind}, largest multiplier {self.floquet.largest:.6g}"
         return (
-            f"<PeriodicMotion of {self.model.name}: {told}, "
+            f"<PeriodicMotion of {self.model.name}: {summary}, "
             f"error {self.error.largest:.2g} of the amplitude of {self.error.of}>"
         )
 

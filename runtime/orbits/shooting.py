@@ -99,8 +99,8 @@ class PeriodMap:
         ends, rates = np.zeros((parts, n)), np.zeros((parts, n))
         slopes, by_parameters = np.zeros((parts, n, n)), np.zeros((parts, n, len(self.by)))
         for k in range(parts):
-            found = told(self._part(k, period).jacobian, np.concatenate([x[k], values]))
-            ends[k], rates[k] = self.states.seen(found.values[-1], x[(k + 1) % parts])
+            found = result_of(self._part(k, period).jacobian, np.concatenate([x[k], values]))
+            ends[k], rates[k] = self.states.state_of_outputs(found.values[-1], x[(k + 1) % parts])
             slope = self.states.slopes(found.values[-1], found.derivatives[-1], ends[k])
             slopes[k], by_parameters[k] = slope[:, :n], slope[:, n:]
         return Shot(x, ends, slopes, by_parameters, rates)
@@ -119,8 +119,8 @@ class PeriodMap:
 
     def _end(self, k: int, x: np.ndarray, period: float, values: Sequence[float], beside: np.ndarray) -> np.ndarray:
         """(n,) where a part ends, near to the state `beside`."""
-        shown = told(self._part(k, period).values, np.concatenate([x, values]))
-        return self.states.seen(shown[-1], beside)[0]
+        shown = result_of(self._part(k, period).values, np.concatenate([x, values]))
+        return self.states.state_of_outputs(shown[-1], beside)[0]
 
     def with_steps(self, setting: Setting) -> PeriodMap:
         """The same with other steps and parts; what is compiled is shared."""
@@ -136,7 +136,7 @@ class PeriodMap:
     def next_period(self, x: np.ndarray, period: float) -> np.ndarray:
         """(n,) where the first part ends if it begins a period later, from a state x (n,). Raises NoPeriodicMotion."""
         later = self._run.over(self.setting.t0 + period, period / self.setting.parts, self.setting.steps)
-        return self.states.seen(told(later.values, x)[-1], x)[0]
+        return self.states.state_of_outputs(result_of(later.values, x)[-1], x)[0]
 
     def _part(self, k: int, period: float) -> DifferentiableRun:
         length = period / self.setting.parts
@@ -174,7 +174,7 @@ class PeriodMap:
         )
 
 
-def told(run: Callable[[np.ndarray], T], x: np.ndarray) -> T:
+def result_of(run: Callable[[np.ndarray], T], x: np.ndarray) -> T:
     """What a run from x gives. Raises NoPeriodicMotion where it does not come to its end, and says why."""
     try:
         return run(x)

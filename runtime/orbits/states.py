@@ -126,7 +126,7 @@ class States:
 
     # ---- x from what a run shows --------------------------------------------------------------------------------
 
-    def seen(self, shown: np.ndarray, beside: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def state_of_outputs(self, shown: np.ndarray, beside: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(x, its rates) (n,) of the outputs of a run (n_y,), near to the state `beside`."""
         q, v, a = self._whole(shown)
         x = self.near(self.of(q, v), beside)

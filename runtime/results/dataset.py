@@ -60,9 +60,9 @@ def to_xarray(solution: Samples) -> Dataset:
     except ImportError as error:
         raise ImportError("xarray is not installed; install it with: pip install 'symgen[xarray]'") from error
     kept = dict(solution.outputs or columns(solution))
-    told = described(solution.model, kept)
-    time = xarray.Variable("time", kept.pop("t"), told["t"])
-    series = {name: ("time", np.asarray(values), told[name]) for name, values in kept.items()}
+    labels = described(solution.model, kept)
+    time = xarray.Variable("time", kept.pop("t"), labels["t"])
+    series = {name: ("time", np.asarray(values), labels[name]) for name, values in kept.items()}
     return xarray.Dataset(series, coords={"time": time}, attrs=_attributes(solution))
 
 

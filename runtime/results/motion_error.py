@@ -147,7 +147,7 @@ def motion_error(
     other: np.ndarray,
     sizes: np.ndarray,
     rates: tuple[np.ndarray, np.ndarray] | None = None,
-    seen_rates: np.ndarray | None = None,
+    sampled_rates: np.ndarray | None = None,
 ) -> MotionError:
     """The difference of two motions at times t (N,) [s]: q, other (N, n_told); sizes: amplitudes (n_told,).
 
@@ -158,7 +158,7 @@ def motion_error(
     off = np.abs(q - other)
     if rates is not None:
         off = np.where(_states(model), np.abs(rates[0] - rates[1]), off)
-        known = np.concatenate(rates if seen_rates is None else [*rates, seen_rates])
+        known = np.concatenate(rates if sampled_rates is None else [*rates, sampled_rates])
         sizes = np.where(_states(model), np.std(known, axis=0), sizes)
     dust = DUST * np.maximum(1.0, np.abs(q).max(axis=0))  # what stays where it is has an amplitude of rounding
     rms, least = np.sqrt(np.mean(off**2, axis=0)), np.maximum(floored(model, sizes), dust)
@@ -170,13 +170,13 @@ def motion_error(
     def by_name(values: np.ndarray, end: str = "") -> dict[str, float]:
         return {name + end: value for name, value in zip(names, values.tolist(), strict=True)}
 
-    by = by_name(judged) | ({} if rates is None else by_name(_of_rates(model, *rates, seen_rates), "_dot"))
+    by = by_name(judged) | ({} if rates is None else by_name(_of_rates(model, *rates, sampled_rates), "_dot"))
     return MotionError(by_name(rms), by_name(off[-1]), by_name(sizes), by_name(rms / least), by, reliable_until=until)
 
 
-def _of_rates(model: EmittedModel, v: np.ndarray, other: np.ndarray, seen: np.ndarray | None = None) -> np.ndarray:
+def _of_rates(model: EmittedModel, v: np.ndarray, other: np.ndarray, sampled: np.ndarray | None = None) -> np.ndarray:
     """(n_told,) what moves less than others of its kind is not judged by its own size."""
-    known = [v, other] if seen is None else [v, other, seen]
+    known = [v, other] if sampled is None else [v, other, sampled]
     sizes = np.sqrt(np.mean(np.concatenate(known) ** 2, axis=0))
     rms = np.sqrt(np.mean((v - other) ** 2, axis=0))
     return np.asarray(rms / np.maximum(np.maximum(sizes, STATIONARY * _largest_of_kind(model, sizes)), RESTS))

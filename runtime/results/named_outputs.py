@@ -117,8 +117,10 @@ def output_values(scheme: Scheme, names: Sequence[str], z: ca.SX, c: ca.SX) -> c
     """
     model, columns = scheme.model, [column(scheme.model, name) for name in names]
     equations = scheme.equations(c, scheme.layout.unpack(z))
-    seen = scheme.observer(z=z, c=c)
-    at = {f"q{end}": joined(model, seen[f"q_i{end}"], seen[f"q_d{end}"]) for end in ORDERS} | {"t": seen["t"]}
+    observed = scheme.observer(z=z, c=c)
+    at = {f"q{end}": joined(model, observed[f"q_i{end}"], observed[f"q_d{end}"]) for end in ORDERS} | {
+        "t": observed["t"]
+    }
     kernels = {one.kernel for one in columns if not one.suffixes}
     found = {kernel: equations.call(kernel, **at, lam_R=ca.SX(0, 1)) for kernel in kernels}
 

@@ -99,8 +99,8 @@ class StreamFile(Table):
     def _refuse_foreign(self) -> None:
         """A folder that holds files, and is no stream of ours, is somebody's. Raises OutputError."""
         files = sorted(path.name for path in self.folder.iterdir() if not path.name.startswith(WRITING))
-        begun = files == [ROWS] and (self.folder / ROWS).stat().st_size == 0  # by another run, or one that was killed
-        if begun or not files:
+        started = files == [ROWS] and (self.folder / ROWS).stat().st_size == 0  # by another run, or one that was killed
+        if started or not files:
             return
         try:
             read_header(self.folder)

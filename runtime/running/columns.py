@@ -34,15 +34,15 @@ class ColumnRecord(Record):
     def __init__(self, segment: SteppedModel, z: np.ndarray, stream: str | Path | None, resumed: str) -> None:
         super().__init__([segment], segment.plan.seen_steps, segment.plan.steps)
         self.outputs, self.first = segment.plan.outputs, None
-        seen = segment.observed([segment.state(z)])
-        columns = [(name, values.shape[1:]) for name, values in columns_of(seen, self.outputs).items()]
+        observed = segment.observed([segment.state(z)])
+        columns = [(name, values.shape[1:]) for name, values in columns_of(observed, self.outputs).items()]
         self._table = Table(columns) if stream is None else StreamFile(stream, columns, resumed)
         self._stream = self._table if isinstance(self._table, StreamFile) else None
         if self._stream is not None:
             self.folder, self.run = self._stream.folder, self._stream.run
         cause = "the run did not come to its end"
         running = Status("interrupted", segment.plan.t0, None, cause, "What was streamed is there.")
-        self._write_header(replace(seen, status=running), segment.p)
+        self._write_header(replace(observed, status=running), segment.p)
 
     first: tuple[int, np.ndarray] | None
 
@@ -67,8 +67,8 @@ class ColumnRecord(Record):
     def flush(self) -> None:
         """Write the rows of the samples that wait. Raises OutputError."""
         for segment, part in by_segment(self.samples):
-            seen = concatenated([self.segments[segment].observed(part)], self.segments[0].model)
-            self._table.append(rows_of(seen, self.outputs))
+            observed = concatenated([self.segments[segment].observed(part)], self.segments[0].model)
+            self._table.append(rows_of(observed, self.outputs))
         self.samples = []
 
     def close(self) -> None:

@@ -38,7 +38,7 @@ CLOSURE_TOLERANCE = 1e-14  # rad or m, times the largest coordinate: correction 
 STAGNANT = 1e-11  # a correction that small, but no longer shrinking, is rounding
 MOST_CLOSURES = 25
 MAX_BRANCH_CORRECTION = 0.2  # rad or m: a correction above this may have left the branch
-SEEN = 200  # samples where nothing is said
+DEFAULT_SAMPLES = 200  # samples where nothing is said
 MOST_HALVINGS = 12  # of the time from one instant to the next
 
 
@@ -229,7 +229,7 @@ def quasi_static_motion(
         raise ModelError(f"model {model.name} moves freely in {', '.join(free)}: drive it, or simulate")
     end = float(model.simulation["t_end"] if t_end is None else t_end)
     asked = seen_every_of(seen_every, samples, t0, end)
-    step = asked or float(model.simulation.get("seen_every", (end - t0) / SEEN))
+    step = asked or float(model.simulation.get("seen_every", (end - t0) / DEFAULT_SAMPLES))
     if not (np.isfinite([t0, end, step]).all() and step > 0 and end > t0):
         raise SchemeError("t_end", "does not make a motion", "take t_end > t0")
     times = _instants(t0, end, step)

@@ -35,13 +35,13 @@ MOST_IN_A_STEP = 50  # events of one name
 MOST_BOUNCES = 20_000  # upon one stop in a step: of restitution .999 there are so many before they come too close
 MOST_KINKS, OF_STEPS = 20, 60  # of one name within so many steps: then it is crossed for 1 step, for 2, for 4, ...
 CHATTER = 1e-3  # of the time between states that are seen, in place of a step: where steps follow from a tolerance
-MOST_TOLD = 100  # impulses of prescribed motions
+MOST_REPORTED = 100  # impulses of prescribed motions
 AT_THE_END = 1e-10  # s
 LOCATED = 1e-11  # s: within which an event is located
 AT_STEP_END = 1e-6  # of a step: what happens at its end
 
 
-class _Seen(NamedTuple):
+class _ObservedState(NamedTuple):
     """A state (n_z,) before events act, as it is seen with constants c; values (n_e,): past zero, or at it."""
 
     z: np.ndarray
@@ -54,7 +54,7 @@ class Passage(NamedTuple):
 
     t: float
     events: list[int]
-    seen: _Seen
+    observed: _ObservedState
     inputs: np.ndarray
     settled: Any
 
@@ -66,7 +66,7 @@ class EventHandler:
     """
 
     def __init__(self, own: SteppedModel, passages: list[Passage] | None = None) -> None:
-        self.own, self.told, self._passages = own, list[Event](), passages
+        self.own, self.reported, self._passages = own, list[Event](), passages
         self.status: Status | None = None
         self._scheme, self._events = own.plan.scheme, watched_events(own.plan.scheme)
         self._declared = len(own.model.description.events)
@@ -115,8 +115,8 @@ class EventHandler:
         if not self.own.model.element_modes.size:
             return None
         found, scheme = z.copy(), self._scheme
-        seen = _Seen(z, scheme.constants(self.own.c), np.zeros(len(self._events)))
-        push = self._push(self._settle(found, float(z[0] + z[1] * self.own.plan.grid.dt_L), [], seen))
+        observed = _ObservedState(z, scheme.constants(self.own.c), np.zeros(len(self._events)))
+        push = self._push(self._settle(found, float(z[0] + z[1] * self.own.plan.grid.dt_L), [], observed))
         w = found[self._inputs]
         changed = not np.array_equal(w, z[self._inputs])
         if changed or push.any():
@@ -130,8 +130,8 @@ class EventHandler:
         Where one ends the run, the end of the step is seen.
         """
         scheme, own = self._scheme, self.own
-        before, constants, seen = z[self._inputs].copy(), scheme.constants(own.c), scheme.at_end(z)
-        shown = _Seen(seen, constants, event_values(scheme, seen, constants))
+        before, constants, observed = z[self._inputs].copy(), scheme.constants(own.c), scheme.at_end(z)
+        shown = _ObservedState(observed, constants, event_values(scheme, observed, constants))
         scheme.add_to_rates_at_end(z, self._happen(z, scheme.reached(z), happened, shown))
         begin_events(scheme, z, constants, scheme.at_end(z))  # with the inputs as they are now
         if self.status is not None:
@@ -144,7 +144,7 @@ class EventHandler:
         values (n_e,): what passed zero.
         """
         before, constants = z[self._inputs].copy(), self._scheme.constants(self.own.c)
-        push = self._happen(z, t, happened, _Seen(z, constants, values), regular=False)
+        push = self._happen(z, t, happened, _ObservedState(z, constants, values), regular=False)
         if push.any():
             self.own.restart(z, z[self._inputs].copy(), push)
         return None if np.array_equal(before, z[self._inputs]) else z[self._inputs].copy()
@@ -167,18 +167,20 @@ class EventHandler:
     def _acts(self, z: np.ndarray, dt: float, t: float, happened: list[int]) -> Acted:
         """These events at t [s], in a state z that steps dt show, in place."""
         constants = self._scheme.constants(self.own.c, dt)
-        push = self._happen(z, t, happened, _Seen(z, constants, event_values(self._scheme, z, constants)))
+        push = self._happen(z, t, happened, _ObservedState(z, constants, event_values(self._scheme, z, constants)))
         return Acted(self.status is not None, push)
 
-    def _happen(self, z: np.ndarray, t: float, happened: list[int], seen: _Seen, regular: bool = True) -> np.ndarray:
+    def _happen(
+        self, z: np.ndarray, t: float, happened: list[int], observed: _ObservedState, regular: bool = True
+    ) -> np.ndarray:
         """These events at t [s]: they are told and judged, z gets the inputs that they set; (n_i,) added to the rates.
 
-        seen: before they do anything. regular: do the equations of q_i have accelerations there? Near a singular
+        observed: before they do anything. regular: do the equations of q_i have accelerations there? Near a singular
         position they have none, and powers on either side are not computed.
         """
-        values, values_now = action_values(self._scheme, seen.z, seen.c), seen.values
-        kept, before = None if self._passages is None else seen._replace(z=seen.z.copy()), seen.z.copy()
-        rates = event_slopes(self._scheme, seen.z, seen.c) if (values_now == 0).any() else values_now
+        values, values_now = action_values(self._scheme, observed.z, observed.c), observed.values
+        kept, before = None if self._passages is None else observed._replace(z=observed.z.copy()), observed.z.copy()
+        rates = event_slopes(self._scheme, observed.z, observed.c) if (values_now == 0).any() else values_now
         first = np.cumsum([0, *(len(event.sets) for event in self._events)])  # kinks set nothing
         changes: dict[str, float] = {}
         cool_down(self._scheme, z, happened, t)
@@ -186,44 +188,46 @@ class EventHandler:
             event = self._events[k]
             direction = "rising" if (values_now[k] or rates[k]) >= 0 else "falling"
             if k >= self._declared:
-                self.told.append(Event(t, "kink", f"{event.name}, {direction}", event.name, direction))
+                self.reported.append(Event(t, "kink", f"{event.name}, {direction}", event.name, direction))
                 self._rest(z, k, t)
                 continue
             if event.direction != "either":
                 direction = event.direction
             changes |= dict(zip(event.sets, values[first[k] : first[k + 1]].tolist(), strict=True))
             if not event.mode:  # what it does is told when all is settled
-                self.told.append(Event(t, "event", _text(event, direction, changes), event.name, direction))
+                self.reported.append(Event(t, "event", _text(event, direction, changes), event.name, direction))
             self._judge(event, t)
         endless = next((name for name, value in changes.items() if not np.isfinite(value)), None)
         if endless is not None:
-            cause = f"event {self.told[-1].name} sets {endless} to {changes[endless]}"
+            cause = f"event {self.reported[-1].name} sets {endless} to {changes[endless]}"
             self.status = Status("not_finite", t, None, cause, "Let its action have a finite value there.")
         elif changes:
             z[self._inputs] = self.own.model.signals.changed(z[self._inputs].copy(), t, changes)
         settled = None
         if self.status is None and self.own.model.element_modes.size:
-            settled = self._settle(z, t, happened, seen)
+            settled = self._settle(z, t, happened, observed)
         if self._passages is not None and kept is not None:
             self._passages.append(Passage(t, happened, kept, z[self._inputs].copy(), settled))
         push = self._push(settled)
         if regular:
-            self.own.note_change(t, before, seen.c, z[self._inputs], push)
+            self.own.note_change(t, before, observed.c, z[self._inputs], push)
         return push
 
     def _push(self, settled: Any) -> np.ndarray:
         """(n_i,) what is added to the rates."""
         return np.zeros(len(self.own.model.q_i)) if settled is None else np.asarray(settled.push)
 
-    def _settle(self, z: np.ndarray, t: float, happened: list[int], seen: _Seen) -> Any:
+    def _settle(self, z: np.ndarray, t: float, happened: list[int], observed: _ObservedState) -> Any:
         """What elements do behind these events at t [s], or None where that ends the run; their modes go into z."""
         scheme, model, modes = self._scheme, self.own.model, self.own.model.element_modes
-        at = state_of(scheme, seen.z, seen.c)
+        at = state_of(scheme, observed.z, observed.c)
         inputs, first = z[self._inputs].copy(), self._declared - len(modes)
         before, own = inputs[modes].copy(), np.isin(np.arange(first, self._declared), happened)
         come = np.zeros(len(modes))
         if (own & (before != 0)).any():
-            come = np.where(own, LOCATED * np.abs(event_slopes(scheme, seen.z, seen.c))[first : self._declared], 0.0)
+            come = np.where(
+                own, LOCATED * np.abs(event_slopes(scheme, observed.z, observed.c))[first : self._declared], 0.0
+            )
         c = np.concatenate([self.own.c[: len(self.own.c) - len(inputs)], inputs])
         from runtime.schemes.switching.settle import NoMode, settled
 
@@ -239,7 +243,7 @@ class EventHandler:
         for k in np.flatnonzero(found.modes != before):
             name = self._events[first + k].name
             if text := _mode_text(self._events[first + k], float(before[k]), float(found.modes[k])):
-                self.told.append(Event(t, "mode", f"{name} {text}", name))
+                self.reported.append(Event(t, "mode", f"{name} {text}", name))
         return found
 
     def _tell_hits(self, found: Any, at: Mapping[str, np.ndarray], c: np.ndarray, t: float, before: float) -> None:
@@ -258,10 +262,10 @@ class EventHandler:
         for hit in found.hits:
             name = model.mode_events[hit.k].name
             text = f"{name} is hit at {-hit.before:.6g} and left at {hit.after:.6g}{lost}"
-            self.told.append(Event(t, "impact", text, name, impulse=hit.impulse))
+            self.reported.append(Event(t, "impact", text, name, impulse=hit.impulse))
             if hit.rests is not None:
                 text = f"{name}: its bounces are over, summed from t = {t:.9g} s on"
-                self.told.append(Event(t + hit.rests, "rest", text, name))
+                self.reported.append(Event(t + hit.rests, "rest", text, name))
 
     def _rest(self, z: np.ndarray, k: int, t: float) -> None:
         """Kink k at t [s]: where it comes ever again, z does not look for it for ever longer."""
@@ -281,7 +285,7 @@ class EventHandler:
                 text = (
                     f"{name}, comes {MOST_KINKS} times in {step - steps[0] + 1:.0f} steps: from here on steps cross it"
                 )
-                self.told.append(Event(t, "kink_crossed", text, name))
+                self.reported.append(Event(t, "kink_crossed", text, name))
             sleeps, steps = sleeps + 1, []
         self._recent[name] = [sleeps, *steps]
 
@@ -334,7 +338,7 @@ class ImpulseNotes:
     """Tells each impulse of a prescribed motion once, as an event; reads only what is new since its last look."""
 
     def __init__(self) -> None:
-        self._known, self._read, self._told = set[float](), 0, 0
+        self._known, self._read, self._count = set[float](), 0, 0
 
     def note(self, segment: SteppedModel, step: int, events: list[Event]) -> None:
         """Append an event for each impulse until the end of a step, unless an impact has told it."""
@@ -343,11 +347,11 @@ class ImpulseNotes:
         for event in events[self._read :]:
             if event.kind == "velocity_jump":
                 self._known.add(event.time)
-                self._told += 1
+                self._count += 1
             elif event.kind == "impact":
                 self._known |= {event.time, float(np.nextafter(event.time, -np.inf))}
         self._read = len(events)
         new = list(takewhile(lambda at: at not in self._known, reversed(segment.impulses)))
         until = segment.plan.time(step) + AT_STEP_END * segment.plan.grid.dt_L
-        for at in sorted(one for one in new if one <= until)[: max(0, MOST_TOLD - self._told)]:
+        for at in sorted(one for one in new if one <= until)[: max(0, MOST_REPORTED - self._count)]:
             events.append(Event(at, "velocity_jump", impulse_text(segment.model, segment.impulses[at])))

@@ -187,9 +187,9 @@ class Controller:
     def decides(self, t: float, z: np.ndarray) -> float:
         """The input from t [s] on; z: the scheme's part of the state. Raises ArgumentError and EndlessInput."""
         assert self._read is not None
-        seen = self._read(z)
+        read = self._read(z)
         remembered = self.memory is not None and len(self.memory)
-        given = self.function(t, seen, self.memory) if remembered else self.function(t, seen)
+        given = self.function(t, read, self.memory) if remembered else self.function(t, read)
         try:
             found = float(given)
         except (TypeError, ValueError):

@@ -36,7 +36,7 @@ class ShortLoad(NamedTuple):
     end: float
 
     @property
-    def told(self) -> Event:
+    def event(self) -> Event:
         """In words."""
         text = (
             f"the load on {self.coordinate} acts on a short part of the way, from t = {self.start:.6g} to "
@@ -92,9 +92,9 @@ def _motion(run: Run) -> tuple[np.ndarray, np.ndarray]:
         segment = run.record.segments[own]
         scheme = segment.plan.scheme
         states = rows[:, : scheme.layout.size]
-        seen = evaluate(scheme.observer, {"z": states}, scheme.constants(segment.c))
-        parts = [whole(segment.model, seen[f"q_i{rate}"], seen[f"q_d{rate}"]) for rate in ("", "_dot")]
-        times.append(seen["t"].ravel())
+        observed = evaluate(scheme.observer, {"z": states}, scheme.constants(segment.c))
+        parts = [whole(segment.model, observed[f"q_i{rate}"], observed[f"q_d{rate}"]) for rate in ("", "_dot")]
+        times.append(observed["t"].ravel())
         moved.append(np.hstack(parts))
     t, values = np.concatenate(times), np.concatenate(moved)
     once = np.append(True, np.diff(t) > 0)[: len(t)]

@@ -67,7 +67,7 @@ class Monitor:
         self.latest: np.ndarray | None = None
         self.length, self.scale = 1.0, 1.0
         self._samples = 0
-        self._begun: np.ndarray | None = None
+        self._at_start: np.ndarray | None = None
         self.look, self._p = CloseLook(model, scheme), p
 
     def first(self, z: np.ndarray, like: Monitor | None = None) -> Status | None:
@@ -77,7 +77,7 @@ class Monitor:
         """
         if not np.isfinite(z).all():
             return self._ends(self._of_events(z) or Failure("finite at the start"), z)
-        self.good = self._begun = z.copy()
+        self.good = self._at_start = z.copy()
         x, d = z[self.scheme.layout.slice("x")], self._increments(z)
         self.scale = max(1.0, float(np.abs(x).max(initial=0.0)), float(np.abs(d).max(initial=0.0)))
         if like is not None:
@@ -178,12 +178,12 @@ class Monitor:
         return Failure("event", found=(watched_events(self.scheme)[int(np.argmax(bad))].name,)) if bad.any() else None
 
     def _closely(self, z: np.ndarray) -> Failure | None:
-        seen = self.look(z, self.c)
+        observation = self.look(z, self.c)
         if self.look.constrained:
             allowed = CONSTRAINT_LIMIT * np.where(self.look.lengths, self.length, 1.0)
-            if not (np.abs(seen.C) <= allowed).all():  # NaN is off too
+            if not (np.abs(observation.C) <= allowed).all():  # NaN is off too
                 return Failure("constraints")
-        return self._bent(seen.q) if positive_definite(seen.M_hat) else Failure("mass")
+        return self._bent(observation.q) if positive_definite(observation.M_hat) else Failure("mass")
 
     def _bent(self, q: np.ndarray) -> Failure | None:
         """Deflections against the body's length, and turns against a radian: modes are linear."""
@@ -201,7 +201,7 @@ class Monitor:
     @cached_property
     def step_limit(self) -> float | None:
         """Of the fastest group's step at the start [s]; None where nothing limits it, or its modes are not known."""
-        slopes = self.slopes(self._begun) if self.scheme.limited() else None
+        slopes = self.slopes(self._at_start) if self.scheme.limited() else None
         limit = None if slopes is None else self.scheme.step_limit(*slopes)
         return None if limit is None else limit.h
 
@@ -216,10 +216,10 @@ class Monitor:
         model, z = self.model, self.good if z is None else z
         if z is None or not ModeSolver.possible(model):
             return None
-        seen = self.scheme.observer(z=z, c=self.c)
-        q_i, rates, q_d = (np.asarray(seen[name]).ravel() for name in ("q_i", "q_i_dot", "q_d"))
+        observation = self.scheme.observer(z=z, c=self.c)
+        q_i, rates, q_d = (np.asarray(observation[name]).ravel() for name in ("q_i", "q_i_dot", "q_d"))
         q = whole(model, q_i, q_d)
-        state = State(float(seen["t"]), independent_part(model, q), rates * moving, loop_part(model, q))
+        state = State(float(observation["t"]), independent_part(model, q), rates * moving, loop_part(model, q))
         return known_slopes(model, self.c[: model.c_size], state)
 
 
@@ -267,10 +267,10 @@ class CloseLook:
     def _build(self) -> ca.Function:
         model, scheme = self.model, self.scheme
         z, c = _symbols(scheme)
-        seen = {**scheme.observer(z=z, c=c), "c": observed_constants(scheme, z, c)}
-        q = joined(model, seen["q_i"], seen["q_d"])
+        observation = {**scheme.observer(z=z, c=c), "c": observed_constants(scheme, z, c)}
+        q = joined(model, observation["q_i"], observation["q_d"])
         C = observed(model, scheme, "constraints", ("C",))(z, c) if self.constrained else ca.SX(0, 1)
-        M_hat = ca.SX(0, 1) if self._long else ca.vec(model.evaluate("condensed", **seen)["M_hat"])
+        M_hat = ca.SX(0, 1) if self._long else ca.vec(model.evaluate("condensed", **observation)["M_hat"])
         return ca.Function("close_look", [z, c], [ca.densify(ca.vertcat(C, M_hat, q))])
 
     def jacobian(self, z: np.ndarray, c: np.ndarray) -> np.ndarray:
@@ -286,12 +286,12 @@ def _symbols(scheme: Scheme) -> tuple[ca.SX, ca.SX]:
 def _momenta(model: EmittedModel, scheme: Scheme) -> ca.Function:
     """(z, c, q_i_dot) -> dT/dq_i_dot at the configuration that z shows, (n_i,): M_hat q_i_dot, and a constant part."""
     (z, c), rates = _symbols(scheme), ca.SX.sym("v", len(model.q_i))
-    seen, constants = scheme.observer(z=z, c=c), observed_constants(scheme, z, c)
+    observation, constants = scheme.observer(z=z, c=c), observed_constants(scheme, z, c)
     equations = StageEquations(model, constants)
-    at = {"q_i": seen["q_i"], "q_d": seen["q_d"], "q_i_dot": rates, "t": seen["t"]}
+    at = {"q_i": observation["q_i"], "q_d": observation["q_d"], "q_i_dot": rates, "t": observation["t"]}
     q_d_dot = equations.call("velocities", **at)["q_d_dot"] if model.q_d else ca.SX(0, 1)
-    q, q_dot = equations.joined(seen["q_i"], seen["q_d"]), equations.joined(rates, q_d_dot)
-    kinetic = equations.call("energy", q=q, q_dot=q_dot, t=seen["t"])["kinetic"]
+    q, q_dot = equations.joined(observation["q_i"], observation["q_d"]), equations.joined(rates, q_d_dot)
+    kinetic = equations.call("energy", q=q, q_dot=q_dot, t=observation["t"])["kinetic"]
     return ca.Function("momenta", [z, c, rates], [ca.densify(ca.gradient(kinetic, rates))])
 
 
@@ -300,9 +300,12 @@ def observed(model: EmittedModel, scheme: Scheme, name: str, outputs: Sequence[s
 
     def build() -> ca.Function:
         z, c = _symbols(scheme)
-        seen = scheme.observer(z=z, c=c)
-        q, q_dot = joined(model, seen["q_i"], seen["q_d"]), joined(model, seen["q_i_dot"], seen["q_d_dot"])
-        found = model.evaluate(name, q=q, q_dot=q_dot, t=seen["t"], c=observed_constants(scheme, z, c))
+        observation = scheme.observer(z=z, c=c)
+        q, q_dot = (
+            joined(model, observation["q_i"], observation["q_d"]),
+            joined(model, observation["q_i_dot"], observation["q_d_dot"]),
+        )
+        found = model.evaluate(name, q=q, q_dot=q_dot, t=observation["t"], c=observed_constants(scheme, z, c))
         return ca.Function(f"observed_{name}", [z, c], [ca.densify(found[output]) for output in outputs])
 
     return scheme.derived(f"observed {name} {outputs}", build)

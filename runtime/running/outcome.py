@@ -29,7 +29,7 @@ from runtime.running.going_on import driven_inputs
 from runtime.running.powers import powers_at
 from runtime.running.problem import Plan, Problem
 from runtime.running.record import ComparisonTimes, among
-from runtime.running.run import Run, begun
+from runtime.running.run import Run, start_run
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import INSIDE, check_time_functions
 from runtime.schemes.options import LARGEST_TOLERANCE
@@ -63,9 +63,9 @@ def passed_by(run: Run, steps: float) -> list[Any]:
 def _ended(run: Run, error: MotionError | None) -> Solution:
     status = run.integrate()
     if status.ok:
-        run.events += [one.told for one in passed_by(run, 1.0)[:1]]
+        run.events += [one.event for one in passed_by(run, 1.0)[:1]]
     run.record.flush()
-    solution = run.seen()
+    solution = run.sampled_solution()
     if not status.ok:
         from runtime.running.diagnose import laid_to_loads
         from runtime.running.domains import outside_its_domain
@@ -99,9 +99,9 @@ def _ended(run: Run, error: MotionError | None) -> Solution:
     if slides := [event for event in events if event.kind == "chattering"]:
         said = [solution.stats["remark"]] if "remark" in solution.stats else []
         solution = solution.but(stats={**solution.stats, "remark": "; ".join(map(str, [*said, slides[0].text]))})
-    told = time.perf_counter()
+    estimated = time.perf_counter()
     solution = with_limits(solution)
-    parts = {"error_seconds": told - began, "limits_seconds": time.perf_counter() - told}
+    parts = {"error_seconds": estimated - began, "limits_seconds": time.perf_counter() - estimated}
     return run.record.finished(solution.but(stats={**solution.stats, **parts}))
 
 
@@ -118,11 +118,11 @@ def _stops(run: Run) -> np.ndarray:
     kink at the start, such as of a wheel that stands on the road, is none: the power of the first sample goes on.
     """
     plan, segments = run.segment.plan, run.record.segments
-    begun = plan.t0 + ALIKE * (run.plan.time(run.step) - plan.t0)
+    near_start = plan.t0 + ALIKE * (run.plan.time(run.step) - plan.t0)
     impulses = {at: one.energy for segment in segments for at, one in segment.impulses.items()}
     found = {float(one.before): 0.0 for one in run.segment.switches if one.time not in impulses}
     found |= {event.time: 0.0 for event in run.events if event.kind in ("event", "mode", "rest")}
-    found |= {event.time: 0.0 for event in run.events if event.kind == "kink" and event.time > begun}
+    found |= {event.time: 0.0 for event in run.events if event.kind == "kink" and event.time > near_start}
     if run.schedule is not None:
         found |= {plan.time(step): 0.0 for step in run.schedule.changes(run.step)}
     found |= impulses
@@ -217,7 +217,7 @@ SHORTER = 2  # times shorter steps, of which a regular error of order 2 leaves a
 EARLY, FINER = 8, 4  # times there, and how much shorter those steps are
 LONGER = 4  # times: the next part, where the difference still grows
 GROWS = 1.2  # times the difference in the first half of a part: a regular error has some 2.6 in the second
-DOUBTED = 2.0  # times the error that was told: what vibrations might bring it to at most
+DOUBTED = 2.0  # times the error that was compared_motion: what vibrations might bring it to at most
 START_FINER = 8  # the same for methods whose steps pass by what dies out or lets go within one of them
 SAVED = 20  # samples of a companion, which nobody sees but who looks for trouble
 LEAST = 4  # steps in the time in which a load acts
@@ -245,38 +245,39 @@ def measured(run: Run, solution: Solution) -> MotionError:
     if not run.problem.forgets:
         return MotionError(reason="a controller keeps a memory of its own: give its numbers as Sampled(memory=...)")
     columns = followed(run.problem.model)[1]
-    seen = np.stack([solution.q[:, columns], solution.q_dot[:, columns]])
-    seen = np.concatenate(
-        [seen, comparison_times.told(run.problem.model)], axis=1
+    sampled = np.stack([solution.q[:, columns], solution.q_dot[:, columns]])
+    sampled = np.concatenate(
+        [sampled, comparison_times.compared_motion(run.problem.model)], axis=1
     )  # samples may be in phase with a vibration
     try:
         if any(event.kind == "load_missed" for event in run.events):  # other steps of this length miss it, too
             for short in passed_by(run, LEAST / INSIDE)[:1]:  # even steps of an eighth may pass it by
-                return MotionError(reliable_until=short.told.time, reason=short.told.text)
-            return compared(run, comparison_times, seen, 1 / INSIDE)
+                return MotionError(reliable_until=short.event.time, reason=short.event.text)
+            return compared(run, comparison_times, sampled, 1 / INSIDE)
         if not among(comparison_times.at, np.array(comparison_times.steps())).any():  # an event has ended it soon
-            return compared(run, comparison_times, seen, 1 / FINER, early=True)
+            return compared(run, comparison_times, sampled, 1 / FINER, early=True)
         found = MotionError(reason="its start is as the rest")
         if plan.scheme.passes_transients and not plan.scheme.adaptive:
-            found = compared_behind_start(run, comparison_times, seen, _ratio(plan))
+            found = compared_behind_start(run, comparison_times, sampled, _ratio(plan))
         if not found.measured:
-            found = compared(run, comparison_times, seen, _ratio(plan))
+            found = compared(run, comparison_times, sampled, _ratio(plan))
         if not found.measured or max(found.judged.values()) > LARGEST:
-            shorter = compared(run, comparison_times, seen, 1 / SHORTER)
+            shorter = compared(run, comparison_times, sampled, 1 / SHORTER)
             found = min((one for one in (found, shorter) if one.measured), key=lambda one: one.largest, default=found)
         if not found.measured:
-            found = compared(run, comparison_times, seen, 1 / FINER)
+            found = compared(run, comparison_times, sampled, 1 / FINER)
         if found.measured and plan.scheme.damps:
-            found = with_what_is_damped(run, comparison_times, seen, found)
+            found = with_what_is_damped(run, comparison_times, sampled, found)
     except KeyboardInterrupt:
         return MotionError(reason="stopped by the user while it was measured")
     return found
 
 
 def with_what_is_damped(
-    run: Run, comparison_times: ComparisonTimes, seen: np.ndarray, told: MotionError
+    run: Run, comparison_times: ComparisonTimes, sampled: np.ndarray, estimated: MotionError
 ) -> MotionError:
-    """The error of a run: `told`, by steps of about its length, or what is lost to its steps where that is larger.
+    """The error of a run: `compared_motion`, by steps of about its length, or what is lost to its steps where that
+    is larger.
 
     Steps of about one length lose alike the vibrations that they damp. FINER times shorter ones keep these for longer,
     which the first part of the motion shows. An amplitude that decays, or a phase that drifts, is off in proportion to
@@ -284,20 +285,20 @@ def with_what_is_damped(
     motion, a part LONGER times as long is looked at, and so on. Where jumps of loads or events begin vibrations that
     are not resolved, it is the whole motion.
     """
-    found, share, at = told, FIRST_PART, comparison_times.early
-    sizes = amplitudes(run.problem.model, seen[0])  # of the whole motion
+    found, share, at = estimated, FIRST_PART, comparison_times.early
+    sizes = amplitudes(run.problem.model, sampled[0])  # of the whole motion
     while True:
         pair = beside(run, comparison_times, at, 1, 1 if run.plan.scheme.adaptive else FINER, 1 / FINER)
         if isinstance(pair, MotionError):
             break
-        error = pair.error(slice(None), sizes, seen[1])
+        error = pair.error(slice(None), sizes, sampled[1])
         found = found.with_larger(error)
         most = _sizes(error) / share
         if half := len(pair.t) // 2:
-            first, second = (_sizes(pair.error(part, sizes, seen[1])) for part in (slice(half), slice(half, None)))
+            first, second = (_sizes(pair.error(part, sizes, sampled[1])) for part in (slice(half), slice(half, None)))
             most[second <= GROWS * first] = 0.0
         excited = _excited_later(run)
-        if share == 1.0 or not (excited or (most > DOUBTED * _sizes(told)).any()):
+        if share == 1.0 or not (excited or (most > DOUBTED * _sizes(estimated)).any()):
             break
         share = 1.0 if excited else min(1.0, LONGER * share)
         at = comparison_times.at[comparison_times.at <= share * comparison_times.at[-1]]
@@ -346,11 +347,12 @@ class Pair:
 
 
 def compared(
-    run: Run, comparison_times: ComparisonTimes, seen: np.ndarray, ratio: float, early: bool = False
+    run: Run, comparison_times: ComparisonTimes, sampled: np.ndarray, ratio: float, early: bool = False
 ) -> MotionError:
     """The difference to a companion whose steps are about `ratio` times as long; or why there is none.
 
-    seen (2, N, n_told): of the whole run and of its rates, which tells its amplitudes. early: in its first part only.
+    sampled_solution (2, N, n_told): of the whole run and of its rates, which tells its amplitudes. early: in its
+    first part only.
     """
     plan = run.record.segments[0].plan
     a = 1 if plan.scheme.adaptive or early else _common_steps(run.problem, plan)
@@ -358,8 +360,8 @@ def compared(
     pair = beside(run, comparison_times, comparison_times.early if early else comparison_times.at, a, b, ratio)
     if isinstance(pair, MotionError):
         return pair
-    motion = seen[0] if early else np.concatenate([pair.companion[0], seen[0]])
-    return pair.error(slice(None), amplitudes(pair.model, motion), seen[1])
+    motion = sampled[0] if early else np.concatenate([pair.companion[0], sampled[0]])
+    return pair.error(slice(None), amplitudes(pair.model, motion), sampled[1])
 
 
 def beside(
@@ -372,7 +374,7 @@ def beside(
         return MotionError(reason="the run is too short for it")
     other_times = ComparisonTimes(at // a * b)
     stepped = stepped_by(problem, plan, plan.grid.dt_L * a / b, int(other_times.at[-1]), ratio)
-    other = begun(problem, stepped, other_times, quiet=True, like=run)
+    other = start_run(problem, stepped, other_times, quiet=True, like=run)
     if ratio == 1 / INSIDE and (missed := [one for one in loads_missed(other) if one.kind == "load_missed"]):
         return MotionError(reliable_until=missed[0].time, reason=missed[0].text)
     status = other.integrate()
@@ -388,12 +390,14 @@ def beside(
     return Pair(
         model,
         plan.times(at[both]),
-        comparison_times.told(model, at[both]),
-        other_times.told(model, other_times.at[both]),
+        comparison_times.compared_motion(model, at[both]),
+        other_times.compared_motion(model, other_times.at[both]),
     )
 
 
-def compared_behind_start(run: Run, comparison_times: ComparisonTimes, seen: np.ndarray, ratio: float) -> MotionError:
+def compared_behind_start(
+    run: Run, comparison_times: ComparisonTimes, sampled: np.ndarray, ratio: float
+) -> MotionError:
     """The difference to a companion whose steps are about `ratio` times as long behind its first part, and START_FINER
     times shorter in it; not where inputs, events or other independent coordinates would have to go along.
 
@@ -409,17 +413,17 @@ def compared_behind_start(run: Run, comparison_times: ComparisonTimes, seen: np.
     if problem.model.description.events or problem.inputs or len(run.record.segments) > 1 or not len(at):
         return MotionError(reason="it cannot be begun with other steps")
     fine = stepped_by(problem, plan, plan.grid.dt_L / START_FINER, first * START_FINER, 1 / START_FINER)
-    start = begun(problem, fine, None, quiet=True, like=run)
+    start = start_run(problem, fine, None, quiet=True, like=run)
     status = start.integrate()
     if status.name == "interrupted":
         raise KeyboardInterrupt
     if not status.ok:
         return MotionError(reason=f"with steps of {start.segment.plan.grid.dt_L:.3g} s it ends as {status.name}")
-    there = start.seen()
+    there = start.sampled_solution()
     later = replace(problem, t0=plan.time(first), state=ConsistentState(there.q[-1], there.q_dot[-1], {}))
     beside = ComparisonTimes((at - first) // a * b)
     stepped = stepped_by(later, replace(plan, t0=later.t0), plan.grid.dt_L * a / b, int(beside.at[-1]), ratio)
-    other = begun(later, stepped, beside, quiet=True)
+    other = start_run(later, stepped, beside, quiet=True)
     status = other.integrate()
     if status.name == "interrupted":
         raise KeyboardInterrupt
@@ -427,9 +431,12 @@ def compared_behind_start(run: Run, comparison_times: ComparisonTimes, seen: np.
     if not status.ok or not both.any():
         return MotionError(reason=f"with longer steps behind its start it ends as {status.name}")
     model = problem.model
-    (mine, v), (theirs, other_v) = comparison_times.told(model, at[both]), beside.told(model, beside.at[both])
-    sizes = amplitudes(model, np.concatenate([theirs, seen[0]]))
-    return motion_error(model, plan.times(at[both]), mine, theirs, sizes, (v, other_v), seen[1])
+    (mine, v), (theirs, other_v) = (
+        comparison_times.compared_motion(model, at[both]),
+        beside.compared_motion(model, beside.at[both]),
+    )
+    sizes = amplitudes(model, np.concatenate([theirs, sampled[0]]))
+    return motion_error(model, plan.times(at[both]), mine, theirs, sizes, (v, other_v), sampled[1])
 
 
 def loads_missed(run: Run) -> list[Event]:

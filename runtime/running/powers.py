@@ -65,13 +65,13 @@ def _powers(segment: SteppedModel) -> np.ndarray:
     """(N, 4) of the changes of a segment."""
     scheme, model, changes = segment.plan.scheme, segment.model, segment.changes
     z, c = np.array([one.z for one in changes]), np.array([one.c for one in changes])
-    seen = evaluate(scheme.observer, {"z": z}, c)
+    observed = evaluate(scheme.observer, {"z": z}, c)
     n = model.signals.size
     constants = np.tile(segment.c[: model.c_size], (len(z), 1))
     if n:
         constants[:, -n:] = z[:, scheme.layout.slice("inputs")]
     function = model.derived("power and its rate", lambda: _power(model))
-    beside = np.maximum(BESIDE * segment.plan.grid.dt_L, LEAST_BESIDE * (1 + np.abs(seen["t"])))
+    beside = np.maximum(BESIDE * segment.plan.grid.dt_L, LEAST_BESIDE * (1 + np.abs(observed["t"])))
     sides = []
     for push, w, shift in (
         (0.0, None, -beside),
@@ -79,7 +79,7 @@ def _powers(segment: SteppedModel) -> np.ndarray:
     ):
         if w is not None and n:
             constants = np.hstack([constants[:, :-n], w])
-        at = {"q_i": seen["q_i"], "q_d": seen["q_d"], "q_i_dot": seen["q_i_dot"] + push, "t": seen["t"]}
+        at = {"q_i": observed["q_i"], "q_d": observed["q_d"], "q_i_dot": observed["q_i_dot"] + push, "t": observed["t"]}
         slopes = evaluate(function, at, constants)
         rates = {
             "q_i": at["q_i_dot"],
@@ -108,12 +108,12 @@ def _power(model: EmittedModel) -> ca.Function:
     rates = ca.SX(0, 1)
     if n_d:
         rates = model.evaluate("velocities", q_i=q_i, q_d=q_d, q_i_dot=v, t=t, c=c)["q_d_dot"]
-    told = [ca.vertcat(P, rate), rates, a]
-    told = [ca.densify(ca.substitute(one, v_d, rates) if n_d else one) for one in told]
+    evaluated = [ca.vertcat(P, rate), rates, a]
+    evaluated = [ca.densify(ca.substitute(one, v_d, rates) if n_d else one) for one in evaluated]
     return ca.Function(
         "power",
         [q_i, q_d, v, t, c],
-        shared(told),
+        shared(evaluated),
         ["q_i", "q_d", "q_i_dot", "t", "c"],
         ["power", "q_d_dot", "q_i_ddot"],
     )

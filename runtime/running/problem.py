@@ -24,7 +24,7 @@ from runtime.schemes.options import LARGEST_TOLERANCE, Grid, SchemeError
 from runtime.schemes.scheme import Scheme
 from runtime.start.start_state import start_state
 
-SEEN_AT_LEAST = 100  # samples of a motion whose spacing is the scene's
+LEAST_SAMPLES = 100  # samples of a motion whose spacing is the scene's
 SAME_TIME = 1e-9  # of a time: two that differ by less are one
 ROUNDING = 1e-6  # of an interval: a span is a whole number of them up to this
 
@@ -120,7 +120,7 @@ def seen_every_of(seen_every: Any, samples: Any, t0: float, t_end: float) -> flo
 
 def own_spacing(model: EmittedModel, t0: float, t_end: float) -> float:
     """The scene's time from sample to sample [s], 0 for every step; of a shorter motion such that it is still seen."""
-    return min(float(model.simulation.get("seen_every", 0.0)), (t_end - t0) / SEEN_AT_LEAST)
+    return min(float(model.simulation.get("seen_every", 0.0)), (t_end - t0) / LEAST_SAMPLES)
 
 
 def spacing_of(inputs: Mapping[str, InputValue], t0: float) -> float | None:
@@ -158,7 +158,7 @@ DEFAULT = 1e-3  # of `auto`
 LEAST_TOLERANCE = 1e-13
 MAX_SAMPLES = 10_000_000
 MAX_STEPS = 1e15
-TOLD_APART = 2.0**-49  # dt over a time, at least
+DISTINCT_TIMES = 2.0**-49  # dt over a time, at least
 STEP_ROUNDING = 1e-6  # of a step: t_end / dt is a whole number up to this
 
 
@@ -273,8 +273,8 @@ def checked_plan(
     built = scheme_kind(scheme).build(scheme, model, dt, ratios, options or {})
     grid = built.grid
     t0, end = span_of(model, t0, t_end)
-    seen = own_spacing(model, t0, end) if seen_every is None else seen_every
-    every = max(1, round(seen / grid.dt_L))
+    spacing = own_spacing(model, t0, end) if seen_every is None else seen_every
+    every = max(1, round(spacing / grid.dt_L))
     if grid.dt_L > (end - t0) * (1 + STEP_ROUNDING):
         raise SchemeError(f"dt = {grid.dt_L:g} s is longer than the simulation ({end - t0:g} s); give a smaller step")
     if (end - t0) / grid.dt_L > MAX_STEPS:
@@ -298,7 +298,7 @@ def steps_until(t0: float, end: float, dt: float) -> dict[str, Any]:
 def refuse_alike(t0: float, end: float, dt: float) -> None:
     """Raises SchemeError for times dt apart that are one number [s]."""
     latest = max(abs(t0), abs(end))
-    if dt < TOLD_APART * latest:
+    if dt < DISTINCT_TIMES * latest:
         near = f"times near {latest:g} s that are {dt:g} s apart"
         raise SchemeError(f"{near} cannot be told from each other; begin at t0 = 0")
 

@@ -91,12 +91,12 @@ class Record:
         """At which states are kept."""
         return [int(step) for _, rows in self.samples for step in rows[:, 1]]
 
-    def told(self, model: EmittedModel, steps: Sequence[int] | np.ndarray | None = None) -> np.ndarray:
+    def compared_motion(self, model: EmittedModel, steps: Sequence[int] | np.ndarray | None = None) -> np.ndarray:
         """(2, N, n_told) what tells the motion of a model at these steps, rising (None: all), and its rates."""
         parts = by_segment(self.samples)
         if steps is not None:
             parts = [(k, rows[among(rows[:, 1], np.asarray(steps))]) for k, rows in parts]
-        found = [told_by(self.segments[k], rows, model) for k, rows in parts if len(rows)]
+        found = [compared_motion_of(self.segments[k], rows, model) for k, rows in parts if len(rows)]
         return np.concatenate(found, axis=1) if found else np.zeros((2, 0, len(followed(model)[0])))
 
     def states(self) -> list[tuple[SteppedModel, np.ndarray]]:
@@ -136,18 +136,18 @@ class ComparisonTimes(Record):
         super().__init__([], 1)
         self.at, self.early = np.array(at, dtype=int), np.array(early, dtype=int)
         self._all = np.union1d(self.at, self.early)
-        self._told = np.zeros((2, 0, 0))
+        self._compared = np.zeros((2, 0, 0))
 
     def due(self, steps: np.ndarray) -> np.ndarray:
         """See Record."""
         return among(steps, self._all)
 
-    def told(self, model: EmittedModel, steps: Sequence[int] | np.ndarray | None = None) -> np.ndarray:
+    def compared_motion(self, model: EmittedModel, steps: Sequence[int] | np.ndarray | None = None) -> np.ndarray:
         """See Record; evaluated once."""
         known = np.array(self.steps(), dtype=int)
-        if self._told.shape[1] != len(known) or not len(known):
-            self._told = super().told(model)
-        return self._told if steps is None else self._told.compress(among(known, np.asarray(steps)), axis=1)
+        if self._compared.shape[1] != len(known) or not len(known):
+            self._compared = super().compared_motion(model)
+        return self._compared if steps is None else self._compared.compress(among(known, np.asarray(steps)), axis=1)
 
     def within(self, first: int, last: int) -> list[int]:
         """Steps between two that are at a comparison time, these left out."""
@@ -155,9 +155,11 @@ class ComparisonTimes(Record):
         return [int(step) for step in self._all[low:high]]
 
 
-def told_by(segment: SteppedModel, states: np.ndarray, model: EmittedModel) -> np.ndarray:
+def compared_motion_of(segment: SteppedModel, states: np.ndarray, model: EmittedModel) -> np.ndarray:
     """(2, N, n_told) what tells the motion of a model, and its rates, of states (N, n_z) of a segment with any q_i."""
     scheme, own = segment.plan.scheme, segment.model
-    seen = evaluate(scheme.observer, {"z": states}, scheme.constants(segment.c))
-    motion = whole(own, np.stack([seen["q_i"], seen["q_i_dot"]]), np.stack([seen["q_d"], seen["q_d_dot"]]))
+    observed = evaluate(scheme.observer, {"z": states}, scheme.constants(segment.c))
+    motion = whole(
+        own, np.stack([observed["q_i"], observed["q_i_dot"]]), np.stack([observed["q_d"], observed["q_d_dot"]])
+    )
     return np.ascontiguousarray(motion[..., followed(model)[1]])  # sums of rows round alike, whoever makes them

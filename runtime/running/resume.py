@@ -76,7 +76,9 @@ def resume(
     kept, model = read_checkpoint(path), bound(model, inputs)
     header = kept.header
     kept.check_model(model, path)
-    further = RunOptions(progress=progress, checkpoint=checkpoint or path, checkpoint_every=checkpoint_every).checked()
+    run_options = RunOptions(
+        progress=progress, checkpoint=checkpoint or path, checkpoint_every=checkpoint_every
+    ).checked()
     started = time.perf_counter()
     segments = _segments(model, kept, engine, path)
     segment, z = segments[header["segment"]], kept.z.copy()
@@ -98,7 +100,7 @@ def resume(
         segment,
         z,
         record,
-        further,
+        run_options,
         header["initial_changes"],
         ChunkLength.of(segment.stepper.operations),
         [Event(**event) for event in header["events"]],

@@ -59,7 +59,7 @@ class Run:
     segment: SteppedModel
     z: np.ndarray
     record: Record
-    further: RunOptions
+    run_options: RunOptions
     initial_changes: str
     chunk_length: ChunkLength
     events: list[Event] = field(default_factory=list)
@@ -94,7 +94,7 @@ class Run:
             self._event_handler = EventHandler(self.segment)
         return self._event_handler
 
-    def seen(self) -> Solution:
+    def sampled_solution(self) -> Solution:
         """What was kept, with the state that it has come to."""
         return self.record.solution((self.record.segments.index(self.segment), self.segment.state(self.z)))
 
@@ -118,7 +118,7 @@ class Run:
 
     def start(self, schedule: Schedule, like: Monitor | None = None) -> None:
         """Settle what sticks at the first state, look at it, and keep it. like: who has looked at the same start."""
-        self.settle(told=False)
+        self.settle(reported=False)
         with self.record.closed_on_error():
             self.status = self.status or self.segment.monitor.first(self.segment.state(self.z), like)
             self.record.add(self.segment, self.z[None])
@@ -127,7 +127,7 @@ class Run:
     def follow(self, schedule: Schedule) -> None:
         """Take inputs from a schedule. Raises SchemeError for a checkpoint that cannot keep a controller's memory."""
         for controller in schedule.controllers:
-            if controller.memory is None and self.further.checkpoint is not None:
+            if controller.memory is None and self.run_options.checkpoint is not None:
                 raise SchemeError(
                     "checkpoint",
                     f"what the controller of {controller.name!r} remembers cannot be kept",
@@ -167,7 +167,7 @@ class Run:
         """
         clock = time.perf_counter()
         chunk = Chunk(self.next_chunk(), self.z.copy(), self.segment.monitor.memory())
-        seen = self.segment.run_and_save(self.z, self.to_be_seen(chunk.steps))
+        seen = self.segment.run_and_save(self.z, self.steps_to_sample(chunk.steps))
         rows: np.ndarray | None = seen
         at, near_singular = self.segment.first_event(self.z), self.near_singular()
         if at is not None and not near_singular:  # a singular position comes first
@@ -221,9 +221,9 @@ class Run:
         """Take over another segment, the states on the way, and what is told of them."""
         handler, event = self.event_handler, found.event
         if event is not None and (event.kind != "no_variant" or not any(event.text == one.text for one in self.events)):
-            handler.told.append(event)  # said once
-        self.events += sorted(handler.told, key=lambda event: event.time)
-        handler.told.clear()
+            handler.reported.append(event)  # said once
+        self.events += sorted(handler.reported, key=lambda event: event.time)
+        handler.reported.clear()
         if found.drop_from is not None:
             self.record.drop_from(found.drop_from)
             if self.comparison_times is not None:
@@ -287,14 +287,14 @@ class Run:
             self.segment.look_anew(self.z)
             self.settle()
 
-    def settle(self, told: bool = True) -> None:
+    def settle(self, reported: bool = True) -> None:
         """Decide which elements stick from here on, if there are any."""
         if not self.segment.model.element_modes.size:
             return
         self._hold(self.event_handler.settle(self.z))
-        if not told:
+        if not reported:
             self.segment.impulses.clear()  # the first sample shows what is after them
-        self._tell(told)
+        self._report(reported)
         self.status = self.status or self.event_handler.status
 
     def to_event(self, at: int, before: np.ndarray, rows: np.ndarray) -> np.ndarray | None:
@@ -307,10 +307,10 @@ class Run:
             return None if self._ends_at_event(rows) else np.vstack([rows[:-1], self.z])
         self.chunk_length.steps, self.z = 1, before.copy()
         if at > first:
-            return self.segment.run_and_save(self.z, self.to_be_seen(at - first))
+            return self.segment.run_and_save(self.z, self.steps_to_sample(at - first))
         self.segment.forget_determinants(self.z)
         w = handler.step(self.z)
-        if not handler.told and handler.status is None:
+        if not handler.reported and handler.status is None:
             return self.z[None]
         self._event_has_happened(w)
         return None
@@ -322,7 +322,7 @@ class Run:
             return False
         self.chunk_length.steps = 1
         self.keep(rows[:-1])
-        while self.step < self.plan.steps and self._next_seen() <= scheme.reached(self.z):
+        while self.step < self.plan.steps and self._next_sample() <= scheme.reached(self.z):
             if scheme.hit_min_step(self.z):  # the check of the least step tells
                 break
             self.segment.run(self.z, 1)
@@ -331,13 +331,13 @@ class Run:
             self._event_has_happened(self.event_handler.happen(self.z, happened))
         return True
 
-    def _next_seen(self) -> float:
+    def _next_sample(self) -> float:
         """Time of the next state that is seen [s]."""
-        return min(self.plan.scheme.next_seen(self.z, self.plan.grid.dt_L), self.plan.t_end)
+        return min(self.plan.scheme.next_sample(self.z, self.plan.grid.dt_L), self.plan.t_end)
 
     def _event_has_happened(self, w: np.ndarray | None) -> None:
         """w (n_w,): the inputs where they have changed."""
-        self._tell()
+        self._report()
         self._hold(w)
         self.earlier = None
         self.note_impulses()
@@ -347,9 +347,9 @@ class Run:
         """Tell those of prescribed motions until here."""
         self._notes.note(self.segment, self.step, self.events)
 
-    def _tell(self, told: bool = True) -> None:
-        self.events += [event for event in self.event_handler.told if told or event.kind != "mode"]
-        self.event_handler.told.clear()
+    def _report(self, reported: bool = True) -> None:
+        self.events += [event for event in self.event_handler.reported if reported or event.kind != "mode"]
+        self.event_handler.reported.clear()
 
     def _hold(self, w: np.ndarray | None) -> None:
         """From now on all segments have these inputs (n_w,)."""
@@ -361,7 +361,7 @@ class Run:
 
     def next_chunk(self) -> int:
         """How many steps the next native call makes: up to the next thing that anybody wants to see."""
-        done, every = self.step, self.further.checkpoint_every
+        done, every = self.step, self.run_options.checkpoint_every
         n = min(self.chunk_length.next_steps(done, self.plan.seen_steps), self.plan.steps - done)
         if self.comparison_times is not None and self.chunk_length.slow(done):  # no state is kept on the way then
             n = min([n, *(mark - done for mark in self.comparison_times.within(done, done + n))])
@@ -369,7 +369,7 @@ class Run:
             n = min(n, self.schedule.until_next(done) or n)
         return n if every is None else min(n, every - done % every)
 
-    def to_be_seen(self, n: int) -> list[int]:
+    def steps_to_sample(self, n: int) -> list[int]:
         """Steps within the next n that are saved or at comparison times, and the last of these."""
         done, every = self.step, self.plan.seen_steps
         comparison_times = [] if self.comparison_times is None else self.comparison_times.within(done, done + n)
@@ -386,33 +386,33 @@ class Run:
 
     def report(self) -> None:
         """A checkpoint where one is due, and progress."""
-        if self.further.checkpoint is not None and self.status is None and self.step < self.plan.steps:
-            every = self.further.checkpoint_every
+        if self.run_options.checkpoint is not None and self.status is None and self.step < self.plan.steps:
+            every = self.run_options.checkpoint_every
             if self.step % every == 0 if every is not None else time.monotonic() - self.written > CHECKPOINT_SECONDS:
                 self.write_checkpoint()
-        if callable(self.further.progress):
-            self.further.progress(self.plan.time(self.step), self.plan.t_end)
+        if callable(self.run_options.progress):
+            self.run_options.progress(self.plan.time(self.step), self.plan.t_end)
 
     def write_checkpoint(self) -> None:
         """Where one is wanted. Raises OutputError where a stream takes no more."""
-        if self.further.checkpoint is None:
+        if self.run_options.checkpoint is None:
             return
         self.record.flush()
         try:
             from runtime.running.checkpoint import checkpoint_of
 
-            checkpoint_of(self).write(self.further.checkpoint)
+            checkpoint_of(self).write(self.run_options.checkpoint)
         except OutputError as error:  # what is in memory is worth more than its copy on the disk
             if not any(event.kind == "checkpoint_failed" for event in self.events):
                 self.events.append(Event(self.plan.time(self.step), "checkpoint_failed", str(error)))
         self.written = time.monotonic()
 
 
-def begun(
+def start_run(
     problem: Problem,
     plan: Plan,
     comparison_times: ComparisonTimes | None,
-    further: RunOptions | None = None,
+    run_options: RunOptions | None = None,
     quiet: bool = False,
     like: Run | None = None,
 ) -> Run:
@@ -423,7 +423,7 @@ def begun(
     Raises ModelError, OutputError or CompilerError.
     """
     started = time.perf_counter()
-    state, further = problem.state, (further or RunOptions()).checked()
+    state, run_options = problem.state, (run_options or RunOptions()).checked()
     segment = SteppedModel.of_run(problem.model, plan, problem.p, problem.engine, state)
     events = start_events(state, plan.t0)
     if not quiet:
@@ -431,7 +431,7 @@ def begun(
     z = segment.start(state.q, state.q_dot)
     rest_until(plan.scheme, z, problem.quiet)
     changes = ", ".join(f"{key}: {a:.9g} -> {b:.9g}" for key, (a, b) in state.changed.items() if _differ(a, b))
-    record = record_of(segment, z, further.stream, keep_rows=further.bounded)
+    record = record_of(segment, z, run_options.stream, keep_rows=run_options.bounded)
     chunk_length = ChunkLength.of(segment.stepper.operations)
     singularity = SingularityMonitor.of(len(segment.determinants(z)[0]))
     run = Run(
@@ -439,7 +439,7 @@ def begun(
         segment,
         z,
         record,
-        further,
+        run_options,
         changes or "none",
         chunk_length,
         events,

@@ -28,14 +28,14 @@ from runtime.running.problem import (
     span_of,
     tolerance_of,
 )
-from runtime.running.run import begun
+from runtime.running.run import start_run
 from runtime.running.run_options import Progress, RunOptions
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 from runtime.solutions.solution import Solution
 
 MEASURED, OFF = "measured", "off"  # what `error` may be
-SEEN = 1000  # samples of steps that follow their own error, where nothing is said
+DEFAULT_SAMPLES = 1000  # samples of steps that follow their own error, where nothing is said
 GLOBAL, LOCAL = "motion", "step"  # what a tolerance may be of
 
 __all__ = ["simulate"]
@@ -162,12 +162,12 @@ def simulate(
         raise SchemeError(f"error must be {MEASURED} or {OFF}, not {error!r}")
     if checkpoint_every is not None and checkpoint_every < 1:
         raise ArgumentError("checkpoint_every", f"cannot be {checkpoint_every}", "give a number of steps from 1 on")
-    further = RunOptions(progress, force, outputs, stream, checkpoint, checkpoint_every)
+    run_options = RunOptions(progress, force, outputs, stream, checkpoint, checkpoint_every)
     model = bound(model, inputs)
     begin, end = span_of(model, t0, t_end)
-    seen = seen_every_of(seen_every, samples, begin, end)
+    spacing = seen_every_of(seen_every, samples, begin, end)
     if not model.q_i:
-        return _driven(model, begin, end, dt, parameters, initial, seen, further, inputs)
+        return _driven(model, begin, end, dt, parameters, initial, spacing, run_options, inputs)
     asked = tolerance_of(model, scheme, tolerance, dt)
     if asked is not None and dt is not None:
         raise SchemeError(
@@ -175,8 +175,8 @@ def simulate(
             "is the step, which a tolerance chooses",
             "leave dt out (seen_every spaces the samples), or name a scheme",
         )
-    if asked is not None and seen is None and scheme is None and tolerance is None:
-        seen = own_spacing(model, begin, end)
+    if asked is not None and spacing is None and scheme is None and tolerance is None:
+        spacing = own_spacing(model, begin, end)
     wanted = scheme or (AUTO if tolerance is not None else str(model.simulation["scheme"]))
     if wanted == AUTO and (m is not None or options):
         raise SchemeError("auto chooses m and options itself; leave them out, or name a scheme")
@@ -189,15 +189,15 @@ def simulate(
         chosen = {name: value for name, value in (options or {}).items() if name != "error_of"}
         from runtime.running.step_refinement import by_step_refinement
 
-        return by_step_refinement(problem, asked, wanted, m, chosen, seen or None, further)
+        return by_step_refinement(problem, asked, wanted, m, chosen, spacing or None, run_options)
     if local and asked is not None:
         options = {**(options or {}), "tolerance": asked}
-        seen = seen if seen is not None else own_spacing(model, begin, end)
-        dt = seen = _seen_steps(begin, end, seen, spacing_of(inputs or {}, t0))
-    plan = make_plan(model, end, dt, m, wanted, seen, options, begin, further.bounded)
+        spacing = spacing if spacing is not None else own_spacing(model, begin, end)
+        dt = spacing = _sampling_step(begin, end, spacing, spacing_of(inputs or {}, t0))
+    plan = make_plan(model, end, dt, m, wanted, spacing, options, begin, run_options.bounded)
     plan = replace(plan, force=force, outputs=tuple(outputs or ()))
     problem = Problem.of(model, end, parameters, initial, start, begin, inputs, engine, plan.grid.dt_L)
-    run = begun(problem, plan, comparison_times_of(problem, plan) if error == MEASURED else None, further)
+    run = start_run(problem, plan, comparison_times_of(problem, plan) if error == MEASURED else None, run_options)
     return finished(run, MotionError(reason=NOT_ASKED) if error == OFF else None)
 
 
@@ -220,16 +220,16 @@ def _made_once(problem: Problem, wanted: str) -> str:
     )
 
 
-def _seen_steps(begin: float, end: float, seen: float | None, sampled: float | None) -> float:
+def _sampling_step(begin: float, end: float, asked: float | None, sampled: float | None) -> float:
     """Time from sample to sample [s] of steps whose length follows from their own error; a whole number of it in all.
 
     sampled: time from sample to sample of the inputs [s], if they have one.
     """
-    spacing = seen or (end - begin) / SEEN
+    spacing = asked or (end - begin) / DEFAULT_SAMPLES
     if not 0 < spacing <= end - begin:
-        raise SchemeError(f"seen_every must be a time within the motion, not {seen!r}")
+        raise SchemeError(f"seen_every must be a time within the motion, not {asked!r}")
     if sampled is not None:
-        return common_time(sampled, spacing) if seen else sampled / max(1, round(sampled / spacing))
+        return common_time(sampled, spacing) if asked else sampled / max(1, round(sampled / spacing))
     return (end - begin) / max(1, round(float(np.ceil((end - begin) / spacing - 1e-6))))
 
 
@@ -240,20 +240,20 @@ def _driven(
     dt: float | None,
     parameters: Mapping[str, float] | None,
     initial: Initial,
-    seen: float | None,
-    further: RunOptions,
+    spacing: float | None,
+    run_options: RunOptions,
     inputs: Mapping[str, InputValue] | None,
 ) -> Solution:
     """The motion of a model in which every coordinate is driven: nothing is stepped, whatever the scheme."""
     refuse_events(model, "a motion in which every coordinate is driven")
-    if further.bounded or further.checkpoint is not None:
+    if run_options.bounded or run_options.checkpoint is not None:
         raise SchemeError(
             "outputs, stream, checkpoint",
             f"belong to runs that step, and every coordinate of model {model.name} is driven",
             "leave them out",
         )
     settings = model.simulation
-    step = seen or (own_spacing(model, begin, end) or settings["dt"] if dt is None else dt)
+    step = spacing or (own_spacing(model, begin, end) or settings["dt"] if dt is None else dt)
     if isinstance(step, bool) or not isinstance(step, int | float | np.number) or not 0 < step < np.inf:
         raise SchemeError(f"dt must be a positive number of seconds, not {step!r}")
     schedule = scheduled(model, inputs, begin, float(step))

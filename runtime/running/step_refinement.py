@@ -49,7 +49,7 @@ from runtime.running.problem import (
     refuse_alike,
 )
 from runtime.running.record import ComparisonTimes, among
-from runtime.running.run import Run, begun
+from runtime.running.run import Run, start_run
 from runtime.running.run_options import RunOptions
 from runtime.running.time_functions import OfTime, force_of_time
 from runtime.running.turns import frequency_at_start, frequency_at_states
@@ -68,7 +68,7 @@ MOST_FINER = 10.0  # the same, where its steps turned a loop too far
 MOST_CHATTERING = 5000  # steps of a level that crosses a kink at nearly every one
 SHOWN = 0.8  # of the order of a method: where three levels show that much, the error is half of the difference
 BISECTIONS = 40  # of the order that is shown
-SEEN = 1000  # samples of a level that is kept
+SAMPLES = 1000  # samples of a level that is kept
 MOST_STEPS = 10**8
 MOST_OPERATIONS = 10**12  # of all levels: some minutes
 MOST_RESOLVING = 10**10  # operations of a level that resolves the fastest mode: seconds
@@ -116,8 +116,8 @@ class RefinementLevel:
     """A whole motion in so many steps.
 
     seconds: of CPU from its start to its end. differs: from the level before, relative to the amplitudes, NaN where
-    there is none; error: what is taken for its error, on the safe side; told: what is most likely, by Richardson's
-    extrapolation where the order shows.
+    there is none; error: what is taken for its error, on the safe side; compared_motion: what is most likely, by
+    Richardson's extrapolation where the order shows.
     """
 
     steps: int
@@ -127,7 +127,7 @@ class RefinementLevel:
     seconds: float = 0.0
     differs: float = np.nan
     error: float = np.nan
-    told: MotionError = field(default_factory=lambda: MotionError(reason="there is no rung before it"))
+    estimated: MotionError = field(default_factory=lambda: MotionError(reason="there is no rung before it"))
 
     @cached_property
     def reached(self) -> np.ndarray:
@@ -137,14 +137,14 @@ class RefinementLevel:
         )
 
     @cached_property
-    def seen(self) -> np.ndarray:
+    def compared(self) -> np.ndarray:
         """(2, N, n_told) what tells the motion and its rates there."""
-        return self.comparison_times.told(self.run.problem.model, self.reached)
+        return self.comparison_times.compared_motion(self.run.problem.model, self.reached)
 
     @cached_property
     def sampled(self) -> np.ndarray:
         """(2, N, n_told) the same at its samples, which may be in phase with a vibration, and there."""
-        return np.concatenate([self.run.record.told(self.run.problem.model), self.seen], axis=1)
+        return np.concatenate([self.run.record.compared_motion(self.run.problem.model), self.compared], axis=1)
 
     @property
     def lost(self) -> bool:
@@ -159,14 +159,14 @@ def by_step_refinement(
     m: list[int] | None,
     options: Mapping[str, Any],
     spacing: float | None,
-    further: RunOptions,
+    run_options: RunOptions,
 ) -> Solution:
     """The motion to a tolerance, as the last level of a refinement. spacing [s]: of the samples; None: as the steps
     are.
 
     Raises what `simulate` raises.
     """
-    refinement = StepRefinement(problem, tolerance, spacing, further)
+    refinement = StepRefinement(problem, tolerance, spacing, run_options)
     if scheme == AUTO:
         method, _ = chosen_method(problem)
     else:
@@ -191,7 +191,7 @@ class StepRefinement:
     problem: Problem
     tolerance: float
     spacing: float | None = None
-    further: RunOptions = field(default_factory=RunOptions)
+    run_options: RunOptions = field(default_factory=RunOptions)
     graded: Sequence[str] = ()
 
     def __post_init__(self) -> None:
@@ -211,7 +211,7 @@ class StepRefinement:
 
     def plan(self, method: Method, steps: int, known: Plan | None = None) -> Plan:
         """So many steps of the method over the motion; known: a plan of its with other steps."""
-        every = ceil(steps / SEEN) if self.spacing is None else max(1, round(self.spacing * steps / self.span))
+        every = ceil(steps / SAMPLES) if self.spacing is None else max(1, round(self.spacing * steps / self.span))
         if steps / every > MAX_SAMPLES:
             raise SchemeError(f"{steps // every:.3g} samples are too many; give a longer time between them")
         if known is not None:
@@ -223,7 +223,7 @@ class StepRefinement:
         plan = checked_plan(
             model, t0 + self.span, self.span / steps, m, method.scheme, 0.0, method.options, t0, bounded=True
         )
-        plan = replace(plan, seen_steps=every, force=True, refined=True, outputs=tuple(self.further.outputs or ()))
+        plan = replace(plan, seen_steps=every, force=True, refined=True, outputs=tuple(self.run_options.outputs or ()))
         return plan.until(self.problem.t_end)
 
     def refine(self, method: Method) -> Iterator[RefinementLevel]:
@@ -233,7 +233,7 @@ class StepRefinement:
             self._units(frequency_at_start(self.problem.model, self.problem.state)),
         )
         count, levels, spent = refined(0, least), list[RefinementLevel](), 0.0
-        seen, common = 0, shared(count)
+        compared, common = 0, shared(count)
         plan = None
         while True:
             plan = self.plan(method, count * self.unit, plan)
@@ -243,19 +243,21 @@ class StepRefinement:
                 self.judge(levels, level, order)
                 if plan.scheme.damps and level.error <= self.tolerance:  # levels that have lost a vibration agree
                     try:
-                        level.told = with_what_is_damped(level.run, level.comparison_times, level.sampled, level.told)
+                        level.estimated = with_what_is_damped(
+                            level.run, level.comparison_times, level.sampled, level.estimated
+                        )
                     except KeyboardInterrupt:
-                        level.told = MotionError(reason="stopped by the user while it was measured")
+                        level.estimated = MotionError(reason="stopped by the user while it was measured")
                         yield level
                         return
-                    level.error = max(level.error, self._asked(level.told))
+                    level.error = max(level.error, self._asked(level.estimated))
             levels.append(level)
             yield level
             spent += plan.steps * level.run.segment.stepper.operations
             if len(levels) == 1:
-                seen = self._sampling_the_way(level)
+                compared = self._sampling_the_way(level)
             following = self.next_count(levels, order)
-            following = following if following is None else max(following, seen)
+            following = following if following is None else max(following, compared)
             if (turned := min(self._turned_by(level), ceil(MOST_FINER * count))) > count:  # it tells nothing yet
                 following = max(following or 0, turned)
             following = following if following is None else refined(count, following)
@@ -266,7 +268,7 @@ class StepRefinement:
     def first(self, method: Method) -> int:
         """Steps of a first level: such as see what loads do, within the stability limit at the start."""
         scheme = self.plan(method, FIRST).scheme
-        return max(_seen_loads(self.problem), _stable_steps(scheme, slopes_at_start(self.problem), self.span))
+        return max(_steps_for_loads(self.problem), _stable_steps(scheme, slopes_at_start(self.problem), self.span))
 
     def _sampling_the_way(self, level: RefinementLevel) -> int:
         """Steps, in units, that see what acts on a short part of the way that a level took."""
@@ -298,8 +300,8 @@ class StepRefinement:
         comparison_times = ComparisonTimes(
             np.unique(np.concatenate(at)), early_steps(whole) if plan.scheme.damps else ()
         )
-        further = RunOptions(progress=self.further.progress)
-        run = begun(self.problem, replace(plan, outputs=()), comparison_times, further, quiet=True, like=like)
+        run_options = RunOptions(progress=self.run_options.progress)
+        run = start_run(self.problem, replace(plan, outputs=()), comparison_times, run_options, quiet=True, like=like)
         began = time.process_time()
         status = run.integrate()
         return RefinementLevel(steps, run, comparison_times, status, time.process_time() - began)
@@ -316,19 +318,19 @@ class StepRefinement:
         if not len(common):
             return
         model, plan = self.problem.model, level.run.plan
-        q, v = level.seen.compress(among(level.reached, common * every), axis=1)
-        other_q, other_v = last.seen.compress(among(last.reached, common * others), axis=1)
+        q, v = level.compared.compress(among(level.reached, common * every), axis=1)
+        other_q, other_v = last.compared.compress(among(last.reached, common * others), axis=1)
         sizes = amplitudes(model, np.concatenate([other_q, level.sampled[0]]))
         t = plan.t0 + common * every * plan.grid.dt_L
-        level.told = motion_error(model, t, q, other_q, sizes, (v, other_v), level.sampled[1])
-        level.error = level.differs = self._asked(level.told)
+        level.estimated = motion_error(model, t, q, other_q, sizes, (v, other_v), level.sampled[1])
+        level.error = level.differs = self._asked(level.estimated)
         if len(before) > 1 and 0 < level.error < last.differs:
             ratio = level.steps / last.steps
             shown = shown_order(last.differs, level.differs, last.steps / before[-2].steps, ratio, order)
             if shown > SHOWN * order:
                 richer = max(2.0, ratio**shown - 1)
                 level.error *= min(0.5, RICHARDSON / richer)
-                level.told = level.told.scaled(1 / richer)
+                level.estimated = level.estimated.scaled(1 / richer)
 
     def _asked(self, error: MotionError) -> float:
         """What is compared with the tolerance; of rates, and of what is not graded, a run has to be accurate."""
@@ -393,17 +395,19 @@ class StepRefinement:
     def solution(self, levels: list[RefinementLevel], total: float) -> Solution:
         """What the last whole level is, with its error, and how the refinement ended."""
         whole = [one for one in levels if not one.lost]
-        further, interrupted = self.further, levels[-1].status.name == "interrupted"
-        chance = levels[-1].lost and not interrupted and not (whole and whole[-1].told.measured)
+        run_options, interrupted = self.run_options, levels[-1].status.name == "interrupted"
+        chance = levels[-1].lost and not interrupted and not (whole and whole[-1].estimated.measured)
         if not whole or chance:  # a motion that coarse steps alone bring to its end is none
             levels[-1].run.events += loads_missed(levels[-1].run)
-            return finished(levels[-1].run, levels[-1].told)
+            return finished(levels[-1].run, levels[-1].estimated)
         answer = whole[-1]
         error = _doubted(answer, levels)
         run = answer.run
-        if further.bounded or (further.checkpoint is not None and not interrupted):  # once more, to keep what it makes
-            plan = replace(run.record.segments[0].plan, outputs=tuple(further.outputs or ()))
-            run = begun(self.problem, plan, comparison_times_of(self.problem, plan), further)
+        if run_options.bounded or (
+            run_options.checkpoint is not None and not interrupted
+        ):  # once more, to keep what it makes
+            plan = replace(run.record.segments[0].plan, outputs=tuple(run_options.outputs or ()))
+            run = start_run(self.problem, plan, comparison_times_of(self.problem, plan), run_options)
         else:
             run.events[:0] = loads_missed(run)
         found = finished(run, error)
@@ -456,15 +460,15 @@ def _stagnant(levels: list[RefinementLevel]) -> bool:
     if not levels:
         return False
     last, before = levels[-1], np.nanmin([inf, *(one.differs for one in levels[-6:-3])])
-    enough = len(levels) >= (SOON if max([last.differs, *last.told.judged.values()]) < LARGEST else LATE)
+    enough = len(levels) >= (SOON if max([last.differs, *last.estimated.judged.values()]) < LARGEST else LATE)
     return enough and not bool(last.differs < STAGNANT * before)
 
 
 def _doubted(answer: RefinementLevel, levels: list[RefinementLevel]) -> MotionError:
     """The error of the answer; where no two levels came to the end, why it is not to be relied on."""
     lost = [one for one in levels if one.lost and one.status.name != "interrupted"]
-    if answer.told.measured or not lost:
-        return replace(answer.told)
+    if answer.estimated.measured or not lost:
+        return replace(answer.estimated)
     first = min((one.status for one in lost), key=lambda status: status.time)
     return MotionError(
         reliable_until=first.time, reason=f"with other steps the motion ends as {first.name} at t = {first.time:.4g} s"
@@ -480,18 +484,18 @@ def chosen_method(problem: Problem) -> tuple[Method, str]:
 
 
 def _chosen(problem: Problem) -> tuple[Method, str]:
-    slopes, seen = slopes_at_start(problem), _seen_loads(problem)
+    slopes, compared = slopes_at_start(problem), _steps_for_loads(problem)
     prices: list[tuple[float, Method]] = []
     evaluation = 0
     for name in (*EXPLICIT, *_exponentials(problem.model)):
-        kind, steps = scheme_kind(name), max(FIRST, seen)
+        kind, steps = scheme_kind(name), max(FIRST, compared)
         if kind.make.limited():
             span = problem.t_end - problem.t0
             scheme = kind.build(name, problem.model, span / FIRST, None, {})
             steps = max(steps, _stable_steps(scheme, slopes, span))
             evaluation = evaluation or evaluation_operations(scheme)
         method = Method(name, first=steps)
-        if name == EXPLICIT[0] and steps <= max(FIRST, seen):
+        if name == EXPLICIT[0] and steps <= max(FIRST, compared):
             return method, f"{name}: the motion is not stiff"
         prices.append((steps * HANDICAP.get(name, 1) * _price(name, evaluation, len(problem.model.q_i)), method))
     price, best = min(prices, key=lambda one: one[0])
@@ -534,7 +538,7 @@ def _stable_steps(scheme: Scheme, slopes: tuple[np.ndarray, np.ndarray] | None, 
     return max(FIRST, ceil(span / (SAFETY * limit.h * sub_steps)))
 
 
-def _seen_loads(problem: Problem) -> int:
+def _steps_for_loads(problem: Problem) -> int:
     c = problem.model.constants(problem.p)
     return steps_that_see_loads(problem.model, c, problem.state, problem.t0, problem.t_end)
 
@@ -595,7 +599,7 @@ def _moved_by_loads(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(times of ends of steps, what each force alone moves until then, forces that were seen), (n_i, .) each."""
     span = legs[-1][1] - legs[0][0]
-    times, rises, moves, seen = [np.array([legs[0][0]])], [], [], []
+    times, rises, moves, compared = [np.array([legs[0][0]])], [], [], []
     for begin, end in legs:
         count = max(1, round(steps * (end - begin) / span))
         t = np.linspace(begin, end, 2 * count + 1)
@@ -604,9 +608,9 @@ def _moved_by_loads(
         rises.append(h / 6 * (first + 4 * middle + last))
         moves.append(h * h / 6 * (first + 2 * middle))
         times.append(t[2::2])
-        seen.append(forces)
+        compared.append(forces)
     ends, rise, move = np.concatenate(times), np.concatenate(rises, axis=1), np.concatenate(moves, axis=1)
     none = np.zeros((len(rise), 1))
     rate = np.concatenate([none, np.cumsum(rise, axis=1)], axis=1)
     place = np.cumsum(rate[:, :-1] * np.diff(ends) + move, axis=1)
-    return ends, np.concatenate([none, place], axis=1), np.concatenate(seen, axis=1)
+    return ends, np.concatenate([none, place], axis=1), np.concatenate(compared, axis=1)

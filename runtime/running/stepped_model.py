@@ -35,7 +35,7 @@ class SteppedModel:
     """model, plan and compiled stepper; p (n_p,), c (c_size,) and `ready`, what the compiled program reads.
 
     The arrays stay where they are and change in place: compiled code that was bound to them sees it. States z (flat)
-    belong to whoever steps. begun: where a run starts; None: as the model does. switches: times at which loads or
+    belong to whoever steps. start_state: where a run starts; None: as the model does. switches: times at which loads or
     motions jump or kink, where they were looked for; broken: who steps across them. given: impulses of steps of a
     tolerance so far, by time. changes: of inputs and rates so far, see powers.py.
     """
@@ -46,7 +46,7 @@ class SteppedModel:
     p: np.ndarray
     c: np.ndarray
     ready: np.ndarray
-    begun: ConsistentState | None = None
+    start_state: ConsistentState | None = None
     given: dict[float, Impulse] = field(default_factory=dict)
     switches: list[SwitchTime] = field(default_factory=list, init=False)
     broken: Any = field(default=None, init=False)
@@ -61,11 +61,11 @@ class SteppedModel:
 
     @classmethod
     def of_run(
-        cls, model: EmittedModel, plan: Plan, p: np.ndarray, engine: str, begun: ConsistentState | None = None
+        cls, model: EmittedModel, plan: Plan, p: np.ndarray, engine: str, start_state: ConsistentState | None = None
     ) -> SteppedModel:
         """With stops found over the time of the plan. Raises what `prepared` does."""
         found = cls.prepared(model, plan, p, engine)
-        found.begun = begun or ConsistentState(model.initial_q, model.initial_q_dot, {})
+        found.start_state = start_state or ConsistentState(model.initial_q, model.initial_q_dot, {})
         found.find_switches(plan.t0, plan.t_end)
         return found
 
@@ -142,11 +142,11 @@ class SteppedModel:
     def find_switches(self, t0: float, t_end: float) -> None:
         """Look where something jumps on the grid of steps from t0 on, for the inputs as they are. Raises ModelError."""
         scheme, length = self.plan.scheme, self.plan.grid.dt_L
-        if self.begun is None:
+        if self.start_state is None:
             self.switches = switching_times(self.model, self.c, t0, t_end)
         else:  # of a run: places within short pulses of loads, too
             step = np.inf if scheme.adaptive else self.plan.grid.h[-1]
-            self.switches = all_stops(self.model, self.c, t0, t_end, self.begun, step)
+            self.switches = all_stops(self.model, self.c, t0, t_end, self.start_state, step)
         self.broken = None
         end = self.plan.end
         broken = self.switches or self.watches_events or end is not None
@@ -233,7 +233,7 @@ class SteppedModel:
         Fewer where steps cannot be made whole. Ctrl-C leaves z where it began, so that no saved state is missing.
         """
         self.forget_determinants(z)
-        counts, begun = np.diff([int(z[1]), *ends]).astype(np.int64), z.copy()
+        counts, start_state = np.diff([int(z[1]), *ends]).astype(np.int64), z.copy()
         rows = np.empty((len(counts), len(z)))
         try:
             whole = self.broken is None or self.broken.is_whole(z, int(ends[-1]))
@@ -247,7 +247,7 @@ class SteppedModel:
                     return rows[: k + 1]
             return rows
         except KeyboardInterrupt:
-            z[:] = begun
+            z[:] = start_state
             raise
 
     @property

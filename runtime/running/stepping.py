@@ -301,8 +301,8 @@ class ModelStepper:
     @property
     def events(self) -> list[Event]:
         """Events of the model since `reset`, in order."""
-        told = [] if self._across is None else self._across.event_handler.told
-        return sorted((event for event in told if event.kind != "kink"), key=lambda event: event.time)
+        reported = [] if self._across is None else self._across.event_handler.reported
+        return sorted((event for event in reported if event.kind != "kink"), key=lambda event: event.time)
 
     @property
     def ended(self) -> Status | None:
@@ -479,12 +479,12 @@ class UnendingSteps:
         self._z[0] = t0 + (grid.clock(step) - grid.time(step))
         self._own.begin_events(self._z)
         self.event_handler.settle(self._z)
-        self.event_handler.told.clear()
+        self.event_handler.reported.clear()
 
     def go_back(self, t0: float, events: Sequence[Event], ended: Status | None) -> None:
         """To a grid that began there [s], and what had happened on it."""
         self.t0, self.event_handler = t0, EventHandler(self._own)
-        self.event_handler.told, self.event_handler.status = list(events), ended
+        self.event_handler.reported, self.event_handler.status = list(events), ended
         self.forget()
 
     def look_anew(self) -> None:
@@ -525,6 +525,6 @@ class UnendingSteps:
         ends = self.t0 + self._first * h, self.t0 + (self._first + JUMP_SEARCH_STEPS) * h
         found = switching_times(own.model, c, *ends) if self._jumps else []
         if found and moves_in_time(own.model):
-            seen = own.observed([own.state(self._z)])
-            refuse_position_jumps(own.model, c, ConsistentState(seen.q[0], seen.q_dot[0], {}), found, *ends)
+            observed = own.observed([own.state(self._z)])
+            refuse_position_jumps(own.model, c, ConsistentState(observed.q[0], observed.q_dot[0], {}), found, *ends)
         own.broken = StepsWithStops(own.stepper, self.t0, h, found, c)

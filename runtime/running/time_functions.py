@@ -30,7 +30,7 @@ INSIDE = 8  # points a step, where there are not too many steps
 MOST_POINTS = 200_000
 MISSED, DRIFT = 0.02, 0.1  # of the whole impulse of a load: in a step, and summed up
 JUMP = 1e-6  # of the largest position or velocity of the prescribed motions
-SEEN, DUST = 200, 1e-12  # looks at the range of a motion; m or rad, and their rates
+RANGE_SAMPLES, DUST = 200, 1e-12  # looks at the range of a motion; m or rad, and their rates
 CANDIDATES, HALVINGS = 8, 60
 TURNED, RATES = (0.2, 0.4), (1.0, 1.5)  # rad or m, and their rates, from the first coordinate to the last
 LARGEST_LOAD = 1e290  # N or N m: its work overflows
@@ -71,7 +71,7 @@ def refuse_position_jumps(
     if function is None:
         return
     sides = np.array([[one.before, one.after] for one in switches]).ravel()
-    values = function(np.concatenate([sides, np.linspace(t0, t_end, SEEN)]))
+    values = function(np.concatenate([sides, np.linspace(t0, t_end, RANGE_SAMPLES)]))
     jumps = np.abs(values[:, 1 : len(sides) : 2] - values[:, 0 : len(sides) : 2])
     allowed = JUMP * np.ptp(values, axis=1) + DUST
     row, k = divmod(int((jumps - allowed[:, None]).argmax()), len(switches))
@@ -268,7 +268,7 @@ def _missed_loads(
 
 LEVELS = ((256, 12), (64, 8), (16, 3))  # parts of a motion, and how many of them at most hold something short
 POINTS = 1 << 15  # of the motion, where loads are looked at
-NOT_TOLD = 0.02  # of the whole impulse of a load
+MISSED_IMPULSE = 0.02  # of the whole impulse of a load
 BOOLE = np.array([7.0, 32.0, 12.0, 32.0, 7.0]) / 90
 ACTS = 1e-6  # of the largest second difference: where a pulse begins and ends
 SLOW = 4.0  # times the median of these differences, at least: what acts all the time
@@ -326,7 +326,7 @@ def short_spans(row: np.ndarray) -> list[tuple[int, int]]:
         inner = varying[:-1].reshape(count, n)
         sums = inner.sum(axis=1) + (edges[1:] - edges[:-1]) / 2
         boole = n * (np.column_stack([inner[:, :: n // 4], edges[1:]]) @ BOOLE)
-        missed = np.flatnonzero(np.abs(sums - boole) > NOT_TOLD * whole)
+        missed = np.flatnonzero(np.abs(sums - boole) > MISSED_IMPULSE * whole)
         if 0 < len(missed) <= most:
             parts_of = [(int(k) * n, (int(k) + 1) * n) for k in missed]
             new = [ends for ends in parts_of if not any(low < ends[1] and ends[0] < high for low, high in found)]

@@ -55,11 +55,11 @@ def frequency_at_states(
     i, d = loop_angles(model)
     if not len(i) + len(d) or not len(states):
         return 0.0
-    seen = evaluate(scheme.observer, {"z": states}, scheme.constants(c))
-    rate = _largest(seen["q_i_dot"][:, i], seen["q_d_dot"][:, d])
+    observed = evaluate(scheme.observer, {"z": states}, scheme.constants(c))
+    rate = _largest(observed["q_i_dot"][:, i], observed["q_d_dot"][:, d])
     if not by_change:
         return rate / MOST_TURN
-    change = _largest(seen["q_i_ddot"][:, i], seen["q_d_ddot"][:, d])
+    change = _largest(observed["q_i_ddot"][:, i], observed["q_d_ddot"][:, d])
     # 1 / h with rate h + change h^2 / 2 = MOST_TURN
     return float(rate + np.sqrt(rate**2 + 2 * change * MOST_TURN)) / (2 * MOST_TURN)
 

@@ -37,7 +37,7 @@ def advance_across_jumps(
     def look_ahead() -> None:
         """Where no step crosses next; it halts there for impulses."""
         if moves and scheme.has_halted(z):
-            if scheme.next_seen(z, dt) <= scheme.reached(z):
+            if scheme.next_sample(z, dt) <= scheme.reached(z):
                 return  # what lies before it is seen first
             given.update(give_impulse(scheme, z, c, jumps, dt))
         scheme.look_ahead(z, jumps, halts=moves)

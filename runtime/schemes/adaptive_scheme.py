@@ -4,8 +4,9 @@ The loop, the step size controller (step_size_controller.py) and the dense outpu
 measured as error_norm.py says. The estimate is that of an embedded method, and where the method has it, the last
 evaluation of a step is the first of the next one (FSAL).
 
-What `dt` is elsewhere is here the time between two states that can be seen: t0 + n dt. The method's own steps do not
-end there; a state in between is had from the method's own interpolant. An application of the program is
+What `dt` is elsewhere is here the time between two states that can be configurations: t0 + n dt. The method's own
+steps do not end there; a state in between is had from the method's own interpolant. An application of the program
+is
 
     aim             the time that is to be reached
     until reached:  from an accepted step on: move to its end, evaluate there what does not depend on h
@@ -59,7 +60,7 @@ MAX_ATTEMPTS = 1 << 13  # in one application of the program; the next one goes o
 # C of a loop before the last Newton step of an evaluation, in mechanism lengths, up to which a step is taken at the
 # largest tolerance; of smaller ones as C goes with steps, so that a run is compared with one of other steps
 CLOSURE_LIMIT = 1e-3
-NEVER_SEEN = 1e15  # steps
+NEVER_SAMPLED = 1e15  # steps
 MOST_PARTS = 100  # steps that one step becomes when its end is rejected
 STEPS_MADE = ("accepted_steps", "counted_steps", "rejected_steps", "h_least", "h_largest")
 # what an attempt changes although it may be rejected: `before_attempt` keeps it
@@ -231,7 +232,7 @@ class AdaptiveScheme(Scheme):
         z[own("accepted_steps")] -= 1
         z[own("breakpoints")], z[own("event_values")] = end, z[own("event_before")]
         kept = {name: z[own(name)].copy() for name in ("side_offset", "n")}
-        z[own("side_offset")], z[own("n")] = 0.0, NEVER_SEEN  # no state on the way is seen
+        z[own("side_offset")], z[own("n")] = 0.0, NEVER_SAMPLED  # no state on the way is seen
         for _ in range(MOST_PARTS):
             z[own("event_step")] = NEVER
             run(z)
@@ -266,9 +267,9 @@ class AdaptiveScheme(Scheme):
         """
         own, reached = self.layout.slice, self.reached(z)
         self.add_to_rates_at_end(z, change)
-        seen_at = float(z[own("t0")][0] + z[own("n")][0] * dt)
-        if abs(seen_at - reached) <= ON_THE_GRID * dt:
-            z[own("t0")] += max(0.0, after - seen_at)
+        sampled_at = float(z[own("t0")][0] + z[own("n")][0] * dt)
+        if abs(sampled_at - reached) <= ON_THE_GRID * dt:
+            z[own("t0")] += max(0.0, after - sampled_at)
             z[own("v")] = z[own("v_to")]
 
     def land(self, z: np.ndarray) -> None:
@@ -317,7 +318,7 @@ class AdaptiveScheme(Scheme):
         way = self._left(z, self._goal(z, equations) - z["t_to"], z["t_to"])
         if "event_step" in z:  # nothing goes on from an event that nobody has taken
             way = ca.if_else(z["event_step"] < NEVER, 0, way)
-        now = self._seen(z)
+        now = self._ranged_state(z)
         low_now, high_now = ca.fmin(z["q_low"], now), ca.fmax(z["q_high"], now)
         weight = self._weight(low_now, high_now, equations)
         width = RANGE_GROWTH * ca.dot(weight, (high_now - low_now) ** 2)
@@ -334,7 +335,7 @@ class AdaptiveScheme(Scheme):
         }
 
     @staticmethod
-    def _seen(z: Fields) -> ca.SX:
+    def _ranged_state(z: Fields) -> ca.SX:
         """What ranges are told of at the end of the last step."""
         return z["q_seen"] if z["q_seen"].numel() else z["q_to"]
 
@@ -371,7 +372,7 @@ class AdaptiveScheme(Scheme):
 
     def _judge(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """Of a step that was not as usual: is it accepted, and what comes next?"""
-        h, now = z["h_try"], self._seen(z)
+        h, now = z["h_try"], self._ranged_state(z)
         low, high = ca.fmin(z["q_low"], now), ca.fmax(z["q_high"], now)
         weight = self._weight(low, high, equations)
         square = squared_error_norm(weight, z["q_error"], h * z["v_error"])
@@ -457,13 +458,13 @@ class AdaptiveScheme(Scheme):
 
     def _range(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """Ranges widen by what was reached."""
-        now = self._seen(z)
+        now = self._ranged_state(z)
         low, high = ca.fmin(z["q_low"], now), ca.fmax(z["q_high"], now)
         return {"q_low": low, "q_high": high, "range_grew": ca.dot(z["weight"], (high - low) ** 2) - z["range_limit"]}
 
     def _begin(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """What is evaluated at a start."""
-        motion, a, fields = self.method.begun(z, equations)
+        motion, a, fields = self.method.step_start(z, equations)
         out = {"restart": ca.SX(0), "a_from": a, "loop_from": equations.loop_part(motion.q_d), **fields}
         return {**out, **self.closed(z, motion), "det_now": motion.det_loop}
 
@@ -490,7 +491,7 @@ class AdaptiveScheme(Scheme):
     def _ended(self, z: Fields, equations: StageEquations, tried: Attempt) -> dict[str, ca.SX]:
         """Fields at the end of a step of h_try to t_try; the next one as long."""
         h, t = z["h_try"], z["t_try"]
-        on_the_way = tried.seen if tried.end is None else (*tried.seen, tried.end)
+        on_the_way = tried.configurations if tried.end is None else (*tried.configurations, tried.end)
         loop = tried.loop if tried.end is None else equations.loop_part(tried.end.q_d)
         v = (
             self.method.velocities_at({**z, **tried.kept}, equations, h, tried.q, tried.v)

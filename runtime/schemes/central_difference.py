@@ -109,12 +109,14 @@ class CentralDifference(Scheme):
     ) -> dict[str, ca.SX]:
         """x, d and a after `members` have made their own steps with the accelerations a, (40) and (42)."""
         d = next_increment(z["d"], a, self.steps(equations))
-        begun = self.rebased(z, motion, z["loop"], members, x=z["x"])  # in the new chart the last turn d is what it was
-        earlier = begun.pop("loop")
+        restarted = self.rebased(
+            z, motion, z["loop"], members, x=z["x"]
+        )  # in the new chart the last turn d is what it was
+        earlier = restarted.pop("loop")
         out = {
-            **begun,
+            **restarted,
             "d": replaced(z["d"], members, d[members]),
-            "x": replaced(begun["x"], members, (begun["x"] + d)[members]),
+            "x": replaced(restarted["x"], members, (restarted["x"] + d)[members]),
             "a": replaced(z["a"], members, a[members]),
         }
         if equations.loops:
@@ -252,10 +254,10 @@ def rounding_of_sweep(M_hat: ca.SX, q_ddot: ca.SX, q: ca.SX, h: ca.SX, group: li
     its change no longer falls and is below this, the sweep has arrived. q: n_i; h: the group's step [s].
     """
     others = [k for k in range(q_ddot.numel()) if k not in group]
-    seen = ca.norm_inf(q[group]) / h**2
+    scale = ca.norm_inf(q[group]) / h**2
     if others:
-        seen = seen + ca.norm_inf(ca.mtimes(M_hat[group, others], q_ddot[others]) / ca.diag(M_hat[group, group]))
-    return STALLED * STEP_ROUNDING * seen
+        scale = scale + ca.norm_inf(ca.mtimes(M_hat[group, others], q_ddot[others]) / ca.diag(M_hat[group, group]))
+    return STALLED * STEP_ROUNDING * scale
 
 
 def solved_at_once(M_hat: ca.SX, force: ca.SX) -> ca.SX:

@@ -83,10 +83,10 @@ class Charts:
 
     def accelerations_from(self, end: ca.SX, x: ca.SX, v: ca.SX, a: ca.SX) -> ca.SX:
         """Second rates of x of velocities and accelerations (with omega and omega') there, in the charts at an end."""
-        seen = self._each(x, {n: turn_since(end[own], x[own]) for n, own in self._in(x)})
-        return self.accelerations(seen, self.rates(seen, v), v, a)
+        moved = self._each(x, {n: turn_since(end[own], x[own]) for n, own in self._in(x)})
+        return self.accelerations(moved, self.rates(moved, v), v, a)
 
-    def seen_in(self, model: EmittedModel, q: ca.SX, rate: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
+    def in_charts(self, model: EmittedModel, q: ca.SX, rate: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
         """(q_i, q_d) of all coordinates q, every chart where its body is; or of their rates or accelerations at q."""
         at, source = model.places, q if rate is None else rate
         found = ca.SX.zeros(self.n + len(model.q_d))

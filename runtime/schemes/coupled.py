@@ -145,10 +145,10 @@ class Coupled(Scheme):
         h = equations.h[-1]
         half = z["v"] + h / 2 * z["a"]
         x, v, s = z["x"] + h * self.turning(z, equations, half), half + h / 2 * z["a"], z["s"] + h
-        seen = ca.SX(x)
+        held = ca.SX(x)
         for k in self.slow:
-            seen[k] = z["hold_q"][k]
-        motion = equations.close(seen, z["loop"], self.now(z, equations) + s, self.options.closure_iterations)
+            held[k] = z["hold_q"][k]
+        motion = equations.close(held, z["loop"], self.now(z, equations) + s, self.options.closure_iterations)
         a = self.accelerations(equations, motion, v)
         out = {"x": x, "v": half + h / 2 * a, "a": a, "s": s}
         if equations.loops:

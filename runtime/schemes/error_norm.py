@@ -42,15 +42,15 @@ def amplitudes(model: EmittedModel, half_ranges: ca.SX) -> ca.SX:
     of_bodies = {name: ("angle", "rad") for record in model.description.orientations for name in record.turns}
     kinds = [of_bodies.get(name) or (entries[name].kind, entries[name].unit) for name in model.q_i]
     turns = [kind[1] == "rad" and kind[0] != "modal" for kind in kinds]
-    seen = [ca.fmin(half_ranges[k], TURN) if turns[k] else half_ranges[k] for k in range(len(kinds))]
+    sizes = [ca.fmin(half_ranges[k], TURN) if turns[k] else half_ranges[k] for k in range(len(kinds))]
     for own in model.places.turns:  # an orientation as a whole
         widest = ca.SX(0)
         for k in own:
-            widest = ca.fmax(widest, seen[k]) if k < len(seen) else widest
-        seen = [widest if k in own else one for k, one in enumerate(seen)]
+            widest = ca.fmax(widest, sizes[k]) if k < len(sizes) else widest
+        sizes = [widest if k in own else one for k, one in enumerate(sizes)]
     largest = {kind: ca.SX(LEAST) for kind in kinds}
-    for kind, one in zip(kinds, seen, strict=True):
+    for kind, one in zip(kinds, sizes, strict=True):
         largest[kind] = ca.fmax(largest[kind], one)
     return ca.vertcat(
-        *(ca.fmax(ca.fmax(one, LEAST), FLOOR * largest[kind]) for kind, one in zip(kinds, seen, strict=True))
+        *(ca.fmax(ca.fmax(one, LEAST), FLOOR * largest[kind]) for kind, one in zip(kinds, sizes, strict=True))
     )

@@ -124,10 +124,10 @@ class ExponentialAdams(Scheme):
         motion = StiffMotion(x, v, found, h, decaying=True)
         s, s_dot = (ca.mtimes(found.B.T, one) for one in (x, v))
 
-        def seen(when: str) -> Along:
-            return motion.seen(z[f"a_{when}"], z[f"s_{when}"] - s, z[f"s_{when}_dot"] - s_dot)
+        def resolved(when: str) -> Along:
+            return motion.resolved(z[f"a_{when}"], z[f"s_{when}"] - s, z[f"s_{when}_dot"] - s_dot)
 
-        last = [seen("middle"), seen("before")]
+        last = [resolved("middle"), resolved("before")]
         there = motion.to(1, *through(LAST, last, h))
         loop = [
             equations.loop_part(start.q_d),

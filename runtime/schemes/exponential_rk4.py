@@ -123,7 +123,9 @@ class ExponentialRungeKutta(Method):
         }
         return {name: state(size) for name, size in sizes.items()}
 
-    def begun(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, Mapping[str, ca.SX]]:
+    def step_start(
+        self, z: Fields, equations: StageEquations
+    ) -> tuple[ClosedConfiguration, ca.SX, Mapping[str, ca.SX]]:
         """Accelerations, and what forces along the stiff deflections do."""
         t = self.time_in_step(z, ca.SX(0), 0)
         start = equations.close(z["q_from"], z["loop_from"], t, self.options.closure_iterations)
@@ -137,19 +139,19 @@ class ExponentialRungeKutta(Method):
     def attempted(self, z: Fields, equations: StageEquations, h: ca.SX) -> Attempt:
         """Three evaluations."""
         motion = self._motion(z, equations, h)
-        seen: list[ClosedConfiguration] = []
+        configurations: list[ClosedConfiguration] = []
 
         def d(stage: MotionStage) -> Along:
-            share = (0.5, 0.5, 1.0)[len(seen)]
+            share = (0.5, 0.5, 1.0)[len(configurations)]
             guess = polynomial([z["loop_from"], z["loop_dot"], z["loop_bend"]], stage.tau)
             at = equations.close(stage.q, guess, self.time_in_step(z, h, share), self.options.closure_iterations)
-            seen.append(at)
+            configurations.append(at)
             return motion.remainder(equations.chart_accelerations(at, stage.v), stage)
 
         found = krogstad(motion, d, rough=self.options.tolerance > 0)
         kept = {"b1": found.b1, "b2": found.b2}
-        end, loop = found.end, equations.loop_part(seen[-1].q_d)
-        return Attempt(end.q, end.v, loop, end.q - found.before.q, end.v - found.before.v, kept, tuple(seen))
+        end, loop = found.end, equations.loop_part(configurations[-1].q_d)
+        return Attempt(end.q, end.v, loop, end.q - found.before.q, end.v - found.before.v, kept, tuple(configurations))
 
     def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
         """The same motion, ended sooner."""

@@ -2,7 +2,8 @@
 
 How long steps are is not its concern. Its own program is a step of the grid in one stage; adaptive_scheme.py wraps the
 same method in steps that follow its estimate of the error. Fields of the start of a step: q_from, v_from, loop_from,
-t_from, a_from, and what `begun` gives; side_offset [s]: how near to its ends time is looked at, where forces may jump.
+t_from, a_from, and what `step_start` gives; side_offset [s]: how near to its ends time is looked at, where forces
+may jump.
 """
 
 from __future__ import annotations
@@ -23,8 +24,8 @@ class Attempt:
     """The end of a step: q_i, v (rates in the charts of the step, or velocities, see `by_rates`), guess of the loop
     unknowns; embedded estimates of its error dq, dv (n_i each).
 
-    kept: fields of z that dense output or the next step takes. seen: closed configurations on the way; end: of the end,
-    where that is evaluated.
+    kept: fields of z that dense output or the next step takes. configurations: closed configurations on the way;
+    end: of the end, where that is evaluated.
     """
 
     q: ca.SX
@@ -33,12 +34,14 @@ class Attempt:
     dq: ca.SX
     dv: ca.SX
     kept: Mapping[str, ca.SX]
-    seen: tuple[ClosedConfiguration, ...]
+    configurations: tuple[ClosedConfiguration, ...]
     end: ClosedConfiguration | None = None
 
 
 class Method(Scheme):
-    """Steps of the grid. A subclass gives `begun` and `attempted`; where steps may follow its estimate, `between`."""
+    """Steps of the grid. A subclass gives `step_start` and `attempted`; where steps may follow its estimate,
+    `between`.
+    """
 
     stage_name = "step"
     by_rates = True  # are the v of an attempt rates in the charts, with rotation vectors and not angular velocities?
@@ -50,7 +53,9 @@ class Method(Scheme):
     )
 
     @abstractmethod
-    def begun(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, Mapping[str, ca.SX]]:
+    def step_start(
+        self, z: Fields, equations: StageEquations
+    ) -> tuple[ClosedConfiguration, ca.SX, Mapping[str, ca.SX]]:
         """(configuration, q_i_ddot, fields) at the start of a step: what does not depend on its length."""
 
     @abstractmethod
@@ -66,7 +71,7 @@ class Method(Scheme):
         return {}
 
     def method_fields(self) -> dict[str, StateField]:
-        """Fields of z that `begun` and `attempted` fill, of steps that follow their estimate."""
+        """Fields of z that `step_start` and `attempted` fill, of steps that follow their estimate."""
         return {}
 
     def evaluations(self) -> tuple[int, int]:
@@ -80,12 +85,12 @@ class Method(Scheme):
     def _step(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         h, t = equations.h[0], self.now(z, equations)
         at = {"q_from": z["x"], "v_from": z["v"], "loop_from": z["loop"], "t_from": t, "side_offset": ca.SX(0)}
-        start, a, fields = self.begun(at, equations)
+        start, a, fields = self.step_start(at, equations)
         found = self.attempted({**at, "a_from": a, "loop_from": equations.loop_part(start.q_d), **fields}, equations, h)
         end = self.arrived(equations, found.q, found.loop, t + h)
         v = equations.velocities(end, found.v) if self.by_rates else found.v
         ends = {**self.rebased(z, end, found.loop), "v": v, "n": z["n"] + 1}
-        return {**ends, **self.closed(z, start, *found.seen)}
+        return {**ends, **self.closed(z, start, *found.configurations)}
 
     def time_in_step(self, z: Fields, h: ca.SX, share: float) -> ca.SX:
         """Time at a share of a step of h [s]: just behind its start and just before its end, where it may jump."""

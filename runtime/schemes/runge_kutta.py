@@ -42,7 +42,9 @@ class ExplicitRungeKutta(Method):
         """One for each slope."""
         return 1, len(self.tableau()[1]) - 1
 
-    def begun(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, Mapping[str, ca.SX]]:
+    def step_start(
+        self, z: Fields, equations: StageEquations
+    ) -> tuple[ClosedConfiguration, ca.SX, Mapping[str, ca.SX]]:
         """The first slope. Its closed position is where the step starts: a guess never corrected would drift."""
         t = self.time_in_step(z, ca.SX(0), 0)
         start = equations.close(z["q_from"], z["loop_from"], t, self.options.closure_iterations)
@@ -52,9 +54,9 @@ class ExplicitRungeKutta(Method):
     def attempted(self, z: Fields, equations: StageEquations, h: ca.SX) -> Attempt:
         """The other slopes of (q_i, q_i_dot, loop unknowns); no estimate."""
         n = len(self.model.q_i)
-        y, _, seen = self.slopes(z, equations, h)
+        y, _, configurations = self.slopes(z, equations, h)
         none = ca.SX(0, 1)
-        return Attempt(y[:n], y[n : 2 * n], y[2 * n :], none, none, {}, seen)
+        return Attempt(y[:n], y[n : 2 * n], y[2 * n :], none, none, {}, configurations)
 
     def slopes(
         self, z: Fields, equations: StageEquations, h: ca.SX
@@ -62,13 +64,13 @@ class ExplicitRungeKutta(Method):
         """(end, slopes, where they were evaluated); the first one is that of the start of the step."""
         A, b, nodes = self.tableau()
         start = ca.vertcat(z["q_from"], z["v_from"], z["loop_from"])
-        slopes, seen = [ca.vertcat(z["v_from"], z["a_from"], z["loop_dot"])], list[ClosedConfiguration]()
+        slopes, configurations = [ca.vertcat(z["v_from"], z["a_from"], z["loop_dot"])], list[ClosedConfiguration]()
         for row, node in zip(A[1:], nodes[1:], strict=True):
             y = start + h * combined(row[: len(slopes)], slopes)
             motion, slope = self.slope(z, equations, y, self.time_in_step(z, h, float(node)))
             slopes.append(slope)
-            seen.append(motion)
-        return start + h * combined(b, slopes), slopes, tuple(seen)
+            configurations.append(motion)
+        return start + h * combined(b, slopes), slopes, tuple(configurations)
 
     def slope(self, z: Fields, equations: StageEquations, y: ca.SX, t: ca.SX) -> tuple[ClosedConfiguration, ca.SX]:
         """(configuration, rates) of y = (q_i, q_i_dot, loop unknowns)."""
@@ -180,11 +182,11 @@ class DormandPrince5(ExplicitRungeKutta):
     def attempted(self, z: Fields, equations: StageEquations, h: ca.SX) -> Attempt:
         """And the slope at the end, with which the step of order 4 is estimated."""
         n = len(self.model.q_i)
-        y, slopes, seen = self.slopes(z, equations, h)
+        y, slopes, configurations = self.slopes(z, equations, h)
         end, last = self.slope(z, equations, y, self.time_in_step(z, h, 1.0))
         error = h * combined(ERROR, [*slopes, last])
         kept = {"a_to": last[n : 2 * n], "loop_dot_to": last[2 * n :]}
-        return Attempt(y[:n], y[n : 2 * n], y[2 * n :], error[:n], error[n : 2 * n], kept, seen, end)
+        return Attempt(y[:n], y[n : 2 * n], y[2 * n :], error[:n], error[n : 2 * n], kept, configurations, end)
 
     def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
         """The polynomial of degree 5 and its derivative."""

@@ -163,7 +163,7 @@ class Scheme(ABC):
         """Time at the end of the last step of z (at least the scheme's part, flat) [s]."""
         return float(z[0] + z[1] * self.grid.dt_L)
 
-    def next_seen(self, z: np.ndarray, dt: float) -> float:
+    def next_sample(self, z: np.ndarray, dt: float) -> float:
         """Time of the next state after z (at least the scheme's part, flat) that is seen [s], dt apart."""
         return float(z[0] + (z[1] + 1) * dt)
 

@@ -287,8 +287,8 @@ def is_long_tree(model: EmittedModel) -> bool:
 
 def velocity_dependent(model: EmittedModel) -> bool:
     """Does Q_hat depend on velocity at all? Where it does not, there is nothing to iterate."""
-    seen = model.kernel("forward_dynamics" if tree_is_shorter(model) else "condensed").name_in()
-    return any(name in seen for name in ("q_i_dot", "q_d_dot"))
+    arguments = model.kernel("forward_dynamics" if tree_is_shorter(model) else "condensed").name_in()
+    return any(name in arguments for name in ("q_i_dot", "q_d_dot"))
 
 
 def _largest(vector: ca.SX) -> ca.SX:

@@ -35,7 +35,7 @@ def start_there(scheme: Scheme) -> ca.Function:
     model, charts = scheme.model, charts_in(scheme.model)
     t0, c = ca.SX.sym("t0"), ca.SX.sym("c", scheme.c_size)
     q, q_dot = (ca.SX.sym(name, len(model.coordinates)) for name in ("q", "q_dot"))
-    (q_i, q_d), rates = scheme.charts.seen_in(model, q), scheme.charts.seen_in(model, q, q_dot)[0]
+    (q_i, q_d), rates = scheme.charts.in_charts(model, q), scheme.charts.in_charts(model, q, q_dot)[0]
     there = ca.vertcat(c[: charts.start], q[model.places.parameters.ravel().tolist()], c[charts.stop :])
     loop = ca.vertcat(*(q_d[int(k)] for k in model.places.loops))
     return ca.Function("start_there", [t0, q, q_dot, c], [scheme.starter(t0, q_i, rates, loop, there)])

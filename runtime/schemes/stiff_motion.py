@@ -115,7 +115,7 @@ class StiffMotion:
         accounted = self.along(none, ca.mtimes(self.B.T, dq), ca.mtimes(self.B.T, dv))
         return MotionStage(tau, self.x + dq, self.v + dv, accounted)
 
-    def seen(self, a: ca.SX, w: ca.SX, w_dot: ca.SX) -> Along:
+    def resolved(self, a: ca.SX, w: ca.SX, w_dot: ca.SX) -> Along:
         """d: accelerations beside a_n and what the stiff part accounts for where deflections and rates changed so."""
         return self._kept(a - self.a, -w, -w_dot)
 
@@ -126,7 +126,7 @@ class StiffMotion:
 
     def remainder(self, a: ca.SX, stage: MotionStage) -> Along:
         """d at a stage."""
-        return self.seen(a, stage.accounted.w, stage.accounted.w_dot)
+        return self.resolved(a, stage.accounted.w, stage.accounted.w_dot)
 
     def beside(self, vector: ca.SX) -> Along:
         """A vector of which nothing is kept along A."""

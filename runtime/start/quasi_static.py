@@ -246,7 +246,7 @@ def quasi_static_state(
         solver = ElasticEquilibrium(model, elastic, c, unstable)
         found = _along(model, c, t, (q_i, v, q_d), lambda t, q_i, v: solver.solve(t, q_i, v, loop))
     assert found is not None
-    return _told(model, c, t, _with_elastic(model, state, *found))
+    return _with_settling(model, c, t, _with_elastic(model, state, *found))
 
 
 def _with_elastic(model: EmittedModel, state: ConsistentState, q: np.ndarray, q_dot: np.ndarray) -> ConsistentState:
@@ -260,14 +260,14 @@ def _with_elastic(model: EmittedModel, state: ConsistentState, q: np.ndarray, q_
     return replace(state, q=q, q_dot=q_dot, changed={**state.changed, **changed}, not_given=not_given)
 
 
-def _told(model: EmittedModel, c: np.ndarray, t: float, state: ConsistentState) -> ConsistentState:
+def _with_settling(model: EmittedModel, c: np.ndarray, t: float, state: ConsistentState) -> ConsistentState:
     """The state, with rigid coordinates that springs pull away from it named."""
     off = unsettled(model, c, t, state)
     if not off:
         return state
     text = ", ".join(f"{name} (by about {by:.3g})" for name, by in off.items())
     text = f"quasi_static settles elastic coordinates only, and springs pull {text}: start = equilibrium settles all"
-    return replace(state, told=(*state.told, ("not_settled", text)))
+    return replace(state, reported=(*state.reported, ("not_settled", text)))
 
 
 def unsettled(model: EmittedModel, c: np.ndarray, t: float, state: ConsistentState) -> dict[str, float]:

@@ -28,7 +28,7 @@ def start_state(
         raise InitialStateError(f"start must be one of {', '.join(STARTS)}, not {chosen!r}")
     changes = values_by_name(initial)
 
-    def begun(more: Mapping[str, float]) -> ConsistentState:
+    def started(more: Mapping[str, float]) -> ConsistentState:
         state = given_state(model, p, c, t0, {**(changes or {}), **more} if more else changes)
         if chosen == "given" or (start is None and _names_elastic(model, changes or {})):
             return state
@@ -40,11 +40,11 @@ def start_state(
 
         return quasi_static_state(model, c, t0, state, unstable=chosen == "quasi_static_unstable")
 
-    state = begun({})
+    state = started({})
     if any(event.side for event in model.mode_events):
         from runtime.operating.at_stops import within_stops
 
-        return within_stops(model, c, t0, state, begun)
+        return within_stops(model, c, t0, state, started)
     return state
 
 

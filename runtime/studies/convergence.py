@@ -144,10 +144,10 @@ class Convergence:
         found.append(f"{'output':<{wide}}  {'value':>11}  {'of the model':>19}  {'of the steps':>12}  most by")
         for name, one in self.errors.items():
             share = f" ({100 * one.relative:.2g} %)" if isfinite(one.relative) else ""
-            told = "not told" if isnan(one.error) else f"{one.error:.2g}{share}"
+            known = "not told" if isnan(one.error) else f"{one.error:.2g}{share}"
             steps = "not known" if isnan(one.stepping) else f"{one.stepping:.2g}"
             found.append(
-                f"{name:<{wide}}  {one.value:>11.6g}  {told:>19}  {steps:>12}  {one.knob or '-'}  [{one.unit}]"
+                f"{name:<{wide}}  {one.value:>11.6g}  {known:>19}  {steps:>12}  {one.knob or '-'}  [{one.unit}]"
             )
         for knob in self.turned:
             said = ", ".join(self._said(change) for change in self.changes if change.knob == knob.knob)
@@ -162,8 +162,8 @@ class Convergence:
 
     @staticmethod
     def _said(change: Change) -> str:
-        told = {"error": f"{change.error:.2g}", "nothing": "says nothing", "noise": "below the noise of the steps"}
-        text = told.get(change.says, change.says + (f" ({change.why})" if change.why else ""))
+        known = {"error": f"{change.error:.2g}", "nothing": "says nothing", "noise": "below the noise of the steps"}
+        text = known.get(change.says, change.says + (f" ({change.why})" if change.why else ""))
         order = f", order {change.order:.2g}" if isfinite(change.order) else ""
         return f"{change.output} {text}{order}"
 
@@ -294,17 +294,17 @@ def convergence(
     jobs = [*_derived(chosen), *_given(coarser or {}, COARSE, "half"), *_given(finer or {}, FINE, "double")]
     runs, done = 1 + sum(len(job.levels) for job in jobs), 1
     note = progress if callable(progress) else lambda done, runs: None
-    base = study.seen(model)
+    base = study.sampled(model)
     note(done, runs)
     changes, turned = [], []
     for job in jobs:
-        found: list[_Seen | str] = []
+        found: list[_Outputs | str] = []
         for level in job.levels:
             found.append(study.tried(level, job.unlike))
             done += 1
             note(done, runs)
         changes += [_change(name, job, base, found) for name in base.values]
-        spent = sum(one.seconds for one in found if isinstance(one, _Seen))
+        spent = sum(one.seconds for one in found if isinstance(one, _Outputs))
         turned.append(Turned(job.name, job.now, tuple(level.to for level in job.levels), spent / base.seconds))
     errors = {name: _summed(name, base, [one for one in changes if one.output == name]) for name in base.values}
     about = "given outputs" if callable(outputs) else of
@@ -423,7 +423,7 @@ def _given(models: Mapping[str, EmittedModel], factor: float, to: str) -> Iterat
 
 
 @dataclass(frozen=True)
-class _Seen:
+class _Outputs:
     """values: of each output a number or a series; sizes and stepping errors of each; time that it took [s]."""
 
     values: dict[str, np.ndarray]
@@ -449,20 +449,22 @@ class _Study:
     inputs: Mapping[str, InputValue] | None
     samples: int
 
-    def tried(self, level: _Level, unlike: Sequence[str]) -> _Seen | str:
+    def tried(self, level: _Level, unlike: Sequence[str]) -> _Outputs | str:
         """What a turned model shows, or why it shows nothing."""
         if named := [name for name in self.parameters or {} if name.partition(".")[0] in unlike]:
             return f"the parameter {named[0]} is that of a piece"
         try:
-            return self.seen(level.make(), level.renamed, unlike)
+            return self.sampled(level.make(), level.renamed, unlike)
         except SymgenError as error:
             return str(error).splitlines()[0]
 
-    def seen(self, model: EmittedModel, renamed: Mapping[str, str] | None = None, unlike: Sequence[str] = ()) -> _Seen:
+    def sampled(
+        self, model: EmittedModel, renamed: Mapping[str, str] | None = None, unlike: Sequence[str] = ()
+    ) -> _Outputs:
         """Values of the outputs. Raises what the run raises, and NoResult for one that did not get to its end."""
-        begun = time.process_time()
+        began = time.process_time()
         if self.wanted is None:
-            return self._asked(model, begun)
+            return self._asked(model, began)
         initial = self.initial
         if isinstance(initial, Mapping) and renamed:
             initial = {_other(name, renamed): value for name, value in initial.items()}
@@ -483,12 +485,12 @@ class _Study:
             stepping[key] = error * (amplitude if len(y) > 1 else sizes[key])
             shown[key] = float(np.std(y)) if how == MOTION else float(values[key][0])
         named = {key: units.get(name, "") for key, name in zip(values, self._names(unlike), strict=True)}
-        return _Seen(values, sizes, stepping, named, shown, max(time.process_time() - begun, 1e-6))
+        return _Outputs(values, sizes, stepping, named, shown, max(time.process_time() - began, 1e-6))
 
     def _names(self, unlike: Sequence[str]) -> list[str]:
         return [name for name, _ in self.wanted or () if name.partition(".")[0] not in unlike]
 
-    def _asked(self, model: EmittedModel, begun: float) -> _Seen:
+    def _asked(self, model: EmittedModel, began: float) -> _Outputs:
         """Numbers of the user's function."""
         found = self.outputs(model)
         if not (BY_NAME.holds(found) and all(is_finite_number(value) for value in found.values())):
@@ -497,7 +499,7 @@ class _Study:
         shown = {name: float(value) for name, value in found.items()}
         sizes = {name: abs(value) for name, value in shown.items()}
         blank = dict.fromkeys(found, "")
-        return _Seen(values, sizes, dict.fromkeys(found, nan), blank, shown, max(time.process_time() - begun, 1e-6))
+        return _Outputs(values, sizes, dict.fromkeys(found, nan), blank, shown, max(time.process_time() - began, 1e-6))
 
     def _moved(self, model: EmittedModel, initial: Initial) -> Solution:
         run = simulate(
@@ -527,7 +529,7 @@ def _other(name: str, renamed: Mapping[str, str]) -> str:
 # ---- What differences tell ----------------------------------------------------------------------------------------
 
 
-def _change(name: str, job: _Job, base: _Seen, found: Sequence[_Seen | str]) -> Change:
+def _change(name: str, job: _Job, base: _Outputs, found: Sequence[_Outputs | str]) -> Change:
     """What a knob says of an output; a second level that is lost in the noise of the steps leaves it to the first."""
     shown = [base]
     for one in found:
@@ -584,18 +586,18 @@ def _rms(y: np.ndarray) -> float:
     return float(np.sqrt(np.mean(y**2)))
 
 
-def _summed(name: str, base: _Seen, changes: Sequence[Change]) -> ModellingError:
+def _summed(name: str, base: _Outputs, changes: Sequence[Change]) -> ModellingError:
     """The sum over the bodies. Pieces stand for what shapes and stiffening do, too: of a body the larger one counts."""
-    told = [one for one in changes if one.says == "error"]
+    known = [one for one in changes if one.says == "error"]
     by_body: dict[str, tuple[float, float]] = {}
-    for one in told:
+    for one in known:
         body, _, kind = one.knob.rpartition(".")
         pieces, others = by_body.get(body, (0.0, 0.0))
         by_body[body] = (pieces + one.error, others) if kind == "pieces" else (pieces, others + one.error)
-    error = sum(max(both) for both in by_body.values()) if told else nan
+    error = sum(max(both) for both in by_body.values()) if known else nan
     if any(one.says == "no limit" for one in changes):
         error = nan
-    largest = max(told, key=lambda one: one.error, default=None)
+    largest = max(known, key=lambda one: one.error, default=None)
     return ModellingError(
         name, base.units[name], base.shown[name], error, largest.knob if largest else "", base.stepping[name]
     )

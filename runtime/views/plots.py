@@ -135,8 +135,8 @@ def energy_balance(solution: Solution, path: str | Path | None = None) -> Figure
     legend(top)
     top.set_xlabel("")
     part = found.largest / max(float(np.abs(shown.values).max()), 1e-300)
-    told = "" if found.resolved else ", too few samples to check"
-    name = f"balance error, at most {part:.1e} of the energy{told}"
+    remark = "" if found.resolved else ", too few samples to check"
+    name = f"balance error, at most {part:.1e} of the energy{remark}"
     panel(bottom, solution.t, Curves(name, "J", [""], found.error[None]))
     bottom.axhline(0.0, color="0.6", lw=0.7)
     return finish(figure, path)
@@ -263,16 +263,16 @@ def frequencies(
     else:
         figure, own = owner(ax), ax
     lowest = LOWEST * max(float(found.frequencies.max(initial=0.0)), 1e-300)
-    seen = np.maximum(found.frequencies, lowest)
+    shown = np.maximum(found.frequencies, lowest)
     for k, name in enumerate(found.names):
-        points = np.column_stack([found.t, seen[:, k]])
+        points = np.column_stack([found.t, shown[:, k]])
         colour = np.tile(to_rgba(COLOURS[k % len(COLOURS)]), (len(points) - 1, 1))
         colour[:, 3] = 1.0 - (1.0 - FAINTEST) * np.clip(np.abs(found.damping_ratios[:-1, k]), 0.0, 1.0)
         strokes = list(np.stack([points[:-1], points[1:]], axis=1))
         own.add_collection(LineCollection(strokes, colors=list(map(tuple, colour)), linewidths=1.6))
         own.plot([], [], color=COLOURS[k % len(COLOURS)], lw=1.6, label=name)
     own.set_yscale("log")
-    own.set_ylim(0.5 * float(np.min(seen[seen > lowest], initial=seen.max())), 2.0 * float(seen.max()))
+    own.set_ylim(0.5 * float(np.min(shown[shown > lowest], initial=shown.max())), 2.0 * float(shown.max()))
     own.set_xlim(found.t[0], found.t[-1])
     own.set_xlabel("time [s]", fontsize=9)
     own.set_ylabel("frequency [rad/s]", fontsize=9)
@@ -398,14 +398,14 @@ def campbell_picture(found: Campbell, path: str | Path | None = None) -> Figure:
 
 def _keep_to_speeds(ax: Axes, found: Campbell) -> None:
     """Leave modes out of the picture that are far above all speeds: they would press the line of the speed flat."""
-    seen = np.nan_to_num(found.frequencies)  # a mode that is not there has none
-    fastest, lowest = float(np.abs(found.values).max()), seen.min(axis=0)
+    shown = np.nan_to_num(found.frequencies)  # a mode that is not there has none
+    fastest, lowest = float(np.abs(found.values).max()), shown.min(axis=0)
     near = lowest <= max(HIGHEST * fastest, float(lowest.min(initial=np.inf)))
     if near.all():
         return
-    ax.set_ylim(top=1.05 * max(fastest, float(seen[:, near].max(initial=0.0))))
+    ax.set_ylim(top=1.05 * max(fastest, float(shown[:, near].max(initial=0.0))))
     above = np.count_nonzero(~near)
-    words = f"{above} mode{'s' if above > 1 else ''} above, up to {seen.max():.3g} rad/s"
+    words = f"{above} mode{'s' if above > 1 else ''} above, up to {shown.max():.3g} rad/s"
     ax.text(0.99, 0.985, words, transform=ax.transAxes, ha="right", va="top", fontsize=8, color="0.4")
 
 
@@ -479,10 +479,10 @@ def work_precision(
     figure.set_size_inches(WIDTH, 0.5 * WIDTH)
     styles = method_styles([method for method, _ in refinements])
     for method, levels in refinements:
-        seen = levels[np.isfinite(levels).all(axis=1)]
-        name = method.label if len(seen) or not len(levels) else f"{method.label} (lost)"
+        shown = levels[np.isfinite(levels).all(axis=1)]
+        name = method.label if len(shown) or not len(levels) else f"{method.label} (lost)"
         if len(levels):
-            ax.loglog(*seen.T, label=name, ms=5, lw=1.3, **styles[method.label])
+            ax.loglog(*shown.T, label=name, ms=5, lw=1.3, **styles[method.label])
     ax.axhline(tolerance, color="0.4", lw=0.8, ls="--", label="tolerance")
     ax.set_xlabel(unit, fontsize=9)
     ax.set_ylabel("error of the motion, of its amplitudes", fontsize=9)

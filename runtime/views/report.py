@@ -31,7 +31,7 @@ def _run(solution: Solution) -> dict[str, Any]:
     model, status, steps = solution.model, solution.status, [float(solution.dt)]
     for ratio in solution.m:
         steps.append(steps[-1] / ratio)
-    told = {key: getattr(status, key) for key in ("ok", "name", "coordinate", "cause", "advice")}
+    fields = {key: getattr(status, key) for key in ("ok", "name", "coordinate", "cause", "advice")}
     values = zip(model.parameters, solution.parameters, strict=True)
     return {
         "model": {
@@ -51,7 +51,7 @@ def _run(solution: Solution) -> dict[str, Any]:
             "step_of_each_group": steps,
         },
         "time": {"start": float(solution.t[0]), "end": float(solution.t[-1]), "saved_samples": len(solution.t)},
-        "status": {**told, "time": float(status.time)},
+        "status": {**fields, "time": float(status.time)},
         "statistics": {k: v.item() if isinstance(v, np.generic) else v for k, v in solution.stats.items()},
         "parameters": {
             entry.name: {"value": float(value), "default": float(entry.default), "unit": entry.unit}

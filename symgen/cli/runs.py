@@ -32,7 +32,7 @@ def simulate(arguments: argparse.Namespace) -> Outcome:
     inputs = input_samples(arguments.inputs) if arguments.inputs else None
     kept = settings(arguments, ("outputs", "stream", "checkpoint", "checkpoint_every"))
     solution = run_model(model, arguments, inputs=inputs, **kept)
-    return _told(solution, folder, arguments.plots is not False)
+    return _outcome(solution, folder, arguments.plots is not False)
 
 
 def resume(arguments: argparse.Namespace) -> Outcome:
@@ -56,10 +56,10 @@ def resume(arguments: argparse.Namespace) -> Outcome:
     with Progress(f"symgen {model.name}") as progress:
         how = settings(arguments, ("stream", "engine", "checkpoint_every"))
         solution = resume(model, arguments.file, progress=progress, **how)
-    return _told(solution, folder, pictures=False)
+    return _outcome(solution, folder, pictures=False)
 
 
-def _told(solution: Solution, folder: Path | None, pictures: bool) -> Outcome:
+def _outcome(solution: Solution, folder: Path | None, pictures: bool) -> Outcome:
     """What a run ended with; its files if there is a folder for them."""
     from runtime.views.report import run_report
 

@@ -233,8 +233,8 @@ def _branch(branch: PeriodicBranch, outputs: list[str], out: str | None) -> Outc
         "stopped": branch.stopped,
         "files": files,
     }
-    told = f"errors up to {branch.errors.max():.2g} of sizes"
-    lines = [f"{branch.model.name}: {len(branch.points)} motions over {branch.over}, {told}"]
+    errors = f"errors up to {branch.errors.max():.2g} of sizes"
+    lines = [f"{branch.model.name}: {len(branch.points)} motions over {branch.over}, {errors}"]
     lines += [f"{one.kind} at {branch.over} = {one.value:.9g}" for one in kinds]
     lines += [f"stopped: {branch.stopped}"] if branch.stopped else []
     code = INTERRUPTED if branch.stopped == "interrupted" else FAILED if branch.stopped else OK

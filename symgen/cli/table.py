@@ -92,7 +92,7 @@ ENGINE = opt(
     choices=("auto", "compiled", "interpreted", "compiled-library"),
     default="auto",
 )
-SEEN = (
+SAMPLING = (
     opt("--seen-every SECONDS", "time from sample to sample", number),
     opt("--samples COUNT", "how many samples there are besides the first, instead", int),
 )
@@ -111,7 +111,7 @@ RUN = (
             opt("--tolerance ERROR", "relative error instead of a step (with auto, the default then: 1e-3)", positive),
             SCHEME_OPTION,
             opt("--force", "run although the step is above its limit at the start"),
-            *SEEN,
+            *SAMPLING,
             ENGINE,
         ),
     ),
@@ -264,7 +264,7 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
             ),
             opt("--outputs NAMES", "what is kept of each case", names, required=True),
             opt("--reduce HOW", "max, min, peak, mean, rms, end of each output (default: peak,end)", names),
-            *SEEN,
+            *SAMPLING,
             opt("--out FILE", "study.csv; the picture is study.png"),
             opt("--workers COUNT", "threads (default: one a processor)", int),
             opt("--processes COUNT", "work in so many processes of this machine; one that dies is replaced", int),

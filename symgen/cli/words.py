@@ -62,13 +62,13 @@ def reader(wanted: str) -> Callable[[Callable[[str], Any]], Callable[[str], Any]
 
     def named(read: Callable[[str], Any]) -> Callable[[str], Any]:
         @wraps(read)
-        def told(text: str) -> Any:
+        def converted(text: str) -> Any:
             try:
                 return read(text)
             except (ValueError, argparse.ArgumentTypeError):
                 raise argparse.ArgumentTypeError(f"{text!r} is not {wanted}") from None
 
-        return told
+        return converted
 
     return named
 

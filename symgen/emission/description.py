@@ -198,8 +198,8 @@ def data_text(derived: Derived) -> str:
         "q_dot": dict(zip(names, map(clean, initial.q_dot), strict=True)),
         "changed": {name: list(pair) for name, pair in initial.changed.items()},
     }
-    if initial.told:
-        data["assembled"] = [text for _, text in initial.told]
+    if initial.reported:
+        data["assembled"] = [text for _, text in initial.reported]
     text = json.dumps(data, indent=1)
     if derived.scene.tables:  # each on a line
         parts = derived.scene.curves().items()

@@ -55,8 +55,8 @@ class FileMesh:
             problem = f"has elements that are no tetrahedra or hexahedra: {', '.join(others)}"
             raise FiniteElementError(file.name, problem, "leave them out of the export, or take from_matrices")
         if len(kinds) != 1:
-            told = f"has {' and '.join(kinds)} elements" if kinds else "has no tetrahedra or hexahedra"
-            raise FiniteElementError(file.name, told, "mesh the body with one kind of solid element")
+            output = f"has {' and '.join(kinds)} elements" if kinds else "has no tetrahedra or hexahedra"
+            raise FiniteElementError(file.name, output, "mesh the body with one kind of solid element")
 
     def _sets(self, found: Any, cells: list[tuple[str, Integers]]) -> dict[str, Array]:
         """Places of the nodes of node sets, and of element sets: those of their elements."""
@@ -175,9 +175,9 @@ def _read(file: Path) -> Any:
         raise FiniteElementError("meshio", "it is not installed", "pip install 'symgen[files]'") from error
     if not file.is_file():
         raise FiniteElementError(str(file), "there is no such file", "check the path")
-    told = StringIO()
+    output = StringIO()
     try:
-        with redirect_stdout(told), redirect_stderr(told), TemporaryDirectory() as folder:
+        with redirect_stdout(output), redirect_stderr(output), TemporaryDirectory() as folder:
             plain = file
             if file.suffix.lower() == ".inp":
                 plain = Path(folder) / file.name
@@ -186,20 +186,20 @@ def _read(file: Path) -> Any:
     except FiniteElementError:
         raise
     except (Exception, SystemExit) as error:  # meshio leaves the program where none of its readers takes a file
-        said = " ".join((told.getvalue() if isinstance(error, SystemExit) else f"{error}").split())
+        said = " ".join((output.getvalue() if isinstance(error, SystemExit) else f"{error}").split())
         said = said.partition(" Error: ")[0]  # the rest is the place of the plain copy
         problem = f"meshio cannot read it: {_keyword(file, said)}"
         remedy = "write tetrahedra or hexahedra as .inp (Abaqus, CalculiX), .bdf (Nastran), .msh (Gmsh), .vtu or .med"
         raise FiniteElementError(file.name, problem, remedy) from error
 
 
-def _keyword(file: Path, told: str) -> str:
+def _keyword(file: Path, output: str) -> str:
     """What the reader said, and the line where the word that it names stands."""
     for number, line in enumerate(file.read_text(encoding="utf-8", errors="replace").splitlines(), 1):
-        for word in (part.strip(QUOTES) for part in told.split()):
+        for word in (part.strip(QUOTES) for part in output.split()):
             if len(word) > 2 and word.upper() in line.upper():
-                return f"{told} (line {number}: {line.strip()[:60]})"
-    return told
+                return f"{output} (line {number}: {line.strip()[:60]})"
+    return output
 
 
 def _affine(reference: Array, own: Array, at: Array) -> Array:

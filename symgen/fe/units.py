@@ -48,25 +48,25 @@ def sparse_in_si(matrix: sp.csr_matrix, rotations: NDArray[np.bool_], units: str
 
 def check_plausible(mass: float, size: float) -> None:
     """Warns of a mass [kg] and a size [m] that no machine part has, with what they are in millimetres and tonnes."""
-    told = []
+    doubts = []
     if not SIZES[0] <= size <= SIZES[1]:
-        told.append(f"a body {size:.3g} m long (read in mm: {1e-3 * size:.3g} m)")
+        doubts.append(f"a body {size:.3g} m long (read in mm: {1e-3 * size:.3g} m)")
     elif not MASS_IN_CUBE[0] <= mass / size**3 <= MASS_IN_CUBE[1]:
         read = f"{1e3 * mass:.3g} kg and {1e-3 * size:.3g} m"
-        told.append(f"a body of {mass:.3g} kg that is {size:.3g} m long (read in mm, t, s: {read})")
-    _warn(told, "units='mm-t-s' converts what is in mm, t, s")
+        doubts.append(f"a body of {mass:.3g} kg that is {size:.3g} m long (read in mm, t, s: {read})")
+    _warn(doubts, "units='mm-t-s' converts what is in mm, t, s")
 
 
 def check_material(material: Material) -> None:
     """Warns of a density and a modulus that no material has, with what they are in millimetres and tonnes."""
-    told = []
+    doubts = []
     if not DENSITIES[0] <= material.rho <= DENSITIES[1]:
-        told.append(f"rho = {material.rho:.3g} kg/m^3 (read in t/mm^3: {1e12 * material.rho:.3g} kg/m^3)")
+        doubts.append(f"rho = {material.rho:.3g} kg/m^3 (read in t/mm^3: {1e12 * material.rho:.3g} kg/m^3)")
     if not MODULI[0] <= material.E / 10 <= MODULI[1]:
-        told.append(f"E = {material.E:.3g} Pa (read in MPa: {1e6 * material.E:.3g} Pa)")
-    _warn(told, "a Material is in SI, steel has E = 2.1e11 and rho = 7850")
+        doubts.append(f"E = {material.E:.3g} Pa (read in MPa: {1e6 * material.E:.3g} Pa)")
+    _warn(doubts, "a Material is in SI, steel has E = 2.1e11 and rho = 7850")
 
 
-def _warn(told: list[str], remedy: str) -> None:
-    if told:
-        warnings.warn(f"{'; '.join(told)} can hardly be meant: {remedy}", FiniteElementWarning, stacklevel=4)
+def _warn(doubts: list[str], remedy: str) -> None:
+    if doubts:
+        warnings.warn(f"{'; '.join(doubts)} can hardly be meant: {remedy}", FiniteElementWarning, stacklevel=4)

@@ -302,11 +302,11 @@ def in_world(a: SpatialMarker, direction: Vector) -> Vector:
     return plus(*(scaled(share, axis) for share, axis in zip(direction, a.axes, strict=True)))
 
 
-def _apart(axes: list[Vector], seen: list[Vector]) -> list[Vector]:
-    """What two or three directions span, at right angles to each other; seen: the same in the axes of marker a."""
+def _apart(axes: list[Vector], in_a: list[Vector]) -> list[Vector]:
+    """What two or three directions span, at right angles to each other; in_a: the same in the axes of marker a."""
     if len(axes) == 3:
         return identity()
-    if len(axes) < 2 or (along := dot(*seen)).is_zero():
+    if len(axes) < 2 or (along := dot(*in_a)).is_zero():
         return axes
     if along.is_one():
         return axes[:1]

@@ -144,12 +144,12 @@ class TreeSpace(SpatialSpace):
 
     def marker(self, reference: str) -> SpatialMarker:
         """Motion of "body.marker" seen from the ground."""
-        return self._seen_from(GROUND, reference)
+        return self._relative_to(GROUND, reference)
 
     def pair(self, a: str, b: str) -> tuple[SpatialMarker, SpatialMarker]:
         """Two markers seen from the last frame that their ways have in common: what is between them needs no more."""
         base = self._common(a, b)
-        return self._seen_from(base, a), self._seen_from(base, b)
+        return self._relative_to(base, a), self._relative_to(base, b)
 
     def _common(self, a: str, b: str) -> int:
         base = self.tree.common(a.partition(".")[0], b.partition(".")[0])
@@ -165,7 +165,7 @@ class TreeSpace(SpatialSpace):
     def _has_ball(self, frames: list[int]) -> bool:
         return any(isinstance(transform, Ball) for frame in frames for transform in self.tree.frames[frame].transforms)
 
-    def _seen_from(self, base: int, reference: str) -> SpatialMarker:
+    def _relative_to(self, base: int, reference: str) -> SpatialMarker:
         return self._way_to(base, reference).end()
 
     def body_marker(self, body: str, point: SpatialPoint) -> SpatialMarker:
@@ -287,7 +287,7 @@ def reduced_equations(built: Mechanism[SpatialMarker], space: SpatialSpace, orie
     )
     tree_space = TreeSpace(space, blank, whole, orientations)
     equations = Mechanism(built.scene, built.table, tree_space, blank, topology).equations
-    _tell(whole, equations, ca.vertcat(*q_dot[n:]))
+    _set_rates(whole, equations, ca.vertcat(*q_dot[n:]))
     for turning in equations.turnings:
         equations.body_columns[turning.body] += turning.columns
         equations.constraints += turning.rows([q[column] for column in turning.columns])
@@ -348,7 +348,7 @@ def _felt(equations: Equations, topology: Topology, orientations: Orientations) 
     return frozenset(felt)
 
 
-def _tell(whole: Equations, reduced: Equations, omega: ca.SX) -> None:
+def _set_rates(whole: Equations, reduced: Equations, omega: ca.SX) -> None:
     """Actions of loads, events and kinks by the shorter coordinates of the tree, where no angular velocity is."""
     for name, action in reduced.load_actions.items():
         if not ca.depends_on(ca.vertcat(*action), omega):

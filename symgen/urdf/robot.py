@@ -78,7 +78,7 @@ class Inertia:
     center: np.ndarray = field(default_factory=lambda: np.zeros(3))
     tensor: np.ndarray = field(default_factory=lambda: np.zeros((3, 3)))
 
-    def seen(self, pose: Pose) -> Inertia:
+    def in_frame(self, pose: Pose) -> Inertia:
         """The same in the frame in which its own stands at `pose`."""
         return Inertia(self.mass, pose.p + pose.R @ self.center, pose.R @ self.tensor @ pose.R.T)
 
@@ -309,7 +309,7 @@ def _inertia(element: Element, item: str, name: str, assumed: list[Assumed]) -> 
         xx, xy, xz, yy, yz, zz = (_number(tensor, key, item, 0.0 if key in PRODUCTS else None) for key in MOMENTS)
         own = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
         own[abs(own) < NOISE * value] = 0.0
-    return Inertia(value, tensor=own).seen(pose_of(element, item))
+    return Inertia(value, tensor=own).in_frame(pose_of(element, item))
 
 
 def _joint(element: Element, item: str, notes: Notes) -> RobotJoint:
@@ -516,4 +516,4 @@ def groups_of(robot: Robot, alone: Collection[str]) -> Groups:
 def inertia_of(robot: Robot, groups: Groups, group: str) -> Inertia:
     """Of all links of a group together."""
     members = groups.members[group]
-    return together([(robot.links[link].inertia or Inertia()).seen(groups.seats[link].pose) for link in members])
+    return together([(robot.links[link].inertia or Inertia()).in_frame(groups.seats[link].pose) for link in members])

@@ -27,7 +27,7 @@ def inertia_of_shapes(
             continue
         part, whole = _of_shape(geometry(own[0], item), density, item)
         hulls += not whole
-        parts.append(part.seen(pose_of(element, item)))
+        parts.append(part.in_frame(pose_of(element, item)))
     if not parts:
         return Inertia()
     total = together(parts)

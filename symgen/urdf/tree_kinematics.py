@@ -104,7 +104,7 @@ class RobotTree:
         M = np.zeros((len(self.names), len(self.names)))
         for group, one in self.placed(q).items():
             if group in inertias:
-                M += one.J.T @ spatial_inertia(inertias[group].seen(one.pose)) @ one.J
+                M += one.J.T @ spatial_inertia(inertias[group].in_frame(one.pose)) @ one.J
         return M
 
     def undetermined(self, inertias: Mapping[str, Inertia]) -> list[str]:

@@ -82,7 +82,7 @@ def test_a_step_that_tells_nothing_is_not_looked_at_for_ever() -> None:
         pairs[0] += 1
         return bool(((old < 0) & (new >= 0)).any())
 
-    assert first_bracket(happens, values, 0.0, 1.0, seen=1, most=500) is None
+    assert first_bracket(happens, values, 0.0, 1.0, agreements=1, most=500) is None
     assert 400 < looks[0] < 500 and pairs[0] < 2 * looks[0]
 
 

@@ -164,7 +164,7 @@ def test_a_lost_lane_is_not_iterated(built_in: Load, width: int) -> None:
     for cases in (table, table[:1]):
         runs = LaneRuns(asked, width)
         sweeps = runs.programs.scheme.layout.slice("iterations").start
-        blocks = runs.begun(CaseStarts(asked).of(cases))
+        blocks = runs.started(CaseStarts(asked).of(cases))
         runs.advance(blocks, 20)
         counted.append(runs.values(blocks, len(cases), "scheme")[:, sweeps])
     assert counted[0][1] < 20 * 3 and counted[0][0] == counted[1][0]

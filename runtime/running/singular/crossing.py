@@ -48,7 +48,7 @@ class Crossing:
 
     def ends(self, integrator: TightIntegrator) -> Solution:
         """The two states between which the step over the position lies."""
-        return integrator.seen(np.array([self.t_near, self.t]), np.array([self.y_near, self.y]))
+        return integrator.observed(np.array([self.t_near, self.t]), np.array([self.y_near, self.y]))
 
 
 def turned_back(t: float, y: np.ndarray) -> Crossing:
@@ -175,16 +175,18 @@ def _zero_between(
 
 def _checked(integrator: TightIntegrator, t: float, y: np.ndarray, H: float, end: np.ndarray) -> float:
     """The change of energy [J] over a step that kept the branch. Raises BranchLost."""
-    seen = integrator.seen(np.array([t, t + H]), np.array([y, end]))
-    if not np.isfinite(seen.q).all() or seen.constraint_error.max() > 1e-9:
+    observed = integrator.observed(np.array([t, t + H]), np.array([y, end]))
+    if not np.isfinite(observed.q).all() or observed.constraint_error.max() > 1e-9:
         raise BranchLost("the constraints do not hold behind it")
-    q, v, a = seen.q, seen.q_dot, seen.q_ddot
+    q, v, a = observed.q, observed.q_dot, observed.q_ddot
     missed = np.abs(q[1] - q[0] - H / 2 * (v[0] + v[1]) + H**2 / 12 * (a[1] - a[0])).max()
     if not missed <= CONTINUITY * H * np.abs(v).max() + 1e-13:
         raise BranchLost(f"the velocities behind it do not continue those before it ({missed:.2g})")
-    change = float(seen.energy_balance()[-1])
-    motion = float((seen.energy["kinetic"] + seen.energy["elastic"]).max())
-    power = np.abs(seen.energy["power_applied"] + seen.energy["power_driven"] - seen.energy["power_dissipated"])
+    change = float(observed.energy_balance()[-1])
+    motion = float((observed.energy["kinetic"] + observed.energy["elastic"]).max())
+    power = np.abs(
+        observed.energy["power_applied"] + observed.energy["power_driven"] - observed.energy["power_dissipated"]
+    )
     if not abs(change) <= ENERGY * motion + 1e-2 * H * float(np.ptp(power)) + 1e-14:
         raise BranchLost(f"energy changes by {change:.3g} J")
     return change
@@ -238,7 +240,7 @@ class TightIntegrator:
             for name, end in (("q", ""), ("q_dot", "_dot"), ("q_ddot", "_ddot"))
         }
 
-    def seen(self, t: np.ndarray, y: np.ndarray) -> Solution:
+    def observed(self, t: np.ndarray, y: np.ndarray) -> Solution:
         """Closed states with energies at times t (N,), y (N, size)."""
         at, ended = self.states(t, y), Status("completed", float(t[-1]))
         motion = at["q"], at["q_dot"], at["q_ddot"]

@@ -103,9 +103,9 @@ CLOSURES = 6
 CONJUGATE = np.array([1.0, -1.0, -1.0, -1.0])
 
 
-def carried(old: SteppedModel, z: np.ndarray, new: SteppedModel, seen: Solution) -> np.ndarray:
-    """z of the new segment at the state of the old one; seen: that state observed, one sample."""
-    result = new.start(seen.q[0], seen.q_dot[0], int(z[1]))
+def carried(old: SteppedModel, z: np.ndarray, new: SteppedModel, observed: Solution) -> np.ndarray:
+    """z of the new segment at the state of the old one; observed: that state observed, one sample."""
+    result = new.start(observed.q[0], observed.q_dot[0], int(z[1]))
     before, after = old.plan.scheme.layout, new.plan.scheme.layout
     for name in new.plan.scheme.carried:
         result[after.slice(name)] = z[before.slice(name)]
@@ -117,12 +117,12 @@ def carried(old: SteppedModel, z: np.ndarray, new: SteppedModel, seen: Solution)
         result[after.slice(name)] = np.where(stays, z[before.slice(name)], result[after.slice(name)])
     if {"d", "a"} <= set(new.plan.scheme.history):  # it remembers the last step by increments
         for k in np.flatnonzero(~stays):
-            d, a = _increment(old, z, seen, new.model.q_i[k], float(new.plan.scheme.step_sizes[k]))
+            d, a = _increment(old, z, observed, new.model.q_i[k], float(new.plan.scheme.step_sizes[k]))
             result[after.slice("d")][k], result[after.slice("a")][k] = d, a
     return result
 
 
-def _increment(old: SteppedModel, z: np.ndarray, seen: Solution, name: str, h: float) -> tuple[float, float]:
+def _increment(old: SteppedModel, z: np.ndarray, observed: Solution, name: str, h: float) -> tuple[float, float]:
     """(q(t) - q(t - h), q_ddot(t - h)) of a dependent coordinate of the old segment.
 
     Coordinates with another step than h are not remembered at t - h; they are taken along their acceleration.
@@ -130,29 +130,29 @@ def _increment(old: SteppedModel, z: np.ndarray, seen: Solution, name: str, h: f
     model, layout, scheme = old.model, old.plan.scheme.layout, old.plan.scheme
     d, a = z[layout.slice("d")], z[layout.slice("a")]
     same = np.isclose(scheme.step_sizes, h, rtol=1e-12)
-    now = seen.q_ddot[0]
-    q_i, v_i = independent(model, seen.q[0], seen.q_dot[0])
-    a_i = independent_rates(model, seen.q[0], now)
+    now = observed.q_ddot[0]
+    q_i, v_i = independent(model, observed.q[0], observed.q_dot[0])
+    a_i = independent_rates(model, observed.q[0], now)
     x, c = z[layout.slice("x")], old.c
-    guess = dependent_part(model, seen.q[0] - h * seen.q_dot[0] + h**2 / 2 * now)
-    turns, omega = model.places.turns, np.concatenate(rate_parts(model, seen.q[0], seen.q_dot[0]))
+    guess = dependent_part(model, observed.q[0] - h * observed.q_dot[0] + h**2 / 2 * now)
+    turns, omega = model.places.turns, np.concatenate(rate_parts(model, observed.q[0], observed.q_dot[0]))
     if len(turns):  # all from the charts of z
         c = c.copy()
         c[charts_in(model)] = z[layout.slice("chart")]
-        for own, theta in zip(turns, _thetas(model, seen.q[0], c), strict=True):
+        for own, theta in zip(turns, _thetas(model, observed.q[0], c), strict=True):
             turned = np.concatenate([q_i, guess])
             turned[own] = theta
             turned[own[own >= len(q_i)]] -= h * omega[own[own >= len(q_i)]]
             q_i, guess = turned[: len(q_i)], turned[len(q_i) :]
     earlier = np.where(same, x - d, q_i - h * v_i + h**2 / 2 * a_i)
     earlier_v = np.where(same, d / h - h / 2 * a, v_i - h * a_i)
-    t = float(seen.t[0]) - h
+    t = float(observed.t[0]) - h
     q_d = closed(model, c, t, earlier, guess)
     values: dict[str, Any] = {"q_i": earlier, "q_d": q_d, "q_i_dot": earlier_v, "t": t, "c": c, "q_i_ddot": a}
     values["q_d_dot"] = model.evaluate("velocities", **values)["q_d_dot"]
     q_d_ddot = np.asarray(model.evaluate("accelerations", **values)["q_d_ddot"]).ravel()
     position = model.q_d.index(name)
-    return _turned(model, seen.q[0], q_d, name), float(q_d_ddot[position])
+    return _turned(model, observed.q[0], q_d, name), float(q_d_ddot[position])
 
 
 def _thetas(model: EmittedModel, q: np.ndarray, c: np.ndarray) -> list[np.ndarray]:

@@ -89,7 +89,7 @@ class Over:
         scheme = self.segment.plan.scheme
         return np.where(are_kinks(scheme), NEVER, quiet_until(scheme, z))
 
-    def told(self) -> Event | None:
+    def event(self) -> Event | None:
         """That the position was passed, where it was, and not behind the end of the run."""
         if (found := self._passed) is None or found.t_near == found.t or found.t_s > self.segment.plan.t_end:
             return None
@@ -181,8 +181,8 @@ class Way:
     @property
     def leaves(self) -> tuple[float, np.ndarray]:
         """(t, y) from where it is integrated behind the position: where it begins, if not too near to it."""
-        end, begun = self.crossing, self.integrator is not self.behind
-        clear = end.t_s + CLEAR * (end.t - end.t_s) if begun else end.t
+        end, started = self.crossing, self.integrator is not self.behind
+        clear = end.t_s + CLEAR * (end.t - end.t_s) if started else end.t
         return (self.t, self.y) if self.t >= clear else (end.t, end.y)
 
     def states(self, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -109,21 +109,21 @@ class Passage:
         status = self.segment.monitor.after(self.segment.state(z), last=True)
         if status is not None:
             return Continuation(self.segment, z, [], None, None, status)
-        seen = self.segment.observed([self.segment.state(z)])
-        t, q, v = float(seen.t[0]), seen.q[0], seen.q_dot[0]
+        observed = self.segment.observed([self.segment.state(z)])
+        t, q, v = float(observed.t[0]), observed.q[0], observed.q_dot[0]
         values, _ = self.loops.determinants(t, q, v)
         if not (np.isfinite(q).all() and np.isfinite(v).all() and np.isfinite(values).all()):
             return self._look_later(z)
         block = self.singularity.worst(values)
         exchange = best_exchange(self.segment.model, q, self.loops.jacobian(t, q), self.length)
         if exchange is not None and exchange.gain >= CLEARLY:
-            return self._exchanged(z, seen, exchange)
-        return self._ahead(z, seen, block, abs(float(values[block])))
+            return self._exchanged(z, observed, exchange)
+        return self._ahead(z, observed, block, abs(float(values[block])))
 
-    def _ahead(self, z: np.ndarray, seen: Solution, block: int, height: float) -> Continuation:
+    def _ahead(self, z: np.ndarray, observed: Solution, block: int, height: float) -> Continuation:
         """Follow the motion with tight tolerances to see whether it leads to a singular position."""
         integrator = TightIntegrator(self.segment.model, self.segment.p, self.segment.c, self.asked)
-        t, y = float(seen.t[0]), integrator.pack(seen.q[0], seen.q_dot[0])
+        t, y = float(observed.t[0]), integrator.pack(observed.q[0], observed.q_dot[0])
         largest = float(self.singularity.largest[block]) or height
         try:
             near = approach(integrator, t, y, block, min(FOLLOWED * largest, 0.3 * height))
@@ -132,10 +132,10 @@ class Passage:
             return Continuation(self.segment, z, [])
         if near is None:
             return self._look_later(z)
-        there = integrator.seen(np.array([near[0]]), near[1][None, :])
+        there = integrator.observed(np.array([near[0]]), near[1][None, :])
         exchange = best_exchange(self.segment.model, there.q[0], self.loops.jacobian(near[0], there.q[0]), self.length)
         if exchange is not None and exchange.gain >= CLEARLY:
-            return self._exchanged(z, seen, exchange)
+            return self._exchanged(z, observed, exchange)
         try:
             crossing = cross(integrator, t, y, block, largest)
             over = Over(self.segment, self.segments, self.event_handler, block, largest, self.asked)
@@ -148,28 +148,28 @@ class Passage:
                 "Start elsewhere, change a length a little, or stop the run before it.",
             )
         self.singularity.passed()
-        first, event = int(z[1]) + 1, over.told()
+        first, event = int(z[1]) + 1, over.event()
         return Continuation(self.segment, samples[-1].copy(), samples, first, event, status)
 
     # ---- another q_i ----------------------------------------------------------------------------------------
 
-    def _exchanged(self, z: np.ndarray, seen: Solution, exchange: Exchange) -> Continuation:
+    def _exchanged(self, z: np.ndarray, observed: Solution, exchange: Exchange) -> Continuation:
         names = exchange.apply(list(self.segment.model.q_i))
         try:
-            segment = self._segment_with(names, seen.q[0])
+            segment = self._segment_with(names, observed.q[0])
         except (NoVariant, SchemeError) as error:
             if self.singularity.threshold > LAST:
-                return self._look_later(z, Event(float(seen.t[0]), "no_variant", str(error)))
+                return self._look_later(z, Event(float(observed.t[0]), "no_variant", str(error)))
             return self._lost(
                 "partition_lost",
                 z,
                 f"{exchange.out} no longer determines the mechanism, {exchange.into} would",
                 str(error),
             )
-        new = carried(self.segment, z, segment, seen)
+        new = carried(self.segment, z, segment, observed)
         segment.monitor.resume(segment.state(new), self.segment.monitor.memory())
         event = Event(
-            float(seen.t[0]),
+            float(observed.t[0]),
             "repartition",
             f"{exchange.into} took the place of {exchange.out} in q_i, "
             f"which makes the closure {exchange.gain:.3g} times better determined",
@@ -183,7 +183,7 @@ class Passage:
             return known
         model = variant_of(self.segments[0].model, names, q)
         own = self.segment
-        return SteppedModel.of_run(model, own.plan.on(model), own.p, self.engine, own.begun)
+        return SteppedModel.of_run(model, own.plan.on(model), own.p, self.engine, own.start_state)
 
     # ---- neither --------------------------------------------------------------------------------------------
 

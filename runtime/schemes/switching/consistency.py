@@ -63,15 +63,15 @@ def broken_law(
         least = most / np.sqrt(diagonal[row]) + BROKEN * abs(own["holds"][row])
         if mode == 0:
             if abs(v[row]) > slow:
-                return _told(f"{event.name} holds what moves at {v[row]:.4g}")
+                return _no_mode(f"{event.name} holds what moves at {v[row]:.4g}")
             if margin < -least:
-                return _told(
+                return _no_mode(
                     f"{event.name} would pull with {-margin:.4g}" if side else
                     f"{event.name} would hold {-margin:.4g} more than it can"
                 )  # fmt: skip
         elif (not side or mode < 0) and (side or mode) * a[row] < -most * np.sqrt(diagonal[row]):
             what = "lets go of what comes back" if side else "pushes on what it should hold back"
-            return _told(f"{event.name} {what}: {a[row]:.4g}")
+            return _no_mode(f"{event.name} {what}: {a[row]:.4g}")
     return None
 
 
@@ -103,7 +103,7 @@ def elements_of(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray
     return {name: one if name in ("M_hat", "G") else one.ravel() for name, one in found.items()}
 
 
-def _told(broken: str) -> NoMode:
+def _no_mode(broken: str) -> NoMode:
     return NoMode(f"{broken}: what was decided breaks a law of friction or stops", REMEDY)
 
 

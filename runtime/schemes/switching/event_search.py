@@ -184,20 +184,20 @@ def first_bracket(
     values: Callable[[np.ndarray], np.ndarray],
     start: float,
     end: float,
-    seen: int = 2,
+    agreements: int = 2,
     most: int = MOST_PLACES,
 ) -> tuple[float, float] | None:
     """The first interval [s] of a step, from start to end, between whose ends an event happens; None: there is none.
 
-    values(s (N,)): (N, n_e) at places on the step. seen: so many halvings in a row must be as neighbours foretell.
-    most: fewer places are looked at.
+    values(s (N,)): (N, n_e) at places on the step. agreements: so many halvings in a row must be as neighbours
+    foretell. most: fewer places are looked at.
     """
-    s = np.linspace(start, end, 4 * seen + 1)
-    e, known = values(s), np.zeros(4 * seen, dtype=int)
+    s = np.linspace(start, end, 4 * agreements + 1)
+    e, known = values(s), np.zeros(4 * agreements, dtype=int)
     passing = np.array([happens(*pair) for pair in zip(e, e[1:], strict=False)])  # of each interval
     while True:
         first = int(passing.argmax()) if passing.any() else None
-        open_ = ((known < seen) | _unsettled(s, e)) & (np.diff(s) > FINEST * (end - start))
+        open_ = ((known < agreements) | _unsettled(s, e)) & (np.diff(s) > FINEST * (end - start))
         k = np.flatnonzero(open_[: None if first is None else first + 1])[:AT_ONCE]
         if not len(k) or len(s) + len(k) >= most:
             return None if first is None else (float(s[first]), float(s[first + 1]))
@@ -213,13 +213,13 @@ def first_bracket(
 def _foretold(s: np.ndarray, e: np.ndarray, k: np.ndarray, x: np.ndarray, new: np.ndarray) -> np.ndarray:
     """Are values (m, n_e) at x in intervals k about those of the cubic through the four looks around each?"""
     near = np.clip(k - 1, 0, len(s) - 4)[:, None] + np.arange(4)
-    at, seen = s[near], e[near]
+    at, known = s[near], e[near]
     cubic = np.zeros_like(new)
     for j in range(4):
         others = [i for i in range(4) if i != j]
         weight = np.prod([(x - at[:, i]) / (at[:, j] - at[:, i]) for i in others], axis=0)
-        cubic += weight[:, None] * seen[:, j]
-    allowed = FORETOLD_SHARE * np.ptp(seen, axis=1) + ROUNDED * np.abs(seen).max(axis=1)
+        cubic += weight[:, None] * known[:, j]
+    allowed = FORETOLD_SHARE * np.ptp(known, axis=1) + ROUNDED * np.abs(known).max(axis=1)
     return np.asarray((np.abs(new - cubic) <= allowed).all(axis=1))
 
 

@@ -276,10 +276,10 @@ class _EventStep:
     def _set_out(self, z: np.ndarray, dt: float, clock: float) -> tuple[np.ndarray, np.ndarray]:
         """The same behind a restart."""
         made, scheme = self.steps._made, self.steps.stepper.scheme
-        state, seen, inputs = z[: scheme.layout.size], float(z[self._at("dt_seen")][0]), z[self._at("inputs")]
+        state, interval, inputs = z[: scheme.layout.size], float(z[self._at("dt_seen")][0]), z[self._at("inputs")]
         pushed = "push" in made.program.layout.sizes
         push = z[self._at("push")] if pushed else np.zeros(len(scheme.model.q_i))
-        found = made.restart(state, scheme.constants(self.c), seen, dt, clock, push, inputs)
+        found = made.restart(state, scheme.constants(self.c), interval, dt, clock, push, inputs)
         return found, scheme.constants(self.c, dt)
 
     def _act(self, z: np.ndarray, t: float, happened: list[int]) -> bool:
@@ -367,7 +367,7 @@ class _EventStep:
             lambda s: np.array([at(float(one)) for one in s]),
             0.0,
             length,
-            seen=1,
+            agreements=1,
             most=MOST_STEPS,
         )
         first = length if of_events is None else of_events[0]

@@ -159,15 +159,15 @@ class StopProgram:
     def _looked(self, fields: Fields, event_before: ca.SX, c: ca.SX, dt: ca.SX) -> Fields:
         """Events are looked for from here on; event_step is the first step in which one was seen."""
         state = self.scheme.layout.pack(fields)
-        seen = values_at(self.scheme, state, self.scheme.equations(with_steps(self.scheme, state, c, dt), fields))
-        by_jump = flagged(self.scheme, fields, fields["event_values"], seen["events"], seen["t"])
+        observed = values_at(self.scheme, state, self.scheme.equations(with_steps(self.scheme, state, c, dt), fields))
+        by_jump = flagged(self.scheme, fields, fields["event_values"], observed["events"], observed["t"])
         sooner = ca.logic_or(fields["event_step"] < NEVER, by_jump)
         slopes = fields["event_slopes"]
         return {
             **fields,
-            "event_values": seen["events"],
-            "event_change": ca.SX.ones(seen["events"].numel()) * NEVER,
-            "event_slopes": seen["slopes"][: slopes.numel()] if slopes.numel() else slopes,
+            "event_values": observed["events"],
+            "event_change": ca.SX.ones(observed["events"].numel()) * NEVER,
+            "event_slopes": observed["slopes"][: slopes.numel()] if slopes.numel() else slopes,
             "event_step": ca.if_else(sooner, ca.fmin(event_before, fields["n"]), event_before),
         }
 
@@ -177,14 +177,14 @@ def impulse_there(
 ) -> tuple[ca.SX, ca.SX, ca.SX]:
     """(push, energy, jumps), see Impulse, at a state (n_z,) that steps dt show; before, after: clocks [s]."""
     model, constants = scheme.model, with_steps(scheme, state, c, dt)
-    seen = scheme.observer(z=state, c=constants)
-    q_i, q_d = seen["q_i"], seen["q_d"]
+    observed = scheme.observer(z=state, c=constants)
+    q_i, q_d = observed["q_i"], observed["q_d"]
     if scheme.charts.size:
         q, charts = joined(model, q_i, q_d), charts_in(model)
-        q_i, q_d = scheme.charts.seen_in(model, q)
+        q_i, q_d = scheme.charts.in_charts(model, q)
         parameters = q[model.places.parameters.ravel().tolist()]
         constants = ca.vertcat(constants[: charts.start], parameters, constants[charts.stop :])
-    found = impulse_of(model)(q_i, q_d, seen["q_i_dot"], constants[: model.c_size], before, after)
+    found = impulse_of(model)(q_i, q_d, observed["q_i_dot"], constants[: model.c_size], before, after)
     push, energy, jumps = found
     return push, energy, jumps
 
@@ -247,14 +247,14 @@ def started_anew(
     before, after (c_size,): constants as the stages read them, with inputs: z is shown by those before, steps go on
     with those after. push (n_i,): what is added to the rates [1/s].
     """
-    seen, fields, model = scheme.observer(z=z, c=before), scheme.layout.unpack(z), scheme.model
-    q_i, q_d = seen["q_i"], seen["q_d"]
+    observed, fields, model = scheme.observer(z=z, c=before), scheme.layout.unpack(z), scheme.model
+    q_i, q_d = observed["q_i"], observed["q_d"]
     if scheme.charts.size:  # turns count from where their bodies are
         q = joined(model, q_i, q_d)
-        (q_i, q_d), charts = scheme.charts.seen_in(model, q), charts_in(model)
+        (q_i, q_d), charts = scheme.charts.in_charts(model, q), charts_in(model)
         parameters = q[model.places.parameters.ravel().tolist()]
         after = ca.vertcat(after[: charts.start], parameters, after[charts.stop :])
-    found = ca.SX(scheme.starter(t, q_i + shift, seen["q_i_dot"] + push, loop_guess(scheme, q_d), after))
+    found = ca.SX(scheme.starter(t, q_i + shift, observed["q_i_dot"] + push, loop_guess(scheme, q_d), after))
     for name in scheme.lasting(Lasting.ACCOUNT):
         found[scheme.layout.slice(name)] = fields[name]
     return found

@@ -78,19 +78,19 @@ def watches(scheme: Scheme) -> bool:
 
 def event_values(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> np.ndarray:
     """(n_e,) at a state z (at least the scheme's part, flat); c as the stages read it."""
-    return _seen(scheme, z, c, "events")
+    return _observed(scheme, z, c, "events")
 
 
 def event_slopes(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> np.ndarray:
     """(n_e,) rates of these values [1/s]."""
-    return _seen(scheme, z, c, "slopes")
+    return _observed(scheme, z, c, "slopes")
 
 
-def _seen(scheme: Scheme, z: np.ndarray, c: np.ndarray, name: str) -> np.ndarray:
-    return direct(scheme, name, lambda: seen_function(scheme, name))(z[: scheme.layout.size], c)
+def _observed(scheme: Scheme, z: np.ndarray, c: np.ndarray, name: str) -> np.ndarray:
+    return direct(scheme, name, lambda: observed_function(scheme, name))(z[: scheme.layout.size], c)
 
 
-def seen_function(scheme: Scheme, name: str) -> ca.Function:
+def observed_function(scheme: Scheme, name: str) -> ca.Function:
     """(z, c) -> `events`, `slopes` or `actions` at a state; c as the stages read it."""
     symbols = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
     equations = scheme.equations(symbols[1], scheme.layout.unpack(symbols[0]))
@@ -100,7 +100,7 @@ def seen_function(scheme: Scheme, name: str) -> ca.Function:
 
 def action_values(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> np.ndarray:
     """(n_a,) what inputs become by the events' actions, event by event."""
-    return _seen(scheme, z, c, "actions")
+    return _observed(scheme, z, c, "actions")
 
 
 def begin_events(scheme: Scheme, z: np.ndarray, c: np.ndarray, shown: np.ndarray | None = None) -> None:
@@ -120,10 +120,13 @@ def looking(scheme: Scheme, z: Fields, c: ca.SX) -> Fields:
     """Fields of z as expressions, looked at from there on as if no event had happened yet; c as the stages read it."""
     if not watches(scheme):
         return z
-    seen, none = values_at(scheme, scheme.layout.pack(z), scheme.equations(c, z)), ca.SX.ones(z["event_values"].numel())
+    observed, none = (
+        values_at(scheme, scheme.layout.pack(z), scheme.equations(c, z)),
+        ca.SX.ones(z["event_values"].numel()),
+    )
     begun = {
-        "event_values": seen["events"],
-        "event_slopes": seen["slopes"][: z["event_slopes"].numel()],
+        "event_values": observed["events"],
+        "event_slopes": observed["slopes"][: z["event_slopes"].numel()],
         "event_step": ca.SX(NEVER),
     }
     begun |= {"event_change": NEVER * none, "event_quiet": -NEVER * none}
@@ -152,18 +155,18 @@ def with_events(scheme: Scheme, program: Program) -> Program:
     declared = len(scheme.model.description.events)
 
     def looked(z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        seen = values_at(scheme, scheme.layout.pack(z), equations)
-        flag = flagged(scheme, z, z["event_values"], seen["events"], seen["t"])
+        observed = values_at(scheme, scheme.layout.pack(z), equations)
+        flag = flagged(scheme, z, z["event_values"], observed["events"], observed["t"])
         step = ca.fmin(z["event_step"], ca.if_else(flag, z["n"], NEVER))
-        looks = next_values(scheme, z, seen["events"])
+        looks = next_values(scheme, z, observed["events"])
         slopes = {"event_slopes": z["event_slopes"] * looks["event_near"]} if declared else {}
         return {**looks, **slopes, "event_step": step}
 
     def bent(z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        seen, values = values_at(scheme, scheme.layout.pack(z), equations), z["event_values"]
-        new, change, slopes = values[:declared], z["event_change"][:declared], seen["slopes"][:declared]
+        observed, values = values_at(scheme, scheme.layout.pack(z), equations), z["event_values"]
+        new, change, slopes = values[:declared], z["event_change"][:declared], observed["slopes"][:declared]
         dip = dips(new - change, z["event_slopes"], new, slopes, equations.h[0])
-        flag = flagged(scheme, z, values, values, seen["t"], dip)
+        flag = flagged(scheme, z, values, values, observed["t"], dip)
         step = ca.fmin(z["event_step"], ca.if_else(flag, z["n"], NEVER))
         return {"event_slopes": slopes, "event_step": step}
 
@@ -210,17 +213,17 @@ def passed(scheme: Scheme, old: np.ndarray, new: np.ndarray, asleep: np.ndarray 
 
 def values_at(scheme: Scheme, z: ca.SX, equations: StageEquations) -> dict[str, ca.SX]:
     """`events`, their `slopes` (n_e,), what `actions` set and its rates (`drifts`), at what z shows, at `t`."""
-    seen = scheme.observer(z=z, c=ca.vertcat(equations.c, equations.h))
+    observed = scheme.observer(z=z, c=ca.vertcat(equations.c, equations.h))
     names = [f"{part}{end}" for end in ("", "_dot", "_ddot") for part in ("q_i", "q_d")]
-    here, along = (ca.vertcat(*(seen[name] for name in own)) for own in (names[:4], names[2:]))
-    here, along = ca.vertcat(here, seen["t"]), ca.vertcat(along, 1)
+    here, along = (ca.vertcat(*(observed[name] for name in own)) for own in (names[:4], names[2:]))
+    here, along = ca.vertcat(here, observed["t"]), ca.vertcat(along, 1)
     at = ca.SX.sym("at", here.numel())
-    q_i, q_d, v, v_d, t = ca.vertsplit(at, np.cumsum([0, *(seen[name].numel() for name in names[:4]), 1]).tolist())
+    q_i, q_d, v, v_d, t = ca.vertsplit(at, np.cumsum([0, *(observed[name].numel() for name in names[:4]), 1]).tolist())
     found = event_outputs(scheme, equations, ClosedConfiguration(q_i, q_d, t, ca.SX(0), ca.SX(0, 1)), v, v_d)
     rates = {"slopes": "events", "drifts": "actions"}
     found |= {rate: ca.densify(ca.jtimes(found[name], at, along)) for rate, name in rates.items() if name in found}
     new = ca.substitute(list(found.values()), [at], [here])
-    return {**dict(zip(found, new, strict=True)), "t": seen["t"]}
+    return {**dict(zip(found, new, strict=True)), "t": observed["t"]}
 
 
 def event_outputs(

@@ -201,7 +201,7 @@ def advise(
     note(f"trying {chosen.label}")
     compared = [_refined(refinement, chosen, np.inf, reference)]
     motion = compared[0].finest
-    ratios = step_ratios(problem, None if motion is None else motion.run.seen())
+    ratios = step_ratios(problem, None if motion is None else motion.run.sampled_solution())
     shown = always_reported(model, ratios) if reference is not None else []
     tried = {method.label: method for method in (*candidates(model, ratios), *shown)}
     tried.pop(chosen.label, None)
@@ -247,18 +247,18 @@ def _refined(
     except SymgenError as error:  # a scheme that this model does not allow
         return Candidate(method, failure=str(error).splitlines()[0])
     pairs = list(zip(levels, levels[1:], strict=False))
-    seen = np.array([(_operations(level), finer.differs) for level, finer in pairs]).reshape(-1, 2)
+    curve = np.array([(_operations(level), finer.differs) for level, finer in pairs]).reshape(-1, 2)
     trials: list[Trial] = []
     if reference is not None:
         from runtime.studies.advice.reference import trial_of
 
         trials = [trial_of(method.label, level, reference) for level in levels]
     whole = next((one for one in reversed(levels) if not one.lost), None)
-    found = Candidate(method, failure="not reached in useful time", levels=seen, trials=trials, finest=whole)
+    found = Candidate(method, failure="not reached in useful time", levels=curve, trials=trials, finest=whole)
     for level, finer in reversed(pairs):
         if not finer.differs <= refinement.tolerance:
             break
-        found = Candidate(method, level, finer.differs, _operations(level), levels=seen, trials=trials, finest=whole)
+        found = Candidate(method, level, finer.differs, _operations(level), levels=curve, trials=trials, finest=whole)
     return found
 
 

@@ -60,10 +60,10 @@ class Reference:
         known = followed(self.problem.model)[0]
         return {name: float(self.sizes[known.index(name)]) for name in self.graded}
 
-    def error(self, t: np.ndarray, told: np.ndarray) -> MotionError:
+    def error(self, t: np.ndarray, compared_motion: np.ndarray) -> MotionError:
         """Of what a run tells (N, n_told) at times t (N,) [s]."""
         with np.errstate(over="ignore", invalid="ignore"):
-            return motion_error(self.problem.model, t, told, self.path(t), self.sizes)
+            return motion_error(self.problem.model, t, compared_motion, self.path(t), self.sizes)
 
     def worst(self, error: MotionError) -> float:
         """The largest relative error of what is graded."""
@@ -145,8 +145,8 @@ HOPELESS = 1.0  # relative error from which a run counts as failed
 class Trial:
     """setting: the step dt [s]; seconds: of CPU.
 
-    error, end_error: of the worst graded coordinate, over the motion and at its end; errors: of each, by name. told:
-    what the refinement says of the error. failure: how it ended, if not well.
+    error, end_error: of the worst graded coordinate, over the motion and at its end; errors: of each, by name.
+    estimated: what the refinement says of the error. failure: how it ended, if not well.
     """
 
     label: str
@@ -157,7 +157,7 @@ class Trial:
     error: float
     end_error: float = nan
     errors: dict[str, float] = field(default_factory=dict)
-    told: float = nan
+    estimated: float = nan
     failure: str = ""
 
 
@@ -169,20 +169,20 @@ def trial_of(label: str, level: RefinementLevel, reference: Reference) -> Trial:
     made = int(counted["steps"]), seconds_of(level), int(counted["evaluations"])
     if level.lost:
         return Trial(label, dt, *made, np.inf, np.inf, failure=level.status.cause or level.status.name)
-    seen = run.seen()
+    samples = run.sampled_solution()
     at = first.plan.t0 + level.reached * dt  # samples alone, evenly spaced, may be in phase with a vibration
-    q = np.concatenate([level.seen[0], told(reference.problem.model, seen)])
-    error = reference.error(np.concatenate([at, seen.t]), q)
+    q = np.concatenate([level.compared[0], compared_motion(reference.problem.model, samples)])
+    error = reference.error(np.concatenate([at, samples.t]), q)
     if not reference.worst(error) < HOPELESS:
         return Trial(label, dt, *made, np.inf, np.inf, failure="error above the motion itself")
     errors = {name: error.relative[name] for name in reference.graded}
     ends = reference.at_end(error)
-    return Trial(label, dt, *made, reference.worst(error), ends, errors, level.told.largest)
+    return Trial(label, dt, *made, reference.worst(error), ends, errors, level.estimated.largest)
 
 
-def told(model: EmittedModel, seen: Solution) -> np.ndarray:
+def compared_motion(model: EmittedModel, samples: Solution) -> np.ndarray:
     """(N, n_told) what tells the motion, of samples."""
-    return seen.q[:, followed(model)[1]]
+    return samples.q[:, followed(model)[1]]
 
 
 def seconds_of(level: RefinementLevel) -> float:

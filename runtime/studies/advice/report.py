@@ -97,9 +97,9 @@ def as_markdown(found: Advice) -> str:
         "|---|---:|---:|---:|---:|---:|",
     ]
     for trial in trials_of(found):
-        told = markdown(trial.failure) or (f"{trial.told:.2g}" if isfinite(trial.told) else "")
+        estimated = markdown(trial.failure) or (f"{trial.estimated:.2g}" if isfinite(trial.estimated) else "")
         size = f"{trial.setting:.3g} | {trial.steps} | {1e3 * trial.seconds:.3g}"
-        lines.append(f"| {trial.label} | {size} | {trial.error:.2g} | {told} |")
+        lines.append(f"| {trial.label} | {size} | {trial.error:.2g} | {estimated} |")
     return "\n".join([*lines, "", "```", *advice_lines(found), "```", ""])
 
 
@@ -109,6 +109,6 @@ def as_csv(found: Advice) -> str:
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(["method", "dt [s]", "steps", "seconds [s]", "error", "error_at_end", "told", "failure"])
     for one in trials_of(found):
-        row = [one.label, one.setting, one.steps, one.seconds, one.error, one.end_error, one.told, one.failure]
+        row = [one.label, one.setting, one.steps, one.seconds, one.error, one.end_error, one.estimated, one.failure]
         writer.writerow(row)
     return text.getvalue()

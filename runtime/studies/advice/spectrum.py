@@ -93,11 +93,11 @@ def _fastest(A_q: np.ndarray, A_v: np.ndarray) -> float:
 
 def _states(problem: Problem, motion: Solution | None) -> list[State]:
     model = problem.model
-    seen = [(problem.t0, problem.state.q, problem.state.q_dot)]
+    states = [(problem.t0, problem.state.q, problem.state.q_dot)]
     if motion is not None and len(motion.t) > 1:
         at = np.unique(np.linspace(0, len(motion.t) - 1, STATES).astype(int))
-        seen += [(float(motion.t[k]), motion.q[k], motion.q_dot[k]) for k in at]
-    return [State(t, *independent(model, q, q_dot), loop_part(model, q)) for t, q, q_dot in seen]
+        states += [(float(motion.t[k]), motion.q[k], motion.q_dot[k]) for k in at]
+    return [State(t, *independent(model, q, q_dot), loop_part(model, q)) for t, q, q_dot in states]
 
 
 def moving_rates(problem: Problem, motion: Solution | None) -> np.ndarray:

@@ -135,16 +135,16 @@ FOUND: tuple[StatusName, ...] = ("mass_not_positive", "constraints_lost", "defle
 
 def looked(model: EmittedModel, scheme: Scheme, length: float, p: ca.SX, z: ca.SX, c: ca.SX) -> Mapping[str, ca.SX]:
     """The values of FIELDS at the scheme's part of z; c as the scheme's stages read it, p: parameters."""
-    seen = scheme.observer(z=z, c=c)
+    observation = scheme.observer(z=z, c=c)
     found = {"constraint": ca.SX(0), "pivot": ca.SX(1), "bent": ca.SX(0)}
     if model.constraints and model.has("constraints"):
         C, _ = observed(model, scheme, "constraints", ("C", "C_q"))(z, c)
         found["constraint"] = _largest(C / (CONSTRAINT_LIMIT * np.where(length_rows(model), length, 1.0)))
     if len(model.q_i) <= LARGE:
-        M_hat = model.evaluate("condensed", **{**seen, "c": c[: model.c_size]})["M_hat"]
+        M_hat = model.evaluate("condensed", **{**observation, "c": c[: model.c_size]})["M_hat"]
         found["pivot"] = _least_pivot(ca.SX(M_hat))
-    found["bent"] = _bent(model, p, seen["q_i"], seen["q_d"])
-    found["growth"] = _largest(seen["q_i_dot"] * ca.DM(scheme.step_sizes)) / GROWTH_LIMIT
+    found["bent"] = _bent(model, p, observation["q_i"], observation["q_d"])
+    found["growth"] = _largest(observation["q_i_dot"] * ca.DM(scheme.step_sizes)) / GROWTH_LIMIT
     return found
 
 

@@ -127,19 +127,19 @@ def ensemble(
         raise ArgumentError("workers", f"must be a whole number of threads of at least 1, not {workers!r}")
     model, constant = with_functions(model, inputs)
     names, table = table_of(model, {**columns_by_name("parameters", parameters), **constant}, initial)
-    seen = seen_every_of(seen_every, samples, *span_of(model, t0, t_end))
-    if reduce is not None and seen is not None:
+    spacing = seen_every_of(seen_every, samples, *span_of(model, t0, t_end))
+    if reduce is not None and spacing is not None:
         remedy = "give reduce for values of whole runs, or seen_every (or samples)"
         raise ArgumentError("reduce and seen_every", "are two answers", remedy)
     if tolerance is None:
-        plan = make_plan(model, t_end, dt, m, scheme, seen, options, t0, bounded=True)
+        plan = make_plan(model, t_end, dt, m, scheme, spacing, options, t0, bounded=True)
         spec = EnsembleSpec.ask(model, names, plan, start, outputs, reduce)
         _check_names(spec)
     else:
         refuse_steps(scheme, dt, m, options)
         spec = EnsembleSpec.to_tolerance(
             model, names, table, tolerance, start, outputs, reduce,
-            scheme=scheme, m=m, options=options, t0=t0, t_end=t_end, seen=seen,
+            scheme=scheme, m=m, options=options, t0=t0, t_end=t_end, spacing=spacing,
         )  # fmt: skip
         _check_names(spec)
     size, tries = _whole("chunk", CHUNK if chunk is None else chunk, 1), _whole("retries", retries, 0)

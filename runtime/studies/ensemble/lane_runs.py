@@ -97,7 +97,7 @@ class LaneRuns:
         """All runs of these cases; None if `stopped` said so on the way."""
         program = self.programs.stops
         stops, known = LaneStops(self.spec.plan, starts, () if program is None else program.part), 0
-        blocks, cases = self.begun(starts, stops.clocks), len(starts.close)
+        blocks, cases = self.started(starts, stops.clocks), len(starts.close)
         alone = starts.close & ~(self.values(blocks, cases, "fits")[:, 0] > 0)
         if "settled" in self.programs.row.sizes:
             alone |= starts.settle & ~(self.values(blocks, cases, "settled")[:, 0] > 0)
@@ -135,7 +135,7 @@ class LaneRuns:
         self._put(blocks, "stop_waiting", counts.astype(float))
         return until
 
-    def begun(self, starts: Starts, clocks: np.ndarray | None = None) -> np.ndarray:
+    def started(self, starts: Starts, clocks: np.ndarray | None = None) -> np.ndarray:
         """Blocks of rows at step 0, case after case; clocks (cases,): at which steps begin [s]."""
         programs, cases = self.programs, len(starts.close)
         blocks = blocks_of(-(-cases // programs.width), programs.row.size, programs.width)

@@ -70,10 +70,10 @@ class Observation:
         return InSequence(tuple(parts))
 
     def _observed(self, z: Fields, c: ca.SX) -> Mapping[str, ca.SX]:
-        seen = self.scheme.observer(z=z["scheme"], c=c[: self.scheme.c_size])
-        found = {f"seen_i{suffix}": seen[f"q_i{suffix}"] for suffix in self.independent}
-        found |= {f"seen_d{suffix}": seen[f"q_d{suffix}"] for suffix in self.dependent}
-        return {**found, "seen_t": seen["t"], "seen_open": ca.SX(1)}
+        observed = self.scheme.observer(z=z["scheme"], c=c[: self.scheme.c_size])
+        found = {f"seen_i{suffix}": observed[f"q_i{suffix}"] for suffix in self.independent}
+        found |= {f"seen_d{suffix}": observed[f"q_d{suffix}"] for suffix in self.dependent}
+        return {**found, "seen_t": observed["t"], "seen_open": ca.SX(1)}
 
     def _closed(self, z: Fields, c: ca.SX) -> Mapping[str, ca.SX]:
         charts, q_d, c = self.scheme.charts, z["seen_d"], c[: self.model.c_size]

@@ -80,17 +80,17 @@ def refinement_of(
     t0: float,
     t_end: float | None,
     start: str | None,
-    seen: float | None,
+    spacing: float | None,
     asked: int,
 ) -> tuple[Refinement, Plan]:
-    """The levels of an ensemble, and the plan of the first. seen [s]: between samples of histories.
+    """The levels of an ensemble, and the plan of the first. spacing [s]: between samples of histories.
 
     Raises SchemeError, ArgumentError for what cannot be used.
     """
     wanted = tolerance_of(model, scheme, tolerance)
     assert wanted is not None
     begin, end = span_of(model, t0, t_end)
-    apart = end - begin if seen is None else min(seen, end - begin)
+    apart = end - begin if spacing is None else min(spacing, end - begin)
     base = ceil((end - begin) / apart - ROUNDING)
     method, levels, first = _middle(model, names, table, wanted, scheme, m, options, (begin, end), start)
     steps = first

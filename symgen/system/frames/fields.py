@@ -95,8 +95,8 @@ class Field:
     def after(self, transform: Node, moved: TransformState) -> Field:
         """Of the frame after a transform."""
         if transform.back:
-            return self.seen(transform).shifted(relative_motion(transform, moved))
-        return self.shifted(relative_motion(transform, moved)).seen(transform)
+            return self.transformed(transform).shifted(relative_motion(transform, moved))
+        return self.shifted(relative_motion(transform, moved)).transformed(transform)
 
     def shifted(self, arm: RelativeMotion) -> Field:
         """About the end of an arm."""
@@ -106,10 +106,10 @@ class Field:
         second = plus(v2, cross(t2, arm.r), cross(scaled(TWO, t1), arm.V), cross(t, arm.A))
         return Field(self.turning, (plus(v, cross(t, arm.r)), first, second))
 
-    def seen(self, transform: Node) -> Field:
+    def transformed(self, transform: Node) -> Field:
         """In the axes after a transform."""
-        t, t1, t2 = (transform.seen(vector) for vector in self.turning)
-        v, v1, v2 = (transform.seen(vector) for vector in self.moving)
+        t, t1, t2 = (transform.transformed(vector) for vector in self.turning)
+        v, v1, v2 = (transform.transformed(vector) for vector in self.moving)
         return Field((t, t1, t2), (v, v1, v2))
 
 

@@ -166,7 +166,11 @@ class JointNode(JointTransform):
 
     def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
         """Motion after the transform."""
-        omega, alpha, a = self.seen(before.omega), self.seen(before.alpha), self.seen(self._carried(before))
+        omega, alpha, a = (
+            self.transformed(before.omega),
+            self.transformed(before.alpha),
+            self.transformed(self._carried(before)),
+        )
         if self.column is None:
             return FrameMotion(omega, alpha, a)
         speed, own = mul(self.sign, rates.get(self.column, ZERO)), mul(self.sign, accelerations.get(self.column, ZERO))
@@ -180,7 +184,7 @@ class JointNode(JointTransform):
     def _carried(self, before: FrameMotion) -> Vector:
         return before.a if all(value.is_zero() for value in self.r) else before.carried(self.r)
 
-    def seen(self, vector: Vector) -> Vector:
+    def transformed(self, vector: Vector) -> Vector:
         """A vector in the axes after the transform."""
         if self.about is None:
             return vector if self.R is None else transposed_times(self.R, vector)
@@ -308,7 +312,7 @@ class MarkerNode(JointTransform):
         omega, alpha, a = (transposed_times(deformed.R, vector) for vector in marker)
         return FrameMotion(omega, alpha, a)
 
-    def seen(self, vector: Vector) -> Vector:
+    def transformed(self, vector: Vector) -> Vector:
         """A vector in the axes after the transform."""
         R = self.deformation.still.R
         return times(R, vector) if self.back else transposed_times(R, vector)

@@ -275,23 +275,23 @@ class _Sums:
     def add(self, k: int, ends: list[_End]) -> None:
         """What a frame adds, with the forces of joints on it."""
         inertia, place = self._tree.frames[k].inertia, self._places[k]
-        seen = FramePlace(place.steps, place.motion)
+        transformed = FramePlace(place.steps, place.motion)
         if inertia is not None:
-            seen.state = self._sweep.body(inertia, place.motion)
+            transformed.state = self._sweep.body(inertia, place.motion)
         closed = len(ends) == 1 and len(place.parts) > len(self._place(ends[0].other.frame).parts)
         if len(ends) == 1 and (closed or isinstance(inertia, FlexibleNode)):
-            seen = self._at_marker(seen, ends[0])
+            transformed = self._at_marker(transformed, ends[0])
         else:
-            seen.forces = [(end.own.end.r, end.force) for end in ends if isinstance(end.own.end, JointNode)]
-        fields = [field_along(direction, seen.parts) for direction in self._directions]
+            transformed.forces = [(end.own.end.r, end.force) for end in ends if isinstance(end.own.end, JointNode)]
+        fields = [field_along(direction, transformed.parts) for direction in self._directions]
         if closed:
             fields = self._closed(fields, ends[0])
-        self._contract(seen, fields, self._powers(seen, fields, closed))
+        self._contract(transformed, fields, self._powers(transformed, fields, closed))
 
     def _at_marker(self, place: FramePlace, end: _End) -> FramePlace:
         """The same masses looked at from the marker of a joint."""
-        seen = place.after(end.own.end, *self._moving)
-        seen.state, seen.forces = place.state, [(zeros(), end.force)]
+        transformed = place.after(end.own.end, *self._moving)
+        transformed.state, transformed.forces = place.state, [(zeros(), end.force)]
         if place.state is not None:
             transform = end.own.end
             back = (
@@ -299,8 +299,8 @@ class _Sums:
                 if isinstance(transform, MarkerNode)
                 else JointNode(r=negative(transform.r))
             )
-            self._sweep.through(back, TransformState(seen.motion, place.motion, *self._moving), place.state)
-        return seen
+            self._sweep.through(back, TransformState(transformed.motion, place.motion, *self._moving), place.state)
+        return transformed
 
     def _closed(self, fields: list[Field], end: _End) -> list[Field]:
         """With v as the joint's other body gives it."""

@@ -247,13 +247,13 @@ class _Bending:
         first, second, rate, bending = self._turning
         own = minus(cross(first, theta), scaled(rate, value))
         more = minus(cross(second, theta), plus(scaled(mul(TWO, rate), own), scaled(bending, value)))
-        return self._seen(value, own, more)
+        return self._in_axes(value, own, more)
 
     def shape(self, one: SharedMotion) -> Rates:
         """By what the marker moves for a unit rate, its D and D^2."""
-        return self._seen(one.shape, *self._fading(one))
+        return self._in_axes(one.shape, *self._fading(one))
 
-    def _seen(self, value: Vector, rate: Vector, second: Vector) -> Rates:
+    def _in_axes(self, value: Vector, rate: Vector, second: Vector) -> Rates:
         omega = self.body.omega
         first = plus(rate, cross(omega, value))
         return value, first, plus(second, cross(scaled(TWO, omega), rate), times(self.body.G, value))
@@ -287,7 +287,7 @@ class BendChanges:
     def _field(self, one: SharedMotion) -> Field:
         turning, moving = self._bending.spin(one), self._bending.shape(one)
         if not self._back:
-            return Field(turning, moving).seen(self._move)
+            return Field(turning, moving).transformed(self._move)
         (t, t1, t2), (s, s1, s2) = ([negative(vector) for vector in rates] for rates in (turning, moving))
         return Field((t, t1, t2), (s, s1, s2)).shifted(relative_motion(self._move, self._moved))
 
@@ -470,8 +470,8 @@ def _shares(part: FieldPart, wrench: Force) -> dict[int, Force]:
 def _row_before(transform: Node, row: RowChange, velocity: Vector) -> RowChange:
     """Seen before a transform."""
     r = plus(row.r, cross(velocity, row.phi)) if transform.back else row.r
-    seen, r = transform.wrench(Force(row.phi, row.nu)), transform.wrench(Force(r, zeros())).f
-    return RowChange(seen.n, seen.f, r if transform.back else plus(r, cross(velocity, seen.f)))
+    transformed, r = transform.wrench(Force(row.phi, row.nu)), transform.wrench(Force(r, zeros())).f
+    return RowChange(transformed.n, transformed.f, r if transform.back else plus(r, cross(velocity, transformed.f)))
 
 
 def _tangent_before(transform: Node, velocity: Vector, tangent: Tangent) -> Tangent:
