@@ -266,12 +266,12 @@ class LaneStepper:
         starts = CaseStarts(spec).of(table)
         if starts.impossible.any():
             self._say_why(spec, table, int(np.argmax(starts.impossible)))
-        blocks = lanes.begun(starts)
+        blocks = lanes.started(starts)
         alone = starts.close & ~(lanes.values(blocks, len(table), "fits")[:, 0] > 0)
         if "settled" in lanes.programs.row.sizes:
             alone |= starts.settle & ~(lanes.values(blocks, len(table), "settled")[:, 0] > 0)
         if alone.any():
-            blocks = lanes.begun(self._by_themselves(spec, starts, table, alone))
+            blocks = lanes.started(self._by_themselves(spec, starts, table, alone))
         return blocks
 
     def _by_themselves(self, spec: EnsembleSpec, starts: Starts, table: np.ndarray, alone: np.ndarray) -> Starts:
