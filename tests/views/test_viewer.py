@@ -89,7 +89,8 @@ def test_words_of_an_address_that_mean_nothing_here_are_said(tmp_path: Path) -> 
 
 
 def test_pages_are_small_and_ask_nothing_of_the_network() -> None:
-    page = view(solution("flexible_slider_crank")).text
+    """Of the built-in scenes the four-bar with two flexible bars has the largest page."""
+    page = view(simulate(load_model(generated_folder("flexible_four_bar")), error="off")).text
     assert len(page.encode()) < 1.0e6
     assert not re.search(r'(src|href)="http|import\(|fetch\("http|@import', page.replace(three(), ""))
 
@@ -118,10 +119,10 @@ def test_twenty_thousand_vertices_with_eight_modes_stay_below_five_megabytes() -
 
 @pytest.mark.long
 def test_pages_do_not_grow_with_the_run() -> None:
-    """0.7 MB and some 0.5 MB of motion for the hub with a beam, as the guide says; with ten times the samples, too."""
+    """0.7 MB and 0.2 MB of motion for the hub with a beam, as the guide says; with ten times the samples, too."""
     model = load_model(generated_folder("hub_beam"))
     few, many = (len(view(simulate(model, samples=n, error="off")).text.encode()) / 1e6 for n in (1_000, 10_000))
-    assert 0.6 < few < 1.3 and many < few + 0.1
+    assert 0.6 < few < 1.0 and many < few + 0.1
 
 
 def test_a_second_run_stands_pale_beside_the_first(tmp_path: Path) -> None:

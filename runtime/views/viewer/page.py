@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from runtime.contract.arguments import PLACE, RUN, require
 from runtime.contract.files import OutputError, write_text
-from runtime.views.viewer.record import view_record
+from runtime.views.viewer.record import MOST_FRAMES, view_record
 
 if TYPE_CHECKING:
     from runtime.solutions.solution import Solution
@@ -58,9 +58,12 @@ class View:
         webbrowser.open(Path(file.name).as_uri())
 
 
-def view(solution: Solution, beside: Solution | None = None) -> View:
+def view(
+    solution: Solution, beside: Solution | None = None, frames: int = MOST_FRAMES, with_curves: bool = True
+) -> View:
     """The page of a run, with a second one pale. Raises ModelError if the model has nothing to draw."""
-    return page("page.html", view_record(solution, beside), text_of("page.css"), SCRIPTS)
+    record = view_record(solution, beside, frames, with_curves)
+    return page("page.html", record, text_of("page.css"), SCRIPTS)
 
 
 def page(frame: str, record: Mapping[str, Any], styles: str, scripts: Sequence[str]) -> View:

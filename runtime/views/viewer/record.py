@@ -125,6 +125,7 @@ def _points(position: np.ndarray, shapes: np.ndarray, H: np.ndarray) -> Points:
 # beams.
 
 STRESS_SAMPLES = 300
+LEVELS = 255  # of a byte
 PER_SIDE = ("t", "q", "q_dot", "q_ddot", "lam")
 
 
@@ -134,9 +135,10 @@ def stress_records(
     """({body: what the page needs of its stress}, the largest stress [Pa]); bodies of unknown stress are left out.
 
     `modes` (n, 6, nf): xx yy zz yz xz xy of each vertex per unit of q_f; or `vertices` (frames, vertices), those of
-    a beam eight a station.
+    a beam eight a station, as bytes of which `LEVELS` is the largest stress: they are colours.
     """
     found: dict[str, dict[str, str]] = {}
+    rims: dict[str, np.ndarray] = {}
     largest = 0.0
     for body in shown.bodies:
         mesh = meshes[body.name]
@@ -145,9 +147,11 @@ def stress_records(
         if mesh.stresses is not None:
             found[body.name] = {"modes": packed(mesh.stresses)}
             largest = max(largest, _von_mises(mesh.stresses, shown.q_f(body)))
-        elif body.section is not None and (rims := _rims(solution, body, shown.t)) is not None:
-            found[body.name] = {"vertices": packed(rims)}
-            largest = max(largest, float(rims.max()))
+        elif body.section is not None and (rim := _rims(solution, body, shown.t)) is not None:
+            rims[body.name] = rim
+            largest = max(largest, float(rim.max()))
+    for name, rim in rims.items():
+        found[name] = {"vertices": packed(np.round(rim * (LEVELS / max(largest, 1e-300))), "u1")}
     return found, largest
 
 
@@ -258,15 +262,17 @@ def _rail(shown: Scenery, joint: Mapping[str, Any], ends: list[float | None]) ->
     return [float(travel.min()) - more, float(travel.max()) + more]
 
 
-MOST_FRAMES, MOST_SAMPLES, MOST_CURVES = 500, 800, 8
+MOST_FRAMES, FEWEST_FRAMES, MOST_SAMPLES, MOST_CURVES = 400, 200, 800, 8
 
 
-def view_record(solution: Solution, beside: Solution | None = None) -> dict[str, Any]:
-    """Poses and modes at up to 500 times, joints, loads, curves; the bodies and curves of a second run, pale.
+def view_record(
+    solution: Solution, beside: Solution | None = None, frames: int = MOST_FRAMES, with_curves: bool = True
+) -> dict[str, Any]:
+    """Poses and modes at up to `frames` times, joints, loads, curves; the bodies and curves of a second run, pale.
 
     Raises ModelError if there is nothing to draw.
     """
-    few = np.linspace(solution.t[0], solution.t[-1], min(MOST_FRAMES, max(200, len(solution.t))))
+    few = np.linspace(solution.t[0], solution.t[-1], min(frames, max(FEWEST_FRAMES, len(solution.t))))
     shown = scenery(solution, few if len(solution.t) > 1 else solution.t)
     meshes = {body.name: _mesh(body) for body in shown.bodies}
     second = _second(beside, shown) if beside is not None else None
@@ -305,7 +311,9 @@ def view_record(solution: Solution, beside: Solution | None = None) -> dict[str,
         ],
         **drawn,
         "curve_t": packed(np.round(solution.t[kept], 15), "<f8"),
-        "curves": [_group(group, solution.t[kept], solution, beside) for group in _curves(solution)],
+        "curves": [
+            _group(group, solution.t[kept], solution, beside) for group in (_curves(solution) if with_curves else [])
+        ],
     }
 
 

@@ -15,7 +15,8 @@ for (const body of run.bodies) {
     set.moved = new Float32Array(set.count); // length of the displacement that is exaggerated
   }
   if (body.mesh) body.mesh.triangles = decoded(body.mesh.triangles, Uint32Array);
-  for (const key in body.stress || {}) body.stress[key] = decoded(body.stress[key], Float32Array);
+  if (body.stress && body.stress.modes) body.stress.modes = decoded(body.stress.modes, Float32Array);
+  if (body.stress && body.stress.vertices) body.stress.vertices = decoded(body.stress.vertices, Uint8Array);
 }
 for (const group of run.curves) group.values = group.values.map((text) => Array.from(decoded(text, Float32Array), (value) => (Number.isNaN(value) ? null : value)));
 const curveTimes = decoded(run.curve_t, Float64Array);

@@ -64,7 +64,7 @@ function deform(body, set, q, factor) {
 // Stress of every vertex [Pa]: of a beam as it was sent, of a finite-element surface von Mises.
 function stressOf(body, q, frame) {
   const n = body.mesh.count, nf = body.nf, found = new Float32Array(n);
-  if (body.stress.vertices) return mixed(body.stress.vertices, n, frame);
+  if (body.stress.vertices) return mixed(body.stress.vertices, n, frame).map((level) => level * run.stress / 255);
   const modes = body.stress.modes, part = new Float64Array(6);
   for (let k = 0; k < n; k++) {
     for (let i = 0, at = 6 * k * nf; i < 6; i++) { part[i] = 0; for (let a = 0; a < nf; a++) part[i] += modes[at++] * q[a]; }
