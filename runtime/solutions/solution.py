@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from runtime.views.animation import animate as _animate
     from runtime.views.plots import coordinates as _coordinates
     from runtime.views.report import run_report as _run_report
+    from runtime.views.run_page import page as _page
     from runtime.views.viewer.page import show as _show
 
 MOST = 10  # coordinates that a notebook shows
@@ -72,7 +73,7 @@ class Solution(Samples):
 
     status, error, events, balance, stats: how it went. t (N,) [s]; q, q_dot, q_ddot (N, n) [m, rad; per s, s^2];
     `run["name"]` (N,): any column. joint_force, load_force, motor, friction, section_forces,
-    stresses, beam_stresses; view, plot, ...
+    stresses, beam_stresses; view, plot, page, ...
     """
 
     # Each of these is the function that it names, with the solution as its first argument.
@@ -81,6 +82,7 @@ class Solution(Samples):
         plot = _coordinates
         animate = _animate
         report = _run_report
+        page = _page
         section_forces = _section_forces
         deflections = _deflections
         stresses = _stresses
@@ -117,6 +119,12 @@ class Solution(Samples):
             from runtime.views.report import run_report
 
             return run_report
+
+        @LazyMethod
+        def page():
+            from runtime.views.run_page import page
+
+            return page
 
         @LazyMethod
         def section_forces():

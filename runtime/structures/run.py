@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from runtime.contract.arguments import NAMES, NUMBERS, PLACE, WHOLE, arguments
 from runtime.contract.errors import is_finite_number, shown_value
 from runtime.contract.files import replacing
+from runtime.contract.lazy_method import LazyMethod
 from runtime.contract.status import Status
 from runtime.structures.central_difference import CentralDifference
 from runtime.structures.generalised_alpha import Coefficients, GeneralisedAlpha
@@ -25,6 +26,7 @@ from runtime.structures.structure import Array, StructureError
 
 if TYPE_CHECKING:
     from runtime.structures.model import StructureModel
+    from runtime.structures.run_page import page as _page
 
 ErrorWish = Literal["measured", "off"]
 SCHEMES = ("printed", "single_rate", "generalized_alpha")
@@ -141,6 +143,16 @@ class StructureRun:
         """Scheme, step and ratios in a line."""
         ratios = ", ".join(map(str, self.stats.get("m", [])))
         return f"{self.scheme}, {self.stats['dt']:.3g} s{f', m = {ratios}' if ratios else ''}"
+
+    if TYPE_CHECKING:
+        page = _page
+    else:
+
+        @LazyMethod
+        def page():
+            from runtime.structures.run_page import page
+
+            return page
 
     @arguments(path=PLACE, names=NAMES)
     def plot(self, path: str | Path | None = None, names: Sequence[str] | None = None) -> Figure:

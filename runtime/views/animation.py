@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 from PIL import Image
 
 from runtime.contract.arguments import NUMBER, PLACE, WHOLE, require
@@ -198,6 +199,7 @@ def _actors(ax: Axes, shown: Film) -> tuple[Callable[[int], None], list[Any]]:
 PALEST = 0.2  # opacity of the first instant
 LAST_ONLY = ("ghost", "joint", "slide")  # kinds that would crowd the picture at every instant
 PATH_POINTS = 600
+MOST_TICKS = 7  # along x, fewer where the picture is narrow
 
 
 def snapshots(
@@ -229,6 +231,8 @@ def snapshots(
             if last or line.kind not in LAST_ONLY:
                 ax.plot(*line.xy[frame], **_faded(line, (frame + 1) / len(times)))
     ax.set_aspect("equal")
+    (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
+    ax.xaxis.set_major_locator(MaxNLocator(int(np.clip(MOST_TICKS * (right - left) / (high - low), 2, MOST_TICKS))))
     ax.set_xlabel(shown.axes[0], fontsize=9)
     ax.set_ylabel(shown.axes[1], fontsize=9)
     paths_of = f"\nthin: path of {', '.join(traces)}" if traces else ""  # a legend would cover what is drawn

@@ -121,7 +121,7 @@ def deformation(solution: Solution) -> list[Curves]:
         kept = np.flatnonzero(size > SMALL * size.max(initial=0.0))
         names = [f"q{k + 1}" for k in kept]
         groups.append(replace(group, names=names, values=group.values[kept], of=len(group.names)))
-    deflections = _deflections(solution) if groups else {}
+    deflections = drawn_deflections(solution) if groups else {}
     if deflections:
         values = np.array(list(deflections.values()))
         groups.append(Curves("largest deflection of drawn points", "m", list(deflections), values))
@@ -216,7 +216,7 @@ def _modes(solution: Solution, records: list[Coordinate], what: str) -> list[Cur
     ]
 
 
-def _deflections(solution: Solution) -> dict[str, np.ndarray]:
+def drawn_deflections(solution: Solution) -> dict[str, np.ndarray]:
     """(N,) of each flexible body: the largest displacement of its points that its joints do not make [m]."""
     if not solution.model.has("geometry"):
         return {}

@@ -21,7 +21,7 @@ MODEL_FOLDER, SOLUTION_FILE = "model", "solution.npz"
 def simulate(arguments: argparse.Namespace) -> Outcome:
     """Simulate a scene or a generated model.
 
-    With --out it leaves model/, solution.npz, solution.csv, report.json and pictures.
+    With --out it leaves model/, solution.npz, solution.csv, report.json, page.html and pictures.
     """
     if arguments.plots and not arguments.out:
         raise UsageError("--plots needs --out DIR")
@@ -172,8 +172,8 @@ def leave_all(solution: Solution, folder: Path, pictures: bool) -> dict[str, str
 
 
 def leave_results(solution: Solution, folder: Path, pictures: bool = True) -> dict[str, str]:
-    """solution.npz and .csv, report.json; motion.png, energy.png, where there are any deformation.png and
-    forces.png; {what: path}. Raises OutputError.
+    """solution.npz and .csv, report.json; page.html, motion.png, energy.png, where there are any deformation.png
+    and forces.png; {what: path}. Raises OutputError.
     """
     from runtime.contract.files import write_text
     from runtime.results.export import as_json
@@ -187,6 +187,8 @@ def leave_results(solution: Solution, folder: Path, pictures: bool = True) -> di
         from runtime.views import plots
 
         names += [path.name for path in plots.usual(solution, folder)]
+        solution.page(folder / "page.html")
+        names.append("page.html")
     return {name: str(folder / name) for name in names}
 
 

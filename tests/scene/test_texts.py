@@ -118,6 +118,7 @@ class Page(HTMLParser):
         super().__init__()
         self.tags: list[str] = []
         self.handlers: list[str] = []
+        self.attributes: list[tuple[str, str]] = []
         self.text: list[str] = []
         self.feed(text)
         self.close()
@@ -125,6 +126,7 @@ class Page(HTMLParser):
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         self.tags.append(tag)
         self.handlers += [name for name, _ in attrs if name.startswith("on")]
+        self.attributes += [(name, value or "") for name, value in attrs]
 
     def handle_data(self, data: str) -> None:
         self.text.append(data)
@@ -290,6 +292,37 @@ def _description(model: EmittedModel, fmi: int) -> str:
     from runtime.export.fmu_texts import description
 
     return description(replace(base_export(), model=model), fmi, "token")
+
+
+def _check_page(texts: dict[str, str], folder: Path) -> None:
+    """The tags of the page without these texts and no others, their text, and the same of the view inside."""
+    run = replace(base_run(), model=titled(base_run().model, texts))
+    found, bare = Page(run.page(folder / "page.html").text), Page(base_run().page(folder / "page.html").text)
+    assert set(found.tags) <= {*bare.tags, "details", "summary"} and not found.handlers
+    for tag in ("script", "style", "img", "iframe", "h1", "h2", "section", "a", "b", "pre"):
+        assert found.tags.count(tag) == bare.tags.count(tag), tag
+    assert (texts["title"] or "arm") in found.text
+    assert all(not one or one in found.text for one in (texts["unit of k"], texts["k"]))
+    (frame,), (other,) = ([value for name, value in page.attributes if name == "srcdoc"] for page in (found, bare))
+    inside, within = Page(frame), Page(other)
+    assert inside.tags == within.tags and not inside.handlers
+
+
+NO_GLYPH = pytest.mark.filterwarnings("ignore:Glyph")  # of a picture whose font lacks a sign
+EVERY_FRAGMENT = "".join(FRAGMENTS)
+
+
+@NO_GLYPH
+def test_all_that_ends_or_begins_markup_is_text_in_the_page_of_a_run(tmp_path: Path) -> None:
+    _check_page(dict.fromkeys(FIELDS, EVERY_FRAGMENT), tmp_path)
+
+
+@NO_GLYPH
+@pytest.mark.long
+@given(GOOD)
+@settings(max_examples=20, deadline=None, suppress_health_check=SLOW)
+def test_texts_are_data_in_the_page_of_a_run(tmp_path_factory: Any, texts: dict[str, str]) -> None:
+    _check_page(texts, tmp_path_factory.mktemp("texts"))
 
 
 @given(st.lists(st.tuples(TEXTS, TEXTS), min_size=60, max_size=60))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from importlib.util import find_spec
 
 import numpy as np
@@ -117,6 +118,26 @@ def test_report_files_pictures_and_saved_run(tmp_path) -> None:
     with np.load(run.save(tmp_path / "run.npz")) as stored:
         kept = dict(stored)
     assert np.array_equal(kept["values"], run.values) and str(kept["status"]).startswith("completed")
+
+
+def test_the_page_of_a_run_has_its_figures(tmp_path) -> None:
+    """A mass let go at 1 mm on 10 kN/m: the peak is the start, k x^2 / 2 = 5 mJ; and pictures of a plate."""
+    scene = Scene("drop", title="<b>Drop").structure(mass=[1.0], stiffness=[[1e4]], coordinates=["x"])
+    run = scene.model().simulate(0.05, scheme="single_rate", initial={"x": 1e-3})
+    text = run.page(tmp_path / "page.html").text
+    rows = [re.findall(r"<td[^>]*>(.*?)</td>", row) for row in re.findall(r"<tr>(.*?)</tr>", text)]
+    by_name = {row[0]: row[1:] for row in rows if row}
+    assert by_name["x"][:2] == ["1 mm", "0"] and by_name["total energy"][0].startswith("5.0")
+    assert by_name["displacement of the mesh, where fields were kept"][-1] == "node 1"
+    assert "<h1>&lt;b&gt;Drop</h1>" in text and ">completed<" in by_name["status"][0]
+    assert not re.search(r'(src|href)="(?!data:)|<script', text) and text.count("<img") == 1
+    found = plate(6, 2)
+    model = Scene("plate").structure(
+        mass=found.mass, stiffness=found.stiffness, coordinates=found.names, width=2, points=found.points,
+        cells=found.cells,
+    ).model()  # fmt: skip
+    run = model.simulate(1e-4, initial={found.pulled: 1e-3}, fields=5)
+    assert run.page(tmp_path / "page.html").text.count("<img") >= 2
 
 
 @pytest.mark.skipif(find_spec("meshio") is None, reason="meshio is not installed")

@@ -58,12 +58,13 @@ class View:
         webbrowser.open(Path(file.name).as_uri())
 
 
-def view(
-    solution: Solution, beside: Solution | None = None, frames: int = MOST_FRAMES, with_curves: bool = True
-) -> View:
-    """The page of a run, with a second one pale. Raises ModelError if the model has nothing to draw."""
-    record = view_record(solution, beside, frames, with_curves)
-    return page("page.html", record, text_of("page.css"), SCRIPTS)
+def view(solution: Solution, beside: Solution | None = None, frames: int = MOST_FRAMES, alone: bool = True) -> View:
+    """The page of a run, with a second one pale. Raises ModelError if the model has nothing to draw.
+
+    alone: with title and curves, which a page around it has by itself.
+    """
+    record = view_record(solution, beside, frames, with_curves=alone)
+    return page("page.html", record, text_of("page.css") + ("" if alone else "header { display: none; }"), SCRIPTS)
 
 
 def page(frame: str, record: Mapping[str, Any], styles: str, scripts: Sequence[str]) -> View:

@@ -1,0 +1,393 @@
+"""The page of a run for those who were not there: what came of it, how exact it is, how to get it again."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import tomllib
+from collections.abc import Callable, Mapping
+from math import isnan
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from runtime.contract.arguments import PLACE, require
+from runtime.contract.cards import Html, html
+from runtime.contract.coordinates import named_values
+from runtime.contract.errors import ModelError
+from runtime.results.key_figures import (
+    Peak,
+    Reaction,
+    deflection_peaks,
+    drive_peaks,
+    joint_peaks,
+    kept_peaks,
+    load_peaks,
+    motion_peaks,
+    peak,
+    section_peaks,
+    stress_peaks,
+)
+from runtime.schemes.catalogue import SCHEMES, scheme_kind
+from runtime.views import curves, plots
+from runtime.views.animation import snapshots
+from runtime.views.curves import Curves
+from runtime.views.document import (
+    badge,
+    code,
+    document,
+    folded,
+    frame,
+    made_with,
+    paragraph,
+    peak_table,
+    picture,
+    quantity,
+    table,
+    time_of,
+)
+from runtime.views.figure import grid, panel
+from runtime.views.viewer.page import View, shown, view
+
+if TYPE_CHECKING:
+    from runtime.solutions.solution import Solution
+    from runtime.studies.convergence import Convergence
+
+FRAMES = 200  # of the moving view
+INSTANTS = 4  # of the picture
+MOST_PANELS = 8  # of outputs
+MOST_SCENE = 60_000  # characters of a scene that are shown
+SAME = 1e-12  # of a coordinate: two starts that are one
+OPTION = re.compile(r"(\w+) = (\([^)]*\)|[^,]+)")
+PEAKS = "Peaks are the largest magnitudes among the saved samples."
+
+
+def page(solution: Solution, path: str | Path | None = None, convergence: Convergence | None = None) -> View:
+    """Write a report of a run as one page to read, send and print.
+
+    Parameters
+    ----------
+    solution : Solution
+        N samples.
+    path : str or Path, optional
+        An .html file; if left out the page is shown in the notebook, or opened.
+    convergence : Convergence, optional
+        What `model.convergence` found: the page then states the error of the model, too.
+
+    Returns
+    -------
+    View
+        The page: status and errors, the mechanism, key figures with time and place, curves, reactions, stresses,
+        events, parameters, and how to get the run again. It needs no network.
+
+    Raises
+    ------
+    OutputError
+        For a place that cannot be written.
+
+    Notes
+    -----
+    Peaks are those of the saved samples. Section forces and stresses are by equilibrium (Eqs. 22, 37).
+    """
+    require(PLACE, or_none=True, path=path)
+    title, about = solution.model.title or solution.model.name, _scene(solution).get("description", "")
+    sections = [
+        ("Result", _result(solution, convergence)),
+        ("Mechanism", _mechanism(solution)),
+        ("Key figures", _key_figures(solution)),
+        ("Curves", _curves(solution)),
+        # a run with `outputs` keeps the rest at its ends only, where no peak is
+        ("Reactions and loads", Html() if solution.outputs else _reactions(solution)),
+        ("Stresses and section forces", Html() if solution.outputs else _stresses(solution)),
+        ("Events", _events(solution)),
+        ("Parameters", _parameters(solution)),
+        ("How to reproduce it", _reproduce(solution)),
+    ]
+    return shown(document(title, str(about), sections), path)
+
+
+def _scene(solution: Solution) -> dict[str, Any]:
+    """The scene as plain values; nothing where the model does not hold it."""
+    try:
+        return tomllib.loads(solution.model.scene_toml)
+    except tomllib.TOMLDecodeError:
+        return {}
+
+
+# ---- How it ended, and how far it is off.
+
+
+def _result(solution: Solution, convergence: Convergence | None) -> Html:
+    status, stats = solution.status, solution.stats
+    where = f" at t = {status.time:.6g} s" + (f", coordinate {status.coordinate}" if status.coordinate else "")
+    why = f". {status.cause}. {status.advice}" if status.cause else ""
+    ended = html(badge(status.name, status.ok), "" if status.ok else where + why)
+    m = f", m = {', '.join(map(str, solution.m))}" if solution.m else ""
+    rows = [
+        ("status", ended),
+        ("motion", f"t = {solution.t[0]:.6g} to {solution.t[-1]:.6g} s, {len(solution.t)} samples saved"),
+        ("method", f"{solution.scheme}, {solution.step}{m}, {stats.get('steps', '?')} steps"),
+        ("error of the steps", _stepping_error(solution)),
+        ("error of the model", _modelling_error(convergence)),
+        ("energy", _energy(solution)),
+        ("constraints", f"largest error {float(solution.constraint_error.max(initial=0.0)):.2g}"),
+    ]
+    rows += [("remark", str(stats["remark"]))] if "remark" in stats else []
+    return html(Html('<div class="facts">'), table((), rows), Html("</div>"), _modelling_table(convergence))
+
+
+def _stepping_error(solution: Solution) -> str:
+    error = solution.error
+    if not error.measured:
+        return f"not estimated: {error.reason}"
+    return f"{error.largest:.2g} of the amplitude of {error.of}, estimated with other steps"
+
+
+def _modelling_error(convergence: Convergence | None) -> str:
+    if convergence is None:
+        return "not estimated (model.convergence does it; give what it found as page(..., convergence=...))"
+    return f"of the {convergence.of}, estimated with finer models: see the table"
+
+
+def _modelling_table(convergence: Convergence | None) -> Html:
+    if convergence is None:
+        return Html()
+    rows = [
+        (
+            name,
+            quantity(one.value, one.unit),
+            quantity(one.error, one.unit) + ("" if isnan(one.relative) else f" ({100 * one.relative:.2g} %)"),
+            quantity(one.stepping, one.unit),
+            one.knob or "-",
+        )
+        for name, one in convergence.errors.items()
+    ]
+    return table(("output", "value", "error of the model", "of the steps", "most by"), rows, (1, 2, 3))
+
+
+def _energy(solution: Solution) -> str:
+    total = f"{quantity(float(solution.total_energy[-1]), 'J')} at the end"
+    if len(solution.t) < 3:
+        return total
+    return f"{total}; largest error of the balance of energy and work {solution.balance}"
+
+
+# ---- What it looks like.
+
+
+def _mechanism(solution: Solution) -> Html:
+    """The mechanism at some instants, and the moving view; nothing where there is nothing to draw."""
+    if solution.outputs:
+        return Html()
+    instants = INSTANTS if len(solution.t) > 1 else 1
+    try:
+        still = picture(snapshots(solution, instants=instants), "The mechanism, the later the stronger.")
+        moving = frame(view(solution, frames=FRAMES, alone=False))
+    except ModelError:
+        return Html()
+    hint = paragraph("To turn, zoom and play:")
+    return html(still, Html('<div class="screen">'), hint, moving, Html("</div>"))
+
+
+def _key_figures(solution: Solution) -> Html:
+    if solution.outputs:
+        peaks = kept_peaks(solution)
+    else:
+        names = [name for group in curves.motion(solution) for name in group.names]
+        peaks = [*motion_peaks(solution, names), *_deflections(solution), *drive_peaks(solution)]
+    return peak_table(peaks, PEAKS)
+
+
+def _deflections(solution: Solution) -> list[Peak]:
+    """Of beams where they are known, of other flexible bodies among the points that are drawn."""
+    found = deflection_peaks(solution)
+    names = [one.quantity for one in found]
+    drawn = {f"deflection of {body}": values for body, values in curves.drawn_deflections(solution).items()}
+    return found + [peak(name, "m", solution.t, values) for name, values in drawn.items() if name not in names]
+
+
+def _curves(solution: Solution) -> Html:
+    if solution.outputs:
+        return picture(_outputs(solution), "The outputs that the run kept.")
+    if len(solution.t) < 2:
+        return Html()
+    drawn: list[tuple[str, Callable[[Solution], Figure]]] = [("Motion.", plots.motion)]
+    drawn += [("Deformation.", plots.deformation)] if curves.deformation(solution) else []
+    drawn += [("Forces and moments.", plots.forces)] if curves.forces(solution) else []
+    drawn.append(("Energy, and the error of its balance.", plots.energy_balance))
+    return html(*(picture(draw(solution), caption) for caption, draw in drawn))
+
+
+def _outputs(solution: Solution) -> Figure:
+    units = {one.quantity: one.unit for one in kept_peaks(solution)}
+    names = list(units)[:MOST_PANELS]
+    figure, axes = grid(len(names), "")
+    for ax, name in zip(axes, names, strict=True):
+        panel(ax, solution.outputs["t"], Curves("", units[name], [name], solution.outputs[name][None]))
+    return figure
+
+
+# ---- Forces and stresses.
+
+
+def _reactions(solution: Solution) -> Html:
+    axes = "x y z".split()[: 2 if solution.joint_forces.shape[-1] == 3 else 3]
+    parts: list[str] = []
+    for title, found in (("joint", joint_peaks(solution)), ("load", load_peaks(solution))):
+        header = (title, "largest force", "at t [s]", f"components {', '.join(axes)}", "largest moment", "at t [s]")
+        parts.append(table(header, [_reaction(one) for one in found], range(1, 6)))
+    if not any(parts):
+        return Html()
+    return html(*parts, paragraph("Of joints on their body b, of loads on their marker or marker b; in world axes."))
+
+
+def _reaction(one: Reaction) -> tuple[str, ...]:
+    components = ", ".join(quantity(value, "N") for value in one.components)
+    force = (quantity(one.force, "N"), time_of(one.t_force), components) if one.force else ("-", "-", "-")
+    moment = (quantity(one.moment, "N m"), time_of(one.t_moment)) if one.moment else ("-", "-")
+    return (one.name, *force, *moment)
+
+
+def _stresses(solution: Solution) -> Html:
+    rows = [_place(one) for one in (*stress_peaks(solution), *section_peaks(solution))]
+    return table(("quantity", "peak", "at t [s]", "place"), rows, (1, 2))
+
+
+def _place(one: Peak) -> tuple[str, ...]:
+    return one.quantity, quantity(one.value, one.unit), time_of(one.t), one.place
+
+
+def _events(solution: Solution) -> Html:
+    rows = [
+        (f"{one.time:.6g}", one.kind.replace("_", " "), one.text, f"{one.impulse:.4g}" if one.impulse else "")
+        for one in solution.events
+    ]
+    return table(("t [s]", "kind", "what happened", "impulse [N s or N m s]"), rows, (0, 3))
+
+
+# ---- What it was made of, and how to make it again.
+
+
+def _parameters(solution: Solution) -> Html:
+    """What a person declared; data of shapes stay out, values of a call are marked."""
+    values = zip(solution.model.parameters, solution.parameters, strict=True)
+    rows = [
+        (
+            entry.name,
+            html(Html("<b>"), f"{value:.6g}", Html("</b>")) if value != entry.default else f"{value:.6g}",
+            f"{entry.default:.6g}",
+            entry.unit,
+            entry.meaning,
+        )
+        for entry, value in values
+        if entry.kind != "data" and entry.name not in solution.driven and (not entry.array or value != entry.default)
+    ]
+    return table(("parameter", "value", "in the scene", "unit", "meaning"), rows, (1, 2))
+
+
+def _reproduce(solution: Solution) -> Html:
+    """Versions, the command and the lines, and the scene itself."""
+    scene, settings, driven = solution.model.scene_toml, _settings(solution), sorted(solution.driven)
+    command = _command(settings) if not driven else ""
+    parts = [code(command), paragraph("or in Python:")] if command else []
+    parts.append(code(_lines(settings)))
+    if driven:
+        parts.append(paragraph(f"Inputs that Python drove, and that these lines lack: {', '.join(driven)}."))
+    if 0 < len(scene) <= MOST_SCENE:
+        parts.append(folded("scene.toml", code(scene)))
+    else:
+        parts.append(paragraph("scene.toml is in the folder model/ beside the results of symgen simulate --out."))
+    return html(made_with(), *parts)
+
+
+def _settings(solution: Solution) -> dict[str, Any]:
+    """Arguments of `simulate` that make the run again: its method and steps are those that it took."""
+    found: dict[str, Any] = {}
+    if solution.status.whole and solution.status.name != "event":  # else the end that was asked for is not known
+        found["t_end"] = float(solution.t[-1])
+    if solution.scheme in SCHEMES:  # prescribed motions alone need none
+        options = _changed_options(solution)
+        by_step = options.get("error_of") == "step"
+        tolerance = options.pop("tolerance", None)
+        found |= {"scheme": solution.scheme, **({"tolerance": tolerance} if by_step else {"dt": float(solution.dt)})}
+        found |= {"m": list(solution.m)} if solution.m else {}
+        found |= {"options": options} if options else {}
+    if len(solution.t) > 2:
+        found["seen_every"] = float(f"{np.median(np.diff(solution.t)):.12g}")
+    for what, inputs in (("parameters", False), ("inputs", True)):
+        values = zip(solution.model.parameters, solution.parameters, strict=True)
+        changed = {
+            entry.name: float(value)
+            for entry, value in values
+            if (entry.kind == "input") is inputs and value != entry.default and entry.name not in solution.driven
+        }
+        found |= {what: changed} if changed else {}
+    return found | _start(solution)
+
+
+def _changed_options(solution: Solution) -> dict[str, Any]:
+    """Options of the scheme that are not its defaults, as the statistics have them."""
+    usual = scheme_kind(solution.scheme).options().checked(len(solution.m) + 1)
+    given = dict(OPTION.findall(str(solution.stats.get("options", ""))))
+    return {
+        name: _value(given[name])
+        for name in usual.names()
+        if name in given and given[name] != str(getattr(usual, name))
+    }
+
+
+def _value(text: str) -> Any:
+    """A word, a number, or a list of numbers."""
+    if text.startswith("("):
+        return [float(part) for part in text.strip("(),").split(",")]
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            continue
+    return text
+
+
+def _start(solution: Solution) -> dict[str, Any]:
+    """t0 and the initial state, where they are not those of the scene."""
+    model, found = solution.model, dict[str, Any]()
+    if solution.t[0] != 0.0:
+        found["t0"] = float(solution.t[0])
+    first = solution.initial_values(at=float(solution.t[0]))
+    given = named_values(model, model.initial_q, model.initial_q_dot)
+    told = {*model.q_i, *model.loop_unknowns}  # the rest follows from these
+    entries = [entry for entry in model.description.coordinates if entry.name in told]
+    own = [name for one in entries for name in ((one.owner,) if one.kind == "state" else (one.name, f"{one.name}_dot"))]
+    if any(abs(first[name] - given[name]) > SAME * max(1.0, abs(given[name])) for name in own):
+        found |= {"start": "given", "initial": {name: first[name] for name in own}}
+    return found
+
+
+def _command(settings: Mapping[str, Any]) -> str:
+    """The words of `symgen simulate`; nothing where the command line has none for a setting."""
+    if settings.keys() & {"t0", "inputs"}:
+        return ""
+    words = ["symgen simulate scene.toml"]
+    for name, value in settings.items():
+        flag = {"parameters": "--set", "options": "--option"}.get(name, "--" + name.replace("_", "-"))
+        if isinstance(value, dict):
+            words += [f"{flag} {shlex.quote(f'{key}={_word(one)}')}" for key, one in value.items()]
+        else:
+            words.append(f"{flag} {_word(value)}")
+    return " ".join([*words, "--out results"])
+
+
+def _word(value: Any) -> str:
+    return ",".join(map(str, value)) if isinstance(value, list) else str(value)
+
+
+def _lines(settings: Mapping[str, Any]) -> str:
+    given = "".join(f"    {name}={value!r},\n" for name, value in settings.items())
+    return (
+        "from symgen import SceneRecord\n\n"
+        'model = SceneRecord.from_toml("scene.toml").model()\n'
+        f"run = model.simulate(\n{given})\n"
+        'run.page("page.html")'
+    )
