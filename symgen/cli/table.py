@@ -230,7 +230,7 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
             RESULTS,
             opt(
                 "--plots",
-                "page.html, motion.png, deformation.png, forces.png and energy.png in --out (unless --no-plots is given)",
+                "page.html, motion.png, deformation.png, forces.png, energy.png in --out (unless --no-plots is given)",
                 action=argparse.BooleanOptionalAction,
                 default=None,
             ),

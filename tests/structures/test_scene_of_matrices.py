@@ -124,7 +124,7 @@ def test_report_files_pictures_and_saved_run(tmp_path) -> None:
 def test_the_page_of_a_run_has_its_figures(tmp_path) -> None:
     """A mass let go at 1 mm on 10 kN/m: the peak is the start, k x^2 / 2 = 5 mJ; and pictures of a plate."""
     structure = LinearStructure(sp.csr_matrix([[1e4]]), np.ones(1), coordinates=["x"], title="<b>Drop")
-    run = StructureModel(structure).simulate(0.05, scheme="single_rate", initial={"x": 1e-3})
+    run = StructureModel(structure).simulate(0.05, scheme="single_rate", dt=1e-4, initial={"x": 1e-3})
     text = run.page(tmp_path / "page.html").text
     rows = [re.findall(r"<td[^>]*>(.*?)</td>", row) for row in re.findall(r"<tr>(.*?)</tr>", text)]
     by_name = {row[0]: row[1:] for row in rows if row}
