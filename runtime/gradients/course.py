@@ -45,11 +45,12 @@ class Jump:
 
 
 @dataclass(frozen=True)
-class EventPassage:
+class EventCrossing:
     """Events happen at a clock [s]. event: the position of the one whose time counts (-1: of none).
 
     least: the rate of its value [1/s] below which it grazes zero. sets: does an action change inputs?; modes: those of
-    elements behind it. push (n_i,): what impacts add to the rates; rows, hit: see impacts.py; empty without elements.
+    elements behind it. push (n_i,): what impacts add to the rates; rows, struck: see impacts.py; empty without
+    elements.
     """
 
     clock: float
@@ -59,7 +60,7 @@ class EventPassage:
     modes: tuple[Hold, ...] = ()
     push: np.ndarray = field(default_factory=lambda: np.zeros(0))
     rows: np.ndarray = field(default_factory=lambda: np.zeros(0))
-    hit: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    struck: np.ndarray = field(default_factory=lambda: np.zeros(0))
 
 
 @dataclass(frozen=True)
@@ -76,13 +77,13 @@ class Turn:
     n: int
     goes_on: bool = False
     jump: Jump | None = None
-    passage: EventPassage | None = None
+    crossing: EventCrossing | None = None
     holds: tuple[Hold, ...] = ()
 
     @property
     def kind(self) -> str:
         """EVENT; JUMPS where the time of a jump moves; nothing where neither is."""
-        if self.passage is not None and self.passage.event >= 0:
+        if self.crossing is not None and self.crossing.event >= 0:
             return EVENT
         return JUMPS if self.jump is not None and self.jump.moves.any() else ""
 
@@ -132,13 +133,13 @@ def course(plan: Plan, holds: Iterable[Hold] = ()) -> Course:
 
 
 def across(
-    course: Course, grid: Breaks, m: Sequence[int], moves: Moves, passages: Mapping[int, Sequence[EventPassage]]
+    course: Course, grid: Breaks, m: Sequence[int], moves: Moves, crossings: Mapping[int, Sequence[EventCrossing]]
 ) -> Course:
     """The course with the steps made in parts in which something jumps, or events happen (by step); m: of the groups.
 
     Raises NoResult for an event at the time of a jump.
     """
-    special = sorted({*grid.broken, *passages})
+    special = sorted({*grid.broken, *crossings})
     stops, done, t0 = list[Stop](), 0, grid.t0 + (grid.clock(0) - grid.t0)
     for stop in course.stops:
         if stop.turn is not None:
@@ -151,7 +152,7 @@ def across(
                 done, t0 = done + 1, grid.t0
             cut += [Stop(k - done, t0=t0)] if k > done else []
             if k < end:
-                cut += _broken(grid, k, m, moves, passages.get(k, ()))
+                cut += _broken(grid, k, m, moves, crossings.get(k, ()))
                 assert cut[-1].turn is not None
                 t0 = cut[-1].turn.t0
             done = k + 1
@@ -161,51 +162,51 @@ def across(
 
 
 def _broken(
-    grid: Breaks, step: int, m: Sequence[int], moves: Moves, passages: Sequence[EventPassage]
+    grid: Breaks, step: int, m: Sequence[int], moves: Moves, crossings: Sequence[EventCrossing]
 ) -> Iterator[Stop]:
     """The parts of a step, and the way back to the grid."""
     turn = Turn(grid.dt, grid.dt, 0.0, 0.0, 0)
-    for start, length, jump, passage in _parts(grid, step, moves, passages):
+    for start, length, jump, crossing in _parts(grid, step, moves, crossings):
         turn = replace(turn, dt=within(length, m), clock=start, t0=start, goes_on=True)
         yield Stop(1, turn=turn)
-        holds = () if passage is None else passage.modes
-        turn = Turn(turn.dt, grid.dt, 0.0, 0.0, 0, jump=jump, passage=passage, holds=holds)
+        holds = () if crossing is None else crossing.modes
+        turn = Turn(turn.dt, grid.dt, 0.0, 0.0, 0, jump=jump, crossing=crossing, holds=holds)
     clock = grid.clock(step + 1)
     origin = float(grid.origins(np.array([step + 1]), np.array([clock]))[0])
     yield Stop(0, turn=replace(turn, clock=clock, t0=origin, n=step + 1))
 
 
 def _parts(
-    grid: Breaks, step: int, moves: Moves, passages: Sequence[EventPassage]
-) -> Iterator[tuple[float, float, Jump | None, EventPassage | None]]:
+    grid: Breaks, step: int, moves: Moves, crossings: Sequence[EventCrossing]
+) -> Iterator[tuple[float, float, Jump | None, EventCrossing | None]]:
     """(clock, length, what is at its end) of each part of a step [s]."""
-    waiting, inside = list(passages), iter(grid.inside.get(step, []))
+    waiting, inside = list(crossings), iter(grid.inside.get(step, []))
     for start, length, before, after in grid.parts(np.array([step])).each():
         end, jump, last = start + length, None, None
         if before is not None:
             there = next(inside, None)
             jump = Jump(before, after, moves(grid.on[step + 1] if there is None else [there]))
         while last is None and waiting and waiting[0].clock <= (end if before is None else after):
-            passage = waiting.pop(0)
-            left = end - passage.clock
-            if passage.clock < start:
-                _refuse(passage)
+            crossing = waiting.pop(0)
+            left = end - crossing.clock
+            if crossing.clock < start:
+                _refuse(crossing)
             if left > ON_THE_GRID * grid.dt:
-                yield start, passage.clock - start, None, passage
-                start, length = passage.clock, left
+                yield start, crossing.clock - start, None, crossing
+                start, length = crossing.clock, left
             elif jump is None:
-                last, length = passage, passage.clock - start
-            elif passage.clock < jump.before or passage.sets:
-                _refuse(passage)
+                last, length = crossing, crossing.clock - start
+            elif crossing.clock < jump.before or crossing.sets:
+                _refuse(crossing)
             else:  # what sticks lets go by the jump itself
-                last = replace(passage, event=-1)
+                last = replace(crossing, event=-1)
         yield start, length, jump, last
     if waiting:
         _refuse(waiting[0])
 
 
-def _refuse(passage: EventPassage) -> NoReturn:
-    raise NoResult(f"an event at t = {passage.clock:.6g} s", "happens just where a load jumps", "move one of them")
+def _refuse(crossing: EventCrossing) -> NoReturn:
+    raise NoResult(f"an event at t = {crossing.clock:.6g} s", "happens just where a load jumps", "move one of them")
 
 
 # How the times of jumps move with parameters: g(t, c(p)) = 0 gives dt/dp = -g_p / g_t.
@@ -226,17 +227,17 @@ class MovingJumps:
             self._of = ca.Function("conditions", [t, p], [g, ca.densify(ca.jacobian(g, t)), slopes])
 
     def broken(
-        self, course: Course, plan: Plan, p: np.ndarray, passages: Mapping[int, Sequence[EventPassage]]
+        self, course: Course, plan: Plan, p: np.ndarray, crossings: Mapping[int, Sequence[EventCrossing]]
     ) -> Course:
         """The course of a run with parameters p (n_p,), its steps in parts where something jumps or happens.
 
-        passages: of events, by step. Raises NoResult.
+        crossings: of events, by step. Raises NoResult.
         """
         found = switching_times(self._model, self._model.constants(p), plan.t0, plan.t_end)
-        if not found and not passages and plan.end is None:
+        if not found and not crossings and plan.end is None:
             return course
         near, grid = NEAR_JUMP * (plan.t_end - plan.t0), Breaks(plan.t0, plan.grid.dt_L, found, end=plan.end)
-        return across(course, grid, plan.grid.m, lambda there: self._moves(there, p, near), passages)
+        return across(course, grid, plan.grid.m, lambda there: self._moves(there, p, near), crossings)
 
     def _moves(self, there: Sequence[SwitchTime], p: np.ndarray, near: float) -> np.ndarray:
         """(n_p,) the derivative of the time of jumps that are at one time; near [s]: zeros of their conditions."""

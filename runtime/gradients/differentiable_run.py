@@ -16,9 +16,9 @@ from runtime.contract.model import EmittedModel
 from runtime.engine.derivatives import Recorder, TangentCode, most_lanes
 from runtime.engine.native import NativeProgram
 from runtime.gradients.course import Course, MovingJumps, Stop, Turn, course
+from runtime.gradients.event_crossings import EventCrossings
 from runtime.gradients.objectives import Objective
 from runtime.gradients.observed_program import ObservedProgram, check_outputs, observed_program
-from runtime.gradients.passages import Passages
 from runtime.gradients.passes import Backward, forward
 from runtime.gradients.recorded_run import RecordedRun, require_finite
 from runtime.gradients.start_of_run import Beginning, StartedRun, StartOfRun
@@ -146,9 +146,9 @@ class DifferentiableRun:
         self.model, self.outputs = model, check_outputs(model, outputs)
         spacing = seen_every_of(seen_every, samples, *span_of(model, t0, t_end))
         self.plan, plan = (make_plan(model, t_end, dt, m, scheme, spacing, options, t0) for _ in range(2))
-        self._passages = Passages(model, plan)
+        self._crossings = EventCrossings(model, plan)
         held = held_samples(model, inputs, self.plan)
-        self._passages.refuse(samples=any(one.step > 0 for one in held))
+        self._crossings.refuse(samples=any(one.step > 0 for one in held))
         self.variables = variables_of(model, by, held)
         entries = [entry for _, entry, _ in self.variables.parameters]
         self.program = observed_program(self.plan.scheme, self.outputs, entries)
@@ -211,7 +211,7 @@ class DifferentiableRun:
         other.program = replace(self.program, scheme=scheme)
         other.course = course(other.plan, self._holds if steps is None else ())
         other.t = t0 + np.array(other.course.times) * dt
-        other._passages = self._passages.over(t0, dt, count)
+        other._crossings = self._crossings.over(t0, dt, count)
         other._start = self._start.on(other.program, other.plan, parameters)
         if parameters:
             other.x0 = other._start.values()
@@ -413,8 +413,8 @@ class DifferentiableRun:
 
     def _across(self, started: StartedRun) -> Course:
         """The course with its steps in parts where something jumps or happens."""
-        passages = self._passages.found(started)
-        return self._jumps.broken(self.course, self.plan, started.x[: len(self.model.parameters)], passages)
+        crossings = self._crossings.found(started)
+        return self._jumps.broken(self.course, self.plan, started.x[: len(self.model.parameters)], crossings)
 
     def _started(self, x: Values, slopes: bool = True) -> StartedRun:
         return self._start.started(self.variables.checked(x), slopes)

@@ -50,16 +50,16 @@ def _pushed(own: Mapping[str, ca.SX], rows: ca.SX, speed: ca.SX) -> ca.SX:
     return -by @ solve_symmetric(G @ by + ca.diag(1 - rows), rows * speed)
 
 
-def thrown(equations: StageEquations, place: tuple[ca.SX, ca.SX, ca.SX], v: ca.SX, rows: ca.SX, hit: ca.SX) -> ca.SX:
+def thrown(equations: StageEquations, place: tuple[ca.SX, ca.SX, ca.SX], v: ca.SX, rows: ca.SX, struck: ca.SX) -> ca.SX:
     """(n_i,) what is added to q_i' = v; place: q_i, a guess of the loop unknowns, t.
 
-    rows (n_e,): one of those that are struck or held, of which none follows from others, else zero; hit (n_stop,): one
-    of stops that are struck.
+    rows (n_e,): one of those that are struck or held, of which none follows from others, else zero; struck
+    (n_stop,): one of stops that are struck.
     """
     own = _elements(equations, place, v)
     speed = ca.SX(own["v_rel"])
     for k, row in enumerate(_stop_rows(equations.model)):
-        speed[row] = speed[row] + hit[k] * own["restitution"][k] * own["v_rel"][row]
+        speed[row] = speed[row] + struck[k] * own["restitution"][k] * own["v_rel"][row]
     return _pushed(own, rows, speed)
 
 
@@ -72,9 +72,9 @@ def rows_of(
 ) -> tuple[np.ndarray, np.ndarray]:
     """(rows (n_e,), hit (n_stop,)), see `thrown`, of what elements did at a state with constants c."""
     events, G = model.mode_events, elements(model, at, c)["G"]
-    hits = {one.k: one.rests is None for one in settled.hits}  # bounces that are summed end at once
-    hit = np.array([hits.get(k, False) for k, event in enumerate(events) if event.side], dtype=float)
-    return _independent(G, {event.row for k, event in enumerate(events) if k in hits or settled.modes[k] == 0}), hit
+    hits = {one.k: one.rests is None for one in settled.impacts}  # bounces that are summed end at once
+    struck = np.array([hits.get(k, False) for k, event in enumerate(events) if event.side], dtype=float)
+    return _independent(G, {event.row for k, event in enumerate(events) if k in hits or settled.modes[k] == 0}), struck
 
 
 def _independent(G: np.ndarray, wanted: set[int]) -> np.ndarray:

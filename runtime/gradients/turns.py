@@ -24,7 +24,7 @@ from runtime.contract.errors import ArgumentError, NoResult
 from runtime.engine.derivatives import Active, LaneArrays, Recorder, TangentCode
 from runtime.engine.native import NativeProgram
 from runtime.engine.program import Fields, Layout, Program, Sequence, make_stage
-from runtime.gradients.course import EVENT, EventPassage, Turn
+from runtime.gradients.course import EVENT, EventCrossing, Turn
 from runtime.gradients.impacts import sizes, thrown
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.gradients.start_of_run import StartedRun
@@ -139,10 +139,10 @@ class TurnProgram:
         for hold in turn.holds:
             row = hold.row - self._scheme.layout.slice("inputs").start
             given[at("holds")][row], given[at("held")][row] = 1.0, hold.number(started.values)
-        if self._kind == EVENT and turn.passage is not None:
-            given[at("acts")][turn.passage.event] = 1.0
+        if self._kind == EVENT and turn.crossing is not None:
+            given[at("acts")][turn.crossing.event] = 1.0
             for name in ("push", "rows", "hit") if self._struck else ():
-                given[at(name)] = getattr(turn.passage, name)
+                given[at(name)] = getattr(turn.crossing, name)
         return given
 
     def _seeded(self, turn: Turn) -> list[tuple[int, int]]:
@@ -152,28 +152,28 @@ class TurnProgram:
 
     def _taken(self, turn: Turn, own: np.ndarray, z: np.ndarray, started: StartedRun) -> np.ndarray:
         """Into z; what steps read. Raises NoResult where an event grazes zero, or impacts follow one another."""
-        if self._kind == EVENT and turn.passage is not None:
-            self._check(turn.passage, own)
+        if self._kind == EVENT and turn.crossing is not None:
+            self._check(turn.crossing, own)
         z[: self._scheme.layout.size] = own[: self._scheme.layout.size]
         z[0], z[1] = turn.t0, turn.n
         return own[self.layout.slice("ready")].copy() if turn.goes_on else started.ready
 
-    def _check(self, passage: EventPassage, own: np.ndarray) -> None:
+    def _check(self, crossing: EventCrossing, own: np.ndarray) -> None:
         rate, at = float(own[self.layout.slice("rate")][0]), self.layout.slice
-        event = watched_events(self._scheme)[passage.event]
+        event = watched_events(self._scheme)[crossing.event]
         who = f"event {event.name} of model {self._scheme.model.name}"
-        if abs(rate) <= passage.least:
+        if abs(rate) <= crossing.least:
             raise NoResult(
                 who,
-                f"grazes zero at t = {passage.clock:.6g} s (rate {rate:.3g} 1/s): its time has no derivative",
+                f"grazes zero at t = {crossing.clock:.6g} s (rate {rate:.3g} 1/s): its time has no derivative",
                 "let it pass zero faster, or leave out of `by` what moves it",
             )
         if np.abs(own[at("thrown")] - own[at("push")]).max(initial=0.0) > OFF * (
-            1 + np.abs(passage.push).max(initial=0)
+            1 + np.abs(crossing.push).max(initial=0)
         ):
             raise NoResult(
                 who,
-                f"leads to impacts that follow one another at t = {passage.clock:.6g} s: they have no derivative",
+                f"leads to impacts that follow one another at t = {crossing.clock:.6g} s: they have no derivative",
                 "start a little beside that motion, so that they come one after the other",
             )
 

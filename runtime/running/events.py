@@ -49,7 +49,7 @@ class _ObservedState(NamedTuple):
     values: np.ndarray
 
 
-class Passage(NamedTuple):
+class LocatedEvents(NamedTuple):
     """Events (positions) at t [s] in a state that was seen; inputs (n_w,) behind them, what elements did, if any."""
 
     t: float
@@ -62,11 +62,11 @@ class Passage(NamedTuple):
 class EventHandler:
     """Steps of a model in which events happen: told (of one step, or of a run) and status say what happened.
 
-    passages: all of them, where somebody keeps them.
+    records: all of them, where somebody keeps them.
     """
 
-    def __init__(self, own: SteppedModel, passages: list[Passage] | None = None) -> None:
-        self.own, self.reported, self._passages = own, list[Event](), passages
+    def __init__(self, own: SteppedModel, records: list[LocatedEvents] | None = None) -> None:
+        self.own, self.reported, self._records = own, list[Event](), records
         self.status: Status | None = None
         self._scheme, self._events = own.plan.scheme, watched_events(own.plan.scheme)
         self._declared = len(own.model.description.events)
@@ -179,7 +179,7 @@ class EventHandler:
         position they have none, and powers on either side are not computed.
         """
         values, values_now = action_values(self._scheme, observed.z, observed.c), observed.values
-        kept, before = None if self._passages is None else observed._replace(z=observed.z.copy()), observed.z.copy()
+        kept, before = None if self._records is None else observed._replace(z=observed.z.copy()), observed.z.copy()
         rates = event_slopes(self._scheme, observed.z, observed.c) if (values_now == 0).any() else values_now
         first = np.cumsum([0, *(len(event.sets) for event in self._events)])  # kinks set nothing
         changes: dict[str, float] = {}
@@ -206,8 +206,8 @@ class EventHandler:
         settled = None
         if self.status is None and self.own.model.element_modes.size:
             settled = self._settle(z, t, happened, observed)
-        if self._passages is not None and kept is not None:
-            self._passages.append(Passage(t, happened, kept, z[self._inputs].copy(), settled))
+        if self._records is not None and kept is not None:
+            self._records.append(LocatedEvents(t, happened, kept, z[self._inputs].copy(), settled))
         push = self._push(settled)
         if regular:
             self.own.note_change(t, before, observed.c, z[self._inputs], push)
@@ -237,7 +237,7 @@ class EventHandler:
             return None
         inputs[modes] = found.modes
         z[self._inputs] = inputs
-        if found.hits:
+        if found.impacts:
             # where an event ends a step of one length, what is seen there is after it
             self._tell_hits(found, at, c, t, t if scheme.adaptive or not happened else float(np.nextafter(t, -np.inf)))
         for k in np.flatnonzero(found.modes != before):
@@ -259,13 +259,13 @@ class EventHandler:
             from runtime.schemes.switching.settle import losses
 
             lost = losses(model, at, c, found, gained)
-        for hit in found.hits:
-            name = model.mode_events[hit.k].name
-            text = f"{name} is hit at {-hit.before:.6g} and left at {hit.after:.6g}{lost}"
-            self.reported.append(Event(t, "impact", text, name, impulse=hit.impulse))
-            if hit.rests is not None:
+        for impact in found.impacts:
+            name = model.mode_events[impact.k].name
+            text = f"{name} is hit at {-impact.before:.6g} and left at {impact.after:.6g}{lost}"
+            self.reported.append(Event(t, "impact", text, name, impulse=impact.impulse))
+            if impact.rests is not None:
                 text = f"{name}: its bounces are over, summed from t = {t:.9g} s on"
-                self.reported.append(Event(t + hit.rests, "rest", text, name))
+                self.reported.append(Event(t + impact.rests, "rest", text, name))
 
     def _rest(self, z: np.ndarray, k: int, t: float) -> None:
         """Kink k at t [s]: where it comes ever again, z does not look for it for ever longer."""

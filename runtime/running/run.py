@@ -27,7 +27,7 @@ from runtime.schemes.options import SchemeError
 from runtime.solutions.solution import Solution
 
 if TYPE_CHECKING:
-    from runtime.running.singular.passage import Continuation
+    from runtime.running.singular.singular_crossing import Continuation
 
 CHECKPOINT_SECONDS = 60.0
 ROUNDING = 1e-13  # m or rad: less is the dust of an assembly
@@ -205,7 +205,7 @@ class Run:
 
     def _pass_by(self, chunk: Chunk) -> None:
         """A determinant of a loop block is small within the chunk: decide how the run goes on, and go on."""
-        from runtime.running.singular.passage import continuation
+        from runtime.running.singular.singular_crossing import continuation
 
         self.z = chunk.before.copy()  # what Ctrl-C during the search leaves
         found = continuation(self, chunk.before, chunk.steps)

@@ -203,7 +203,7 @@ class PlanarBody:
         n_x, n_y = self.rotate(local.nu, ZERO)
         square, twice = mul(q.theta_dot, q.theta_dot), mul(ca.SX(2), q.theta_dot)
         moved = sub(add(q.R_o_dot[0], b_x), mul(q.theta_dot, a_y)), add(add(q.R_o_dot[1], b_y), mul(q.theta_dot, a_x))
-        turning = sub(sub(n_x, mul(square, a_x)), mul(twice, b_y)), sub(add(n_y, mul(twice, b_x)), mul(square, a_y))
+        rotation = sub(sub(n_x, mul(square, a_x)), mul(twice, b_y)), sub(add(n_y, mul(twice, b_x)), mul(square, a_y))
         rows: list[Row] = [{}, {}]
         phi_row: Row = {}
         if columns:
@@ -216,7 +216,7 @@ class PlanarBody:
         return MarkerMotion(
             r=[add(q.R_o[0], a_x), add(q.R_o[1], a_y)],
             r_dot=[*moved],
-            bias=[*turning],
+            bias=[*rotation],
             r_columns=[nonzero(row) for row in rows],
             phi=add(add(q.theta, shape.angle), turn),
             phi_dot=add(q.theta_dot, turn_rate),

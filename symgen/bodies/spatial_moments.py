@@ -207,8 +207,8 @@ class DeformedMarker:
     @cached_property
     def common_axes(self) -> bool:
         """Do more modes turn the marker than there are axes about which they do?"""
-        turning = [turn for turn in self.point.turns if any(not value.is_zero() for value in turn)]
-        return sum(any(not turn[k].is_zero() for turn in turning) for k in range(3)) < len(turning)
+        rotation = [turn for turn in self.point.turns if any(not value.is_zero() for value in turn)]
+        return sum(any(not turn[k].is_zero() for turn in rotation) for k in range(3)) < len(rotation)
 
     def on_turns(self, moment: Vector) -> Vector:
         """(moment + moment x psi / 2) / k: its product with turn_a is the power on `spins` of mode a."""

@@ -40,9 +40,9 @@ class ConstraintNumbers:
         ]
         known = self._known = ca.vertcat(table.vector(), *equations.u.values())
         # every chart where the Euler parameters are, every rotation vector from there zero
-        charts = ca.vertcat(*(entry for turning in equations.turnings for entry in turning.chart))
+        charts = ca.vertcat(*(entry for rotation in equations.rotation_vectors for entry in rotation.chart))
         turns = ca.vertcat(*(equations.q[column] for column in sorted(equations.turn_columns)))
-        e = ca.vertcat(*(entry for turning in equations.turnings for entry in turning.e))
+        e = ca.vertcat(*(entry for rotation in equations.rotation_vectors for entry in rotation.e))
         if charts.numel():
             outputs = ca.substitute(outputs, [ca.vertcat(charts, turns)], [ca.vertcat(e, ca.SX.zeros(turns.numel()))])
         own = ca.vertcat(*(x for column, x in enumerate(equations.q) if column not in equations.turn_columns))
@@ -115,9 +115,9 @@ def assembled(system: System, numbers: ConstraintNumbers) -> ConsistentState:
     try:
         state = state_with(by_angles, requested.coordinates, rates)
         if spins:
-            turning = angle_bodies(rates.values, by_angles)
-            places = _by_parameters(equations, state.q, requested.coordinates, by_angles.keys() - turning.keys())
-            moving = state_with(turning, places, _with_spins(equations, state.q, requested.rates, rates))
+            rotation = angle_bodies(rates.values, by_angles)
+            places = _by_parameters(equations, state.q, requested.coordinates, by_angles.keys() - rotation.keys())
+            moving = state_with(rotation, places, _with_spins(equations, state.q, requested.rates, rates))
             state = replace(moving, changed={**state.changed, **moving.changed})
     except InitialStateError as error:
         problem, _, remedy = str(error).rpartition("; ")
@@ -196,8 +196,8 @@ def _with_spins(equations: Equations, q: np.ndarray, given: GivenValues, rates: 
     for body in sorted({name.partition(".")[0] for name in given.values.keys() - rates.values.keys()}):
         names = [f"{body}.omega_{axis}" for axis in "xyz"]
         columns = [equations.names.index(f"{body}.e{k}") for k in range(4)]
-        turning = parameter_rates(q[columns], np.array([given.values.get(name, 0.0) for name in names]))
+        rotation = parameter_rates(q[columns], np.array([given.values.get(name, 0.0) for name in names]))
         own = [equations.names[column] for column in columns]
-        values |= dict(zip(own, turning.tolist(), strict=True))
+        values |= dict(zip(own, rotation.tolist(), strict=True))
         fixed |= set(own) if given.fixed & set(names) else set()
     return GivenValues(values, frozenset(fixed))

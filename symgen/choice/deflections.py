@@ -71,17 +71,17 @@ def _as_requested(requested: Sequence[RequestedGroup], names: list[str], equatio
         raise DerivationError(
             "partition.groups", f"independent coordinates in no group: {', '.join(missing)}", "add them to a group"
         )
-    for turning in equations.turnings:
+    for rotation in equations.rotation_vectors:
         own = {
             next(g for g, group in enumerate(groups) if names.index(equations.names[c]) in group.positions)
-            for c in turning.columns
+            for c in rotation.columns
             if equations.names[c] in names
         }
         if len(own) > 1:
             raise DerivationError(
                 "partition.groups",
-                f"the turns of {turning.body} are in different groups",
-                f"put {turning.body}.turn_x, _y and _z into one: an orientation moves as a whole",
+                f"the turns of {rotation.body} are in different groups",
+                f"put {rotation.body}.turn_x, _y and _z into one: an orientation moves as a whole",
             )
     empty = [group.name for group in groups if not group.positions]
     if empty:

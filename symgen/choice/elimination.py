@@ -50,7 +50,7 @@ def structural_pivots(
     The rows and columns of U in (30) that are triangular by structure.
     """
     equations, topology, placed = system.equations, system.topology, system.reduced.placed_columns
-    orientations = system.reduced.turnings
+    orientations = system.reduced.rotation_vectors
     constraints = [*equations.constraints, *system.reduced.constraints[len(equations.constraints) :]]
     left_out = left_out | {
         k for k, row in enumerate(constraints) if row.label in {f"{t.body}.norm" for t in orientations}

@@ -158,9 +158,9 @@ def condense(
 def _with_all_turns(equations: Equations, entries: Row) -> Row:
     """Entries of a row, with all turns of a body where there is one: away from zero theta they come together."""
     found = dict(entries)
-    for turning in equations.turnings:
-        own = [column for column in turning.columns if column in entries]
-        found |= {column: found.get(column, entries[own[0]]) for column in turning.columns if own}
+    for rotation in equations.rotation_vectors:
+        own = [column for column in rotation.columns if column in entries]
+        found |= {column: found.get(column, entries[own[0]]) for column in rotation.columns if own}
     return found
 
 

@@ -108,7 +108,7 @@ def tree_accelerations(system: Condensed, topology: Topology, locked: Mapping[in
 
 def free_joints(system: Condensed) -> FreeJointAccelerations | None:
     """The recursion of articulated bodies, where joints place all bodies and no other coordinate follows."""
-    following = {column for turning in system.reduced.turnings for column in turning.parameters}
+    following = {column for rotation in system.reduced.rotation_vectors for column in rotation.parameters}
     following |= system.reduced.placed_columns
     if any(s.e for s in system.inner if s.column not in following):
         return None

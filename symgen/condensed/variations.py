@@ -124,7 +124,7 @@ def _places(eq: Equations, entries: Row) -> set[int]:
 
     A turn about the line to a marker does not move the marker, and yet omega x (omega x r) has its rate.
     """
-    turned = [one for one in eq.turnings if not entries.keys().isdisjoint(one.columns)]
+    turned = [one for one in eq.rotation_vectors if not entries.keys().isdisjoint(one.columns)]
     return {*entries, *(column for one in turned for column in (*one.columns, *one.parameters))}
 
 
@@ -150,7 +150,7 @@ def variations(system: Condensed, accelerations: Row) -> list[Variation]:
     structural = [(row, one) for row, one in structural if one.column in kept]
     changes = row_changes(eq, [*choice.loop_rows, *(row for row, _ in structural)], accelerations)
     following = {}
-    parameters = {column for turning in eq.turnings for column in turning.parameters}
+    parameters = {column for rotation in eq.rotation_vectors for column in rotation.parameters}
     turned = [Variation(one.column, one.e, {}, {}, {}) for one in inner if one.column in parameters]
     for row, one in structural:
         change, pivot = changes[row], eq.constraints[row].C_q[one.column]
@@ -164,7 +164,7 @@ def variations(system: Condensed, accelerations: Row) -> list[Variation]:
     by_column = {one.column: one for one in inner}
     for block in system.loops.blocks:
         solved = _solved_block(block, changes, system, by_column)
-        found += solved if eq.turnings else [_of_rates(one) for one in solved]
+        found += solved if eq.rotation_vectors else [_of_rates(one) for one in solved]
     return [*found, *(following[one.column] for _, one in structural)]
 
 
@@ -222,7 +222,7 @@ def _solutions(U: list[list[ca.SX]], rows: list[Row]) -> list[Row]:
 def directions(system: Condensed, accelerations: Row) -> list[Direction]:
     """Each independent coordinate with all that follow it: each direction by itself, for loops with few of them."""
     eq, columns = system.reduced, sorted(accelerations)
-    known = {} if eq.turnings else _known_changes(eq, accelerations)
+    known = {} if eq.rotation_vectors else _known_changes(eq, accelerations)
     first, second = (ca.vertcat(*values) for values in _rates(eq, eq.constraints, accelerations))
     q, rates = (ca.vertcat(*(source[c] for c in columns)) for source in (eq.q, eq.q_dot))
 
@@ -238,7 +238,9 @@ def directions(system: Condensed, accelerations: Row) -> list[Direction]:
         S = system.following({column: ONE}, [ZERO] * len(eq.constraints))
         S_dot = following(first, ("g", q, S))
         S_ddot = following(second, ("h", q, S), ("k", rates, S_dot))
-        by_rate = following(second, ("k", rates, S)) if eq.turnings or eq.inertia_forces is None else _twice(S_dot)
+        by_rate = (
+            following(second, ("k", rates, S)) if eq.rotation_vectors or eq.inertia_forces is None else _twice(S_dot)
+        )
         found.append(Direction(column, S, S_dot, S_ddot, by_rate))
     return found
 

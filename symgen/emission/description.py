@@ -81,11 +81,11 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
         simulation=scene.simulation.model_dump(mode="json", exclude_none=True),
         orientations=[
             OrientationRecord(
-                turning.body,
-                [reduced.names[c] for c in turning.columns],
-                [eq.names[c] for c in turning.parameters],
+                rotation.body,
+                [reduced.names[c] for c in rotation.columns],
+                [eq.names[c] for c in rotation.parameters],
             )
-            for turning in reduced.turnings
+            for rotation in reduced.rotation_vectors
         ],
         gauges=[
             GaugeRecord(body.name, name, **gauge.model_dump(mode="json"))

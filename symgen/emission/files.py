@@ -54,14 +54,14 @@ def _coordinates(derived: Derived) -> str:
 
     lines = ["## Coordinates", "", "| coordinate | role |", "|---|---|"]
     lines += [f"| `{name}` | {role(column)} |" for column, name in enumerate(eq.names)]
-    for turning in derived.system.reduced.turnings:
-        roles = [role(column) for column in turning.columns]
+    for rotation in derived.system.reduced.rotation_vectors:
+        roles = [role(column) for column in rotation.columns]
         if len(set(roles)) == 1:
-            velocities = f"their velocities are `{turning.body}.omega_x`, ..."
-            lines.append(f"| `{turning.body}.turn_x`, `_y`, `_z` | {roles[0]}; {velocities} |")
+            velocities = f"their velocities are `{rotation.body}.omega_x`, ..."
+            lines.append(f"| `{rotation.body}.turn_x`, `_y`, `_z` | {roles[0]}; {velocities} |")
             continue
         for axis, own in zip("xyz", roles, strict=True):
-            lines.append(f"| `{turning.body}.turn_{axis}` | {own}; its velocity is `{turning.body}.omega_{axis}` |")
+            lines.append(f"| `{rotation.body}.turn_{axis}` | {own}; its velocity is `{rotation.body}.omega_{axis}` |")
     return "\n".join(lines)
 
 

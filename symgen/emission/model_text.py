@@ -253,7 +253,7 @@ class Labels:
         omega = {f"{name}_dot": name.replace("turn_", "omega_") for name in names[len(eq.names) :]}
         for rates in ("q_i_dot", "q_d_dot"):
             self.arguments[rates] = [omega.get(name, name) for name in self.arguments[rates]]
-        charts = [f"{turning.body}.chart_{k}" for turning in reduced.turnings for k in range(4)]
+        charts = [f"{rotation.body}.chart_{k}" for rotation in reduced.rotation_vectors for k in range(4)]
         self.arguments["chart"] = local_names(charts, names)
         self.arguments["lam_R"] = [f"lam_R{k}" for k in range(len(derived.redundant))]
         self.arguments["q_L_ddot"] = [f"{q_i[k]}_ddot" for k in slow]

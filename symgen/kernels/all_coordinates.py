@@ -67,7 +67,7 @@ def reactions(system: Condensed, held: ca.SX | None = None) -> Kernel:
         add_held_forces(system, force, held)
     lam = _loop_reactions(system, force) if choice.loop_rows else {}
     norms = {row.label: k for k, row in enumerate(eq.constraints)}
-    norm_rows = {turning.body: norms[f"{turning.body}.norm"] for turning in system.reduced.turnings}
+    norm_rows = {rotation.body: norms[f"{rotation.body}.norm"] for rotation in system.reduced.rotation_vectors}
     acting: dict[int, list[int]] = {}  # rows with known multipliers, by column
     for row in lam:
         for column in eq.constraints[row].C_q:
@@ -82,13 +82,15 @@ def reactions(system: Condensed, held: ca.SX | None = None) -> Kernel:
         lam[row] = div(rest, eq.constraints[row].C_q[column])
         for touched in eq.constraints[row].C_q:
             acting.setdefault(touched, []).append(row)
-    for turning in system.reduced.turnings:  # what is left of the force on e is along e, the row of its unit length
+    for (
+        rotation
+    ) in system.reduced.rotation_vectors:  # what is left of the force on e is along e, the row of its unit length
         left = [
             force[c]
             - sum((row.C_q[c] * lam[k] for k, row in enumerate(eq.constraints) if k in lam and c in row.C_q), ca.SX(0))
-            for c in turning.parameters
+            for c in rotation.parameters
         ]
-        lam[norm_rows[turning.body]] = ca.dot(ca.vertcat(*left), ca.vertcat(*turning.e))
+        lam[norm_rows[rotation.body]] = ca.dot(ca.vertcat(*left), ca.vertcat(*rotation.e))
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "q_ddot": q_ddot}
     inputs |= {"lam_R": lam_R, **eq.signals} if given else eq.signals
     lam |= given

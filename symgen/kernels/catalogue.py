@@ -192,11 +192,11 @@ def _by_rotation_vectors(system: Condensed, row: Row) -> Row:
     """A loop row of C_q by the loop unknowns alone, where they are turns by theta: along omega times T(theta)."""
     loops = system.choice.loop_columns
     found = {column: value for column, value in row.items() if column in loops}
-    for turning in system.reduced.turnings:
-        own = [(k, column) for k, column in enumerate(turning.columns) if column in loops]
-        along = [row.get(column, ZERO) for column in turning.columns]
+    for rotation in system.reduced.rotation_vectors:
+        own = [(k, column) for k, column in enumerate(rotation.columns) if column in loops]
+        along = [row.get(column, ZERO) for column in rotation.columns]
         if own and not all(value.is_zero() for value in along):
-            T = turning.T([system.reduced.q[column] for column in turning.columns])
+            T = rotation.T([system.reduced.q[column] for column in rotation.columns])
             found |= {column: dot(along, [T[i][k] for i in range(3)]) for k, column in own}
     return found
 

@@ -142,7 +142,7 @@ def _along_loops(held: _Held, ways: Sequence[Direction]) -> list[ca.SX] | None:
     system, eq = held.system, held.system.reduced
     independent = system.choice.independent
     modes = eq.elastic_columns & held.rho.keys()
-    if eq.loop_changes is None or not eq.loop_rates or eq.turnings or not modes <= set(independent):
+    if eq.loop_changes is None or not eq.loop_rates or eq.rotation_vectors or not modes <= set(independent):
         return None
     known = {joint: _multipliers_of(held, joint) for joint in eq.loop_rates}
     inertia = eq.loop_changes(held.accelerations, known, ways)
@@ -229,19 +229,19 @@ def paired_changes(system: Condensed, accelerations: Row) -> tuple[ca.SX, ca.SX]
         ways.append(vector(ca.substitute(ca.jtimes(once, ca.vertcat(x[j], one), seeds), one, ONE)))
         slopes.append(vector(ca.substitute(once, one, ONE)))
         bows.append(vector(ca.substitute(ca.jtimes(once, x[j], ca.SX(-1)), one, ONE)))
-    turning = _of_differences(slopes, [M[i, i] for i in range(n)])
-    if turning is None:
+    rotation = _of_differences(slopes, [M[i, i] for i in range(n)])
+    if rotation is None:
         return None
     J_x, J_v = ca.SX(n, n), ca.SX(n, n)
     twice, less = ([mul(ca.SX(factor), rate) for rate in rates] for factor in (2, -2))
     for i in range(n):
         others = [j for j in range(n) if j != i]
         for j in others:
-            back = bool(j < i and turning[i, j])
-            at_rates = turning[i, j] and second[j].is_zero()
+            back = bool(j < i and rotation[i, j])
+            at_rates = rotation[i, j] and second[j].is_zero()
             J_x[i, j] = mul(bows[min(i, j)][max(i, j)], mul(rates[j], rates[j])) if at_rates else ways[j][i]
             J_v[i, j] = mul(slopes[i][j], twice[j]) if back else mul(slopes[j][i], less[j])
-        if all(turning[i, j] for j in others):
+        if all(rotation[i, j] for j in others):
             J_x[i, i] = neg(total(J_x[i, j] for j in others))
         else:
             force = (add(mul(M[i, j], second[j]), mul(slopes[j][i], mul(rates[j], rates[j]))) for j in others)

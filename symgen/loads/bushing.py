@@ -53,7 +53,7 @@ class Bushing(Load):
             row[column] = row.get(column, 0) - 0.5 * slope
         pulls = [-(s * value + d * rate) for s, d, value, rate in zip(k, c, values, rates, strict=True)]
         force = m.along(a, pulls[:3])
-        axes = _turning_axes(a, b)
+        axes = _rotation_axes(a, b)
         moment = [sum(pull * axis[i] for pull, axis in zip(pulls[3:], axes, strict=True)) for i in range(3)]
         return LoadEffect(row, potential=potential, dissipated=dissipated, action=m.action(force, moment))
 
@@ -67,7 +67,7 @@ class Bushing(Load):
                 yield Fault(key, f"has {len(getattr(self, key))} entries", "give three, for x, y and z")
 
 
-def _turning_axes(a: Any, b: Any) -> list[list[Any]]:
+def _rotation_axes(a: Any, b: Any) -> list[list[Any]]:
     """d(turn_i) = axis_i . d(phi) for a small rotation d(phi) of marker b: (b_j x a_k - b_k x a_j) / 2."""
 
     def cross(u: Sequence[Any], v: Sequence[Any]) -> list[Any]:

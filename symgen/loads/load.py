@@ -56,7 +56,7 @@ class Scalar:
     rate: Any
     row: Row
     axis: Vector
-    turning: bool
+    rotation: bool
 
 
 class Acting(Protocol):
@@ -180,5 +180,5 @@ def on(scalar: Scalar, m: Acting, value: Any, **powers: Any) -> LoadEffect:
     """A force or torque `value` on a scalar of the motion."""
     row = {column: value * entry for column, entry in scalar.row.items()}
     acting = [value * component for component in scalar.axis]
-    action = m.action(moment=acting) if scalar.turning else m.action(force=acting)
+    action = m.action(moment=acting) if scalar.rotation else m.action(force=acting)
     return LoadEffect(row, action=action, **powers)

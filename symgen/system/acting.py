@@ -255,7 +255,7 @@ def turn_between(a: MarkerMotion, b: MarkerMotion) -> Scalar:
     row: Row = {}
     add_scaled(row, ONE, b.phi_row)
     add_scaled(row, neg(ONE), a.phi_row)
-    return Scalar(b.phi - a.phi, b.phi_dot - a.phi_dot, nonzero(row), [ONE], turning=True)
+    return Scalar(b.phi - a.phi, b.phi_dot - a.phi_dot, nonzero(row), [ONE], rotation=True)
 
 
 class SpatialActing(_Acting):
@@ -303,9 +303,9 @@ class SpatialActing(_Acting):
         first, second = self.pair(a, b)
         own = self._joint_angle(a, b)
         if own is not None:
-            return Scalar(own.value, own.rate, own.row, first.axes[2], turning=True)
+            return Scalar(own.value, own.rate, own.row, first.axes[2], rotation=True)
         value = angle_about_z(first, second)
-        return Scalar(value, self.rate(value), self.by_q(value), first.axes[2], turning=True)
+        return Scalar(value, self.rate(value), self.by_q(value), first.axes[2], rotation=True)
 
 
 def angle_about_z(a: SpatialMarker, b: SpatialMarker) -> ca.SX:

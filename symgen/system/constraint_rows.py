@@ -94,17 +94,17 @@ def placing_rows(
 def coordinate_row(name: str, label: str, own: JointCoordinates, motion: Motion, a: SpatialMarker) -> ConstraintRow:
     """A prescribed motion of the coordinate `label` of a joint, about or along an axis of marker a; name: whose row."""
     k = own.place(label)
-    found, turning = own.coordinates[k], isinstance(own.motions[k], Turn)
-    axis = in_world(a, own.subspace[k][0 if turning else 1])
+    found, rotation = own.coordinates[k], isinstance(own.motions[k], Turn)
+    axis = in_world(a, own.subspace[k][0 if rotation else 1])
     return ConstraintRow(
         f"{name}.{label}",
         name,
-        "angle" if turning else "distance",
+        "angle" if rotation else "distance",
         found.value - motion[0],
         {found.column: ONE},
         neg(motion[1]),
         motion[2],
-        (*zeros(), *axis) if turning else (*axis, *zeros()),
+        (*zeros(), *axis) if rotation else (*axis, *zeros()),
         f"{label} - f(t)",
     )
 
@@ -144,18 +144,18 @@ def sliding_rows(
     x, length, rows = local[0], place.length, []
     for axis, across in enumerate(local[1:], start=1):
         own = [one for one in place.sets if one[0] == axis]
-        deflection = slope = turning = bending = ZERO
+        deflection = slope = rotation = bending = ZERO
         C_q = dict(across.row)
         for _, first, values, rates, seconds in own:
             part = slice(first, first + len(values))
             q, v = q_f[part], q_f_dot[part]
             deflection = deflection + dot(values, q)
-            slope, turning = slope + dot(rates, q) / length, turning + dot(rates, v) / length
+            slope, rotation = slope + dot(rates, q) / length, rotation + dot(rates, v) / length
             bending = bending + dot(seconds, q) / length**2
             for value, column in zip(values, columns[part], strict=True):
                 add_to(C_q, column, neg(value))
         add_scaled(C_q, neg(slope), x.row)
-        gamma = 2 * turning * x.rate + bending * x.rate**2 + slope * x.bias - across.bias
+        gamma = 2 * rotation * x.rate + bending * x.rate**2 + slope * x.bias - across.bias
         on_b = tuple(one - slope * along for one, along in zip(across.on_b, x.on_b, strict=True))
         label, text = f"{name}.{'xyz'[axis]}", f"{'xyz'[axis]}_b - phi(x_b) q_f"
         rows.append(

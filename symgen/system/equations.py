@@ -20,7 +20,7 @@ from symgen.bodies.outlines import Picture
 from symgen.loads.load import LinearSpring
 from symgen.scene.attachments import StaticResidual
 from symgen.system.constraint import ConstraintRow
-from symgen.system.orientations import Turning
+from symgen.system.orientations import RotationVector
 from symgen.system.signals import input_records, input_symbols
 
 if TYPE_CHECKING:
@@ -53,9 +53,9 @@ class Rotor:
 
     def force(self, accelerations: Row) -> Row:
         """J row s' and the gyroscopic moment."""
-        turning = add(self.bias, total(mul(self.row[c], x) for c, x in accelerations.items() if c in self.row))
+        rotation = add(self.bias, total(mul(self.row[c], x) for c, x in accelerations.items() if c in self.row))
         found = dict(self.gyroscopic)
-        add_scaled(found, mul(self.inertia, turning), self.row)
+        add_scaled(found, mul(self.inertia, rotation), self.row)
         return found
 
     def add_to(self, M: list[Row]) -> None:
@@ -200,7 +200,7 @@ class Equations:
     events: by name what passes zero, and the values that inputs get then.
     switching: (load, joint or state, value) of what changes sign where an expression jumps or kinks in time; kinks: by
     name (load, joint or state, value) of what does where it depends on the motion.
-    turnings: orientations with velocities of their own, whose columns follow those of all coordinates.
+    rotation_vectors: orientations with velocities of their own, whose columns follow those of all coordinates.
     """
 
     coordinates: list[Coordinate]
@@ -241,7 +241,7 @@ class Equations:
     free_joints: FreeJointAccelerations | None = None
     placed_columns: frozenset[int] = frozenset()
     felt_columns: frozenset[int] = frozenset()
-    turnings: list[Turning] = field(default_factory=list)
+    rotation_vectors: list[RotationVector] = field(default_factory=list)
     masses: Callable[[], list[Row]] = list
     velocity_forces: Callable[[], list[ca.SX]] = list
 
@@ -312,7 +312,7 @@ class Equations:
     def signals(self) -> dict[str, ca.SX]:
         """Arguments that come from outside: t, u where there are inputs, the charts of orientations."""
         given = {"t": self.t, "u": ca.vertcat(*self.u.values())} if self.u else {"t": self.t}
-        charts = [entry for turning in self.turnings for entry in turning.chart]
+        charts = [entry for rotation in self.rotation_vectors for entry in rotation.chart]
         return {**given, "chart": ca.vertcat(*charts)} if charts else given
 
     @property
@@ -322,8 +322,8 @@ class Equations:
 
     @cached_property
     def turn_columns(self) -> frozenset[int]:
-        """Columns of the rotation vectors of `turnings`."""
-        return frozenset(column for turning in self.turnings for column in turning.columns)
+        """Columns of the rotation vectors of `rotation_vectors`."""
+        return frozenset(column for rotation in self.rotation_vectors for column in rotation.columns)
 
     @property
     def input_defaults(self) -> list[float]:

@@ -272,11 +272,11 @@ class JointCoordinates:
         work, at right angles to each other); none for a screw, whose axis carries both."""
         S = self.subspace
         sliding = [k for k, motion in enumerate(self.motions) if isinstance(motion, Slide)]
-        turning = [k for k, motion in enumerate(self.motions) if isinstance(motion, Turn) and not motion.lead]
+        rotation = [k for k, motion in enumerate(self.motions) if isinstance(motion, Turn) and not motion.lead]
         slides = [in_world(a, S[k][1]) for k in sliding]
-        turns = [in_world(a, S[k][0]) for k in turning[:-1]]
-        turns += [(b if turns else a).axes[self.motions[k].axis] for k in turning[-1:]]
-        return _apart(slides, [S[k][1] for k in sliding]), _apart(turns, [S[k][0] for k in turning])
+        turns = [in_world(a, S[k][0]) for k in rotation[:-1]]
+        turns += [(b if turns else a).axes[self.motions[k].axis] for k in rotation[-1:]]
+        return _apart(slides, [S[k][1] for k in sliding]), _apart(turns, [S[k][0] for k in rotation])
 
     def _changes(self, rate: Vector) -> Vector:
         """Derivatives in time at constant rates."""

@@ -361,9 +361,9 @@ class Mechanism(Generic[Marker]):
         row = dict(spin.row)
         add_scaled(row, ratio, own.C_q)
         rate = add(spin.rate, mul(ratio, total(mul(value, eq.q_dot[c]) for c, value in own.C_q.items())))
-        turning: Row = {}
-        add_scaled(turning, mul(inertia, rate), spin.gyroscopic)
-        rotor = Rotor(inertia, nonzero(row), sub(spin.bias, mul(ratio, own.gamma)), turning)
+        rotation: Row = {}
+        add_scaled(rotation, mul(inertia, rate), spin.gyroscopic)
+        rotor = Rotor(inertia, nonzero(row), sub(spin.bias, mul(ratio, own.gamma)), rotation)
         eq.rotors.append(rotor)
 
     def _add_coupling(self, coupling: Coupling) -> None:

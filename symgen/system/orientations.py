@@ -54,7 +54,7 @@ class Orientations:
 
 
 @dataclass(frozen=True)
-class Turning:
+class RotationVector:
     """Columns of q of one such body: theta (3) and e (4) with its symbols, omega, and the chart's symbols (4)."""
 
     body: str

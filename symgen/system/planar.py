@@ -97,7 +97,7 @@ class PlanarSpace(Space[MarkerMotion]):
             add_scaled(row, component, b.r_columns[axis])
             add_scaled(row, neg(component), a.r_columns[axis])
         value, rate = dot(a.direction, minus(b.r, a.r)), dot(a.direction, minus(b.r_dot, a.r_dot))
-        return Scalar(value, rate, row, a.direction, turning=False)
+        return Scalar(value, rate, row, a.direction, rotation=False)
 
     def measure(self, kind: str, a: str, b: str) -> ca.SX:
         """Angle, x or y."""

@@ -39,7 +39,7 @@ from symgen.system.frames.rnea_derivatives import force_changes, has_force_chang
 from symgen.system.frames.skeleton import Skeleton
 from symgen.system.frames.tree import GROUND, FrameTree
 from symgen.system.mechanism import Mechanism, with_rotors, with_states
-from symgen.system.orientations import Orientations, Turning, turn_coordinates
+from symgen.system.orientations import Orientations, RotationVector, turn_coordinates
 from symgen.system.spatial import SpatialSpace
 from symgen.system.topology import Topology
 
@@ -52,7 +52,7 @@ class TreeSpace(SpatialSpace):
     def __init__(self, space: SpatialSpace, equations: Equations, whole: Equations, orientations: Orientations) -> None:
         super().__init__(space.scene, space.table, equations, space.topology)
         self.known, self.whole, self.orientations = space.bodies, whole, orientations
-        self._turnings = {turning.body: turning for turning in equations.turnings}
+        self._rotation_vectors = {rotation.body: rotation for rotation in equations.rotation_vectors}
         self._paths: dict[tuple[int, int], Path] = {}
         self.loops: dict[str, Loop] = {}
 
@@ -83,7 +83,7 @@ class TreeSpace(SpatialSpace):
                 skeleton.hold(body, *self._hold(balls[name]))
                 continue
             if name not in by_child:
-                skeleton.float(body, self._turnings[name])
+                skeleton.float(body, self._rotation_vectors[name])
                 continue
             placement = by_child[name]
             joint = joints[placement.joint]
@@ -111,13 +111,13 @@ class TreeSpace(SpatialSpace):
                 found[body] = point
         return found
 
-    def _hold(self, name: str) -> tuple[str, Turning, Deformation, Deformation, Callable[[], Matrix]]:
+    def _hold(self, name: str) -> tuple[str, RotationVector, Deformation, Deformation, Callable[[], Matrix]]:
         """Parent, turning, near and far marker of a spherical joint of the tree, and the parent's axes in the world."""
         ball = self.orientations.balls[name]
         joint = next(joint for joint in self.scene.joints if joint.name == name)
         ends = [self._deformation(joint.marker_a), self._deformation(joint.marker_b)]
         near, far = ends if ball.forward else ends[::-1]
-        return ball.parent, self._turnings[ball.child], near, far, partial(self._axes, ball.parent)
+        return ball.parent, self._rotation_vectors[ball.child], near, far, partial(self._axes, ball.parent)
 
     def _axes(self, body: str) -> Matrix:
         """Of a body in the world, by rows."""
@@ -282,15 +282,17 @@ def reduced_equations(built: Mechanism[SpatialMarker], space: SpatialSpace, orie
         inputs=whole.inputs,
         beams=whole.beams,
         flexible=whole.flexible,
-        turnings=[_turning(whole, body, n + 3 * k, q_dot) for k, body in enumerate(orientations.bodies)],
+        rotation_vectors=[
+            _rotation_vector(whole, body, n + 3 * k, q_dot) for k, body in enumerate(orientations.bodies)
+        ],
         placed_columns=_placed(whole, topology, orientations),
     )
     tree_space = TreeSpace(space, blank, whole, orientations)
     equations = Mechanism(built.scene, built.table, tree_space, blank, topology).equations
     _set_rates(whole, equations, ca.vertcat(*q_dot[n:]))
-    for turning in equations.turnings:
-        equations.body_columns[turning.body] += turning.columns
-        equations.constraints += turning.rows([q[column] for column in turning.columns])
+    for rotation in equations.rotation_vectors:
+        equations.body_columns[rotation.body] += rotation.columns
+        equations.constraints += rotation.rows([q[column] for column in rotation.columns])
     tree = tree_space.tree
     equations.masses = lambda: with_states(mass_rows(tree, size), equations)
     forces = TreeForces(tree, replace(equations) if equations.rotors else equations, tree_space.loops)
@@ -361,9 +363,11 @@ def _set_rates(whole: Equations, reduced: Equations, omega: ca.SX) -> None:
             whole.kinks[name] = kink
 
 
-def _turning(whole: Equations, body: str, first: int, q_dot: list[ca.SX]) -> Turning:
+def _rotation_vector(whole: Equations, body: str, first: int, q_dot: list[ca.SX]) -> RotationVector:
     """The columns and symbols of a body whose first turn has the column `first`."""
     columns = list(range(first, first + 3))
     parameters = [whole.names.index(f"{body}.e{k}") for k in range(4)]
     chart = [ca.SX.sym(f"{body}.chart_{k}") for k in range(4)]
-    return Turning(body, columns, parameters, [whole.q[k] for k in parameters], [q_dot[k] for k in columns], chart)
+    return RotationVector(
+        body, columns, parameters, [whole.q[k] for k in parameters], [q_dot[k] for k in columns], chart
+    )

@@ -72,10 +72,10 @@ class SpatialSpace(Space[SpatialMarker]):
     def add_body(self, name: str, columns: list[int], q: list[ca.SX], q_dot: list[ca.SX]) -> tuple[SpatialBody, int]:
         """x, y, z, Euler parameters, q_f."""
         description, integrals = self.scene.body(name), spatial_integrals(self.scene, name, self.table)
-        turning = len(self.scene.frame_coordinates(description))
-        size = turning + integrals.nf
+        rotation = len(self.scene.frame_coordinates(description))
+        size = rotation + integrals.nf
         coordinates = SpatialCoordinates(
-            columns[:size], q[:3], q[3:turning], q[turning:size], q_dot[:3], q_dot[3:turning], q_dot[turning:size]
+            columns[:size], q[:3], q[3:rotation], q[rotation:size], q_dot[:3], q_dot[3:rotation], q_dot[rotation:size]
         )
         body = SpatialBody(name, coordinates, orientation(coordinates.theta, coordinates.theta_dot), integrals)
         self.bodies[name] = body
@@ -122,10 +122,10 @@ class SpatialSpace(Space[SpatialMarker]):
         row: Row = {}
         for component, turns in zip(axis, a.turn_rows, strict=True):
             add_scaled(row, component, turns)
-        turning: Row = {}
+        rotation: Row = {}
         for component, turns in zip(cross(a.omega, axis), a.turn_rows, strict=True):
-            add_scaled(turning, component, turns)
-        return Spin(row, dot(axis, a.omega), dot(axis, a.turn_bias), turning)
+            add_scaled(rotation, component, turns)
+        return Spin(row, dot(axis, a.omega), dot(axis, a.turn_bias), rotation)
 
     def _own(self, joint: Joint) -> JointCoordinates:
         """The coordinates of a joint that places a body."""
@@ -153,7 +153,7 @@ class SpatialSpace(Space[SpatialMarker]):
         own, opposite = self._between(a, b, "angle"), self._between(b, a, "angle")
         if own is not None or opposite is None:
             return None if own is None else _scalar(own)
-        return Scalar(-opposite.value, -opposite.rate, {opposite.column: -ONE}, (), turning=True)
+        return Scalar(-opposite.value, -opposite.rate, {opposite.column: -ONE}, (), rotation=True)
 
     def body_rows(self) -> list[ConstraintRow]:
         """Unit length of Euler parameters that no joint gives."""
@@ -169,15 +169,15 @@ class SpatialSpace(Space[SpatialMarker]):
         a, b = self.pair(joint.marker_a, joint.marker_b)
         own, axis = self._coordinates.get(name), axis_of(joint, motion, a, b)
         if own is not None:
-            return replace(_scalar(own), axis=axis, turning=isinstance(motion, Turn))
+            return replace(_scalar(own), axis=axis, rotation=isinstance(motion, Turn))
         if isinstance(motion, Turn):
             row: Row = {}
             for component, ahead, behind in zip(axis, b.turn_rows, a.turn_rows, strict=True):
                 add_scaled(row, component, ahead)
                 add_scaled(row, neg(component), behind)
-            return Scalar(angle_about_z(a, b), dot(axis, minus(b.omega, a.omega)), row, axis, turning=True)
+            return Scalar(angle_about_z(a, b), dot(axis, minus(b.omega, a.omega)), row, axis, rotation=True)
         travel = dot(axis, minus(b.r, a.r))
-        return Scalar(travel, ca.jtimes(travel, *self.motion), gradient(travel, self.motion[0]), axis, turning=False)
+        return Scalar(travel, ca.jtimes(travel, *self.motion), gradient(travel, self.motion[0]), axis, rotation=False)
 
     def section_force(self, body: BeamBody, kind: str, at: float) -> ca.SX:
         """Of a beam at a fraction of its length, by its shapes."""
@@ -264,4 +264,4 @@ def _drawn(body: str, name: str, point: SpatialPoint) -> DrawnPoint:
 
 
 def _scalar(own: JointCoordinate) -> Scalar:
-    return Scalar(own.value, own.rate, {own.column: ONE}, (), turning=True)
+    return Scalar(own.value, own.rate, {own.column: ONE}, (), rotation=True)

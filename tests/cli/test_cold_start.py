@@ -33,7 +33,7 @@ SELDOM = {  # what only some runs ask for, and what prints code that the cache h
     "runtime.running.checkpoint",
     "runtime.running.driven",
     "runtime.running.step_refinement",
-    "runtime.running.singular.passage",
+    "runtime.running.singular.singular_crossing",
     "runtime.start.quasi_static",
 }
 

@@ -80,8 +80,8 @@ def test_integrals_are_those_of_the_shapes(ends: str, axial: str) -> None:
         np.testing.assert_allclose(getattr(integrals, name), value, atol=1e-9, err_msg=name)
     cross = over_mass(lambda xi: np.outer(point(xi).shape_x, point(xi).shape_y))
     np.testing.assert_allclose(integrals.phi_cross_phi, cross - cross.T, atol=1e-10)
-    turning = quad_vec(lambda xi: np.outer(point(xi).slope, point(xi).slope), 0.0, 0.37, epsabs=1e-12)[0]
-    np.testing.assert_allclose(point(0.37).H, turning, atol=1e-9)
+    rotation = quad_vec(lambda xi: np.outer(point(xi).slope, point(xi).slope), 0.0, 0.37, epsabs=1e-12)[0]
+    np.testing.assert_allclose(point(0.37).H, rotation, atol=1e-9)
     assert integrals.i0 == pytest.approx(1 / 3, rel=1e-15)
 
 

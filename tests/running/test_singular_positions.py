@@ -13,7 +13,7 @@ from scipy.integrate import solve_ivp
 
 from runtime import Solution, resume, simulate
 from runtime.model import Model
-from runtime.running.singular import crossing, passage
+from runtime.running.singular import crossing, singular_crossing
 from runtime.running.singular.crossing import BranchLost
 from symgen.generate import model_of as model_of_scene
 from symgen.scene import Scene, SceneRecord
@@ -150,7 +150,7 @@ def test_no_way_over_ends_with_a_named_status(built_in: Load, monkeypatch: pytes
     def refuse(*_: Any) -> None:
         raise BranchLost("made up")
 
-    monkeypatch.setattr(passage, "cross", refuse)
+    monkeypatch.setattr(singular_crossing, "cross", refuse)
     run = simulate(built_in("n_four_bar"), scheme="single_rate", dt=1e-3, t_end=2.0)
     assert run.status.name == "branch_lost" and "made up" in run.status.cause and run.status.advice
 

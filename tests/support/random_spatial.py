@@ -135,11 +135,11 @@ class Assembly:
         R, A = self.frames[name]
         if orientation == "euler_parameters":
             e = np.roll(Rotation.from_matrix(A).as_quat(), 1)
-            turning = {f"{name}.e{k}": float(value) for k, value in enumerate(e if e[0] >= 0 else -e)}
+            rotation = {f"{name}.e{k}": float(value) for k, value in enumerate(e if e[0] >= 0 else -e)}
         else:
             angles = Rotation.from_matrix(A).as_euler(orientation.upper())
-            turning = {f"{name}.theta{k + 1}": float(value) for k, value in enumerate(angles)}
-        return {**{f"{name}.{axis}": float(value) for axis, value in zip("xyz", R, strict=True)}, **turning}
+            rotation = {f"{name}.theta{k + 1}": float(value) for k, value in enumerate(angles)}
+        return {**{f"{name}.{axis}": float(value) for axis, value in zip("xyz", R, strict=True)}, **rotation}
 
 
 @st.composite

@@ -43,7 +43,7 @@ def rotation(e: ca.SX) -> ca.SX:
 
 
 @cache
-def _turning() -> ca.Function:
+def _rotation_vector() -> ca.Function:
     """(e, e_dot, e_ddot) -> A, omega, alpha."""
     e, rate, second, s = ca.SX.sym("x", 4), ca.SX.sym("v", 4), ca.SX.sym("a", 4), ca.SX.sym("s")
     A = rotation(e + s * rate + s**2 / 2 * second)
@@ -58,8 +58,8 @@ def frames(scene: SceneRecord, q: Array, q_dot: Array, q_ddot: Array) -> dict[st
     found, first = {}, 0
     for body in scene.moving_bodies:
         n = len(scene.frame_coordinates(body))
-        turning, elastic = slice(first + 3, first + n), slice(first + n, first + n + body.nf)
-        moved = _turning()(q[turning], q_dot[turning], q_ddot[turning])
+        rotation, elastic = slice(first + 3, first + n), slice(first + n, first + n + body.nf)
+        moved = _rotation_vector()(q[rotation], q_dot[rotation], q_ddot[rotation])
         A, omega, alpha = (np.asarray(part) for part in moved)
         R = slice(first, first + 3)
         found[body.name] = Frame(

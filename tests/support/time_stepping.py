@@ -107,10 +107,10 @@ class Links(Mechanism):
 
     def force(self, t: float, phi: np.ndarray, rates: np.ndarray) -> np.ndarray:
         """All but friction that sticks."""
-        turning = -(self._levers.T @ self._levers * np.sin(phi[:, None] - phi)) @ rates**2
+        rotation = -(self._levers.T @ self._levers * np.sin(phi[:, None] - phi)) @ rates**2
         weight = -self.gravity * self._levers.sum(axis=0) * np.cos(phi)
         driven = self.G[: len(self.drives)].T @ np.array([drive(t) for drive in self.drives])
-        return np.asarray(turning + weight + driven - self.G.T @ (self.viscous * (self.G @ rates)))
+        return np.asarray(rotation + weight + driven - self.G.T @ (self.viscous * (self.G @ rates)))
 
     @property
     def rubs_by_force(self) -> bool:

@@ -50,7 +50,7 @@ class Over:
         self._passed: Crossing | None = None
         self._late = 0.0  # by how much a change of inputs is felt late at most [s]
 
-    def go(self, z: np.ndarray, way: Way) -> tuple[list[np.ndarray], Status | None]:
+    def go(self, z: np.ndarray, way: CrossingPath) -> tuple[list[np.ndarray], Status | None]:
         """(states to be saved and the last one, the status where an event ends the run), from z (whole, flat) on.
 
         What an event sets holds from there on; very near to the position from the other side on. Raises BranchLost.
@@ -110,7 +110,7 @@ class Over:
             segment.take_inputs(w)
         return True
 
-    def _gone_on(self, way: Way, t: float, integrator: TightIntegrator) -> Way:
+    def _gone_on(self, way: CrossingPath, t: float, integrator: TightIntegrator) -> CrossingPath:
         """From t [s] on, by another integrator where forces have changed. Raises BranchLost where these lead on to a
         position that cannot be passed.
         """
@@ -120,16 +120,16 @@ class Over:
             return way.gone_on(t, y, integrator)
         if t < way.crossing.t_s and abs(float(integrator.determinants(t, y)[0][self.block])) > NEAREST * self.largest:
             try:
-                return Way(integrator, t, y, cross(integrator, t, y, self.block, self.largest), integrator)
+                return CrossingPath(integrator, t, y, cross(integrator, t, y, self.block, self.largest), integrator)
             except BranchLost:
                 if approach(integrator, t, y, self.block, NEAREST * self.largest) is not None:
                     raise
-                return Way(integrator, t, y, turned_back(t, y), integrator)
+                return CrossingPath(integrator, t, y, turned_back(t, y), integrator)
         found = way.gone_on(t, y, integrator)  # too near: the change is felt from the other side on
         self._late = max(self._late, found.leaves[0] - t)
         return found
 
-    def _last_step(self, way: Way, first: int) -> int:
+    def _last_step(self, way: CrossingPath, first: int) -> int:
         """The first step behind the position whose determinant is good again; the last one allowed if there is none."""
         plan, height = self.segment.plan, 1.2 * NEAR_SINGULAR * self.largest
         allowed = min(plan.steps, first + LONGEST_LEAVE)
@@ -144,7 +144,7 @@ class Over:
         return min(allowed, max(first + 1, ceil((t - plan.t0) / plan.grid.dt_L)))
 
     def _states(
-        self, z: np.ndarray, way: Way, times: np.ndarray, steps: list[int], off_grid: bool = False
+        self, z: np.ndarray, way: CrossingPath, times: np.ndarray, steps: list[int], off_grid: bool = False
     ) -> list[np.ndarray]:
         """Whole states at times (N,), the ends of steps unless they are off the grid."""
         if not steps:
@@ -169,7 +169,7 @@ CLEAR = 0.1  # of the way behind the position within the step over it: from ther
 
 
 @dataclass(frozen=True)
-class Way:
+class CrossingPath:
     """From (t, y) on [s], through a crossing; behind: integrates after it."""
 
     integrator: TightIntegrator
@@ -199,7 +199,7 @@ class Way:
             q[k], q_dot[k] = between(over, float(times[k]))
         return q, q_dot
 
-    def gone_on(self, t: float, y: np.ndarray, integrator: TightIntegrator) -> Way:
+    def gone_on(self, t: float, y: np.ndarray, integrator: TightIntegrator) -> CrossingPath:
         """The rest of it from (t, y) on, by this integrator behind the position."""
         return replace(self, t=t, y=y, behind=integrator)
 

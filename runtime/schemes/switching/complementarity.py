@@ -24,7 +24,7 @@ def complementary(
     b: np.ndarray,
     lower: np.ndarray,
     upper: np.ndarray,
-    let_go: np.ndarray | None = None,
+    released: np.ndarray | None = None,
     shares: np.ndarray | None = None,
 ) -> np.ndarray | None:
     """(n,) -1 at the lower bound, 0 between, 1 at the upper one, of v' = b + A f; None where no set was found.
@@ -34,7 +34,7 @@ def complementary(
     n, at = len(b), np.zeros(len(b), dtype=int)
     if not n:
         return at
-    named = np.zeros(n, dtype=bool) if let_go is None else let_go.astype(bool)
+    named = np.zeros(n, dtype=bool) if released is None else released.astype(bool)
     largest = max(float(np.abs(one[np.isfinite(one)]).max(initial=0.0)) for one in (lower, upper))
     # what presses on a stop by rounding only does not hold it closed
     alone = FORCE_ROUNDING * np.abs(b).max() / np.maximum(np.diag(A), 1e-300)

@@ -22,7 +22,7 @@ from runtime.schemes.switching.complementarity import balancing, complementary, 
 from runtime.schemes.switching.consistency import NoMode as NoMode
 from runtime.schemes.switching.consistency import broken_law
 from runtime.schemes.switching.impulse import moves_in_time
-from runtime.schemes.switching.stops import AT_REST, Hit, Stops
+from runtime.schemes.switching.stops import AT_REST, Impact, Stops
 
 PIVOT = 1e-9
 MATRICES = {"M_hat", "G", "by", "A", "Q_hat_R", "holds_R", "b_R", "F_a", "F_f", "F_R"}
@@ -35,12 +35,12 @@ MOST_TURNS, FOUND = 100, 1e-14  # of forces that are shares of reactions, which 
 class Settled:
     """modes (n_m,): of friction 0 stuck, else the sign of the rate; of stops 0 closed, 1 open, -1 left at rest.
 
-    push (n_i,): what is added to q_i'; hits: what stops did; q_d_dot (n_d,): rates afterwards.
+    push (n_i,): what is added to q_i'; impacts: what stops did; q_d_dot (n_d,): rates afterwards.
     """
 
     modes: np.ndarray
     push: np.ndarray
-    hits: list[Hit]
+    impacts: list[Impact]
     q_d_dot: np.ndarray
 
 
@@ -48,25 +48,25 @@ def settled(
     model: EmittedModel,
     at: Mapping[str, np.ndarray],
     c: np.ndarray,
-    let_go: np.ndarray,
+    released: np.ndarray,
     come: np.ndarray,
-    hit: np.ndarray | None = None,
+    reached: np.ndarray | None = None,
 ) -> Settled | NoMode:
     """The modes at a state, and what makes at rest what has come to rest; NoMode where no modes are consistent.
 
     at: q_i, q_d, q_i_dot, q_d_dot, t; c (c_size,): constants, with the modes until now in it. let_go (n_m,): those that
-    are held no longer; come (n_m,): rates below which one has come to rest; hit (n_m,): stops that are just reached.
-    A stop whose bounces come too close takes them all at once: it is hit again without restitution.
+    are held no longer; come (n_m,): rates below which one has come to rest; reached (n_m,): stops that are just
+    reached. A stop whose bounces come too close takes them all at once: it is hit again without restitution.
     """
-    stops = Stops.of(model, c, hit)
+    stops = Stops.of(model, c, reached)
     soon = dict[int, float]()
     while True:
-        found = _once(model, at, c, let_go, come, stops, soon)
+        found = _once(model, at, c, released, come, stops, soon)
         if found is None:
             return NoMode(*no_mode(model, at, c))
         if isinstance(found, NoMode):
             return found
-        new = stops.too_close(found[0].hits, *found[1:])
+        new = stops.too_close(found[0].impacts, *found[1:])
         if not new:
             return found[0]
         soon |= new
@@ -76,7 +76,7 @@ def _once(
     model: EmittedModel,
     at: Mapping[str, np.ndarray],
     c: np.ndarray,
-    let_go: np.ndarray,
+    released: np.ndarray,
     come: np.ndarray,
     stops: Stops,
     soon: Mapping[int, float],
@@ -87,7 +87,7 @@ def _once(
     struck = stops.struck(own, slow, soon)
     if struck is None:
         return None
-    push, hits = struck
+    push, impacts = struck
     rate = own["v_rel"] + times(own["G"], push)
     bounds = _Bounds(stops, rate, np.maximum(come, slow), stops.touched(own, rate, slow))
     rest, rubs, modes = bounds.rest, stops.side == 0, np.ones(len(stops.side))
@@ -100,7 +100,7 @@ def _once(
         stay = rest & (np.abs(own["v_rel"]) <= most)
         at = _moved(model, at, v + _at_rest(own["G"][stay], own["v_rel"][stay]), c)
     own = weighed(model, at, c)  # with the laws of those that move
-    balance = _balance(own, bounds, rest, bounds.by_row(let_go))
+    balance = _balance(own, bounds, rest, bounds.by_row(released))
     if balance is None:
         return None
     moving, accelerations, force = balance
@@ -111,7 +111,7 @@ def _once(
         return None
     if rest.any() and (broken := broken_law(model, at, c, modes, rest, force, own)) is not None:
         return broken
-    settled_ = Settled(modes, at["q_i_dot"] - start, hits, at["q_d_dot"])
+    settled_ = Settled(modes, at["q_i_dot"] - start, impacts, at["q_d_dot"])
     return settled_, own["v_rel"], accelerations
 
 
@@ -124,9 +124,9 @@ def _beyond(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray, mo
 
 def losses(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray, found: Settled, gained: float) -> str:
     """What stops took, -sum p (v- + v+) / 2 [J]; what energy `gained` besides comes by the impulses of drives."""
-    own, hits = elements(model, at, c), [(model.mode_events[hit.k], hit.impulse) for hit in found.hits]
+    own, impacts = elements(model, at, c), [(model.mode_events[one.k], one.impulse) for one in found.impacts]
     passing = own["v_rel"] + 0.5 * own["G"] @ found.push
-    lost = -sum(one.side * p * float(passing[one.row]) for one, p in hits)
+    lost = -sum(one.side * p * float(passing[one.row]) for one, p in impacts)
     given = f", work done by the prescribed motion: {gained + lost:.6g} J" if moves_in_time(model) else ""
     return f", {lost:.6g} J lost{given}"
 
@@ -152,7 +152,7 @@ def no_mode(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray) ->
 
 
 def _balance(
-    own: Mapping[str, np.ndarray], bounds: _Bounds, rest: np.ndarray, let_go: np.ndarray
+    own: Mapping[str, np.ndarray], bounds: _Bounds, rest: np.ndarray, released: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
     """(n_e,) where each row at rest goes, zero where it is held, v' and the forces; None: nothing is consistent.
 
@@ -165,7 +165,7 @@ def _balance(
         if n:
             b, holds = b + own["b_R"] @ R, holds + own["holds_R"] @ R
         A, (lower, upper) = own["A"][np.ix_(rest, rest)], bounds.of(holds)
-        sides = complementary(A, b[rest], lower[rest], upper[rest], let_go[rest], shares)
+        sides = complementary(A, b[rest], lower[rest], upper[rest], released[rest], shares)
         if sides is None:
             return None
         force[rest], moving[rest] = balancing(A, b[rest], lower[rest], upper[rest], sides, shares), -sides

@@ -29,7 +29,7 @@ MOST_HITS = 50  # at one time, one after another: as in a row of balls; then wit
 
 
 @dataclass(frozen=True)
-class Hit:
+class Impact:
     """A stop k (among the modes): v_s before and after it; impulse: what it gave away from it [N s or N m s]; rests:
     how much later [s] its bounces are over, or None.
     """
@@ -44,20 +44,24 @@ class Hit:
 
 @dataclass(frozen=True)
 class Stops:
-    """row, side (n_m,): of the modes, side 0 of friction; until_now (n_m,): the modes; hit (n_m,): are they reached?"""
+    """row, side (n_m,): of the modes, side 0 of friction; until_now (n_m,): the modes; reached (n_m,): are they
+    reached?
+    """
 
     row: np.ndarray
     side: np.ndarray
     until_now: np.ndarray
-    hit: np.ndarray
+    reached: np.ndarray
 
     @classmethod
-    def of(cls, model: EmittedModel, c: np.ndarray, hit: np.ndarray | None) -> Stops:
+    def of(cls, model: EmittedModel, c: np.ndarray, reached: np.ndarray | None) -> Stops:
         """Of a model with constants c (c_size,)."""
         events = model.mode_events
         row, side = (np.array([getattr(one, name) for one in events], dtype=int) for name in ("row", "side"))
         modes = c[len(c) - model.signals.size + model.element_modes]
-        return cls(row, side, modes.copy(), np.zeros(len(row), dtype=bool) if hit is None else hit & (side != 0))
+        return cls(
+            row, side, modes.copy(), np.zeros(len(row), dtype=bool) if reached is None else reached & (side != 0)
+        )
 
     def _of_stops(self, values: np.ndarray | None, otherwise: float) -> np.ndarray:
         """(n_m,) of values (n_stop,)."""
@@ -69,21 +73,21 @@ class Stops:
     def _near(self, own: Mapping[str, np.ndarray]) -> np.ndarray:
         """(n_m,) closed, just reached, or not beyond a touch from it."""
         gap = self._of_stops(own.get("gap"), np.inf)
-        return np.asarray((self.side != 0) & ((self.until_now == 0) | self.hit | (gap <= TOUCH)))
+        return np.asarray((self.side != 0) & ((self.until_now == 0) | self.reached | (gap <= TOUCH)))
 
     def _on(self, own: Mapping[str, np.ndarray]) -> np.ndarray:
         """(n_m,) the same, but for what comes from within a touch and has not arrived."""
         gap = self._of_stops(own.get("gap"), np.inf)
-        return np.asarray((self.side != 0) & ((self.until_now == 0) | self.hit | (gap <= 0)))
+        return np.asarray((self.side != 0) & ((self.until_now == 0) | self.reached | (gap <= 0)))
 
     def struck(
         self, own: Mapping[str, np.ndarray], slow: float, soon: Mapping[int, float]
-    ) -> tuple[np.ndarray, list[Hit]] | None:
+    ) -> tuple[np.ndarray, list[Impact]] | None:
         """(n_i,) what all impacts at once add to q_i', and these; soon: stops that are to rest, by the time until then.
 
         None where no impulses are consistent.
         """
-        push, hits, on = np.zeros(len(own["by"])), dict[int, Hit](), self._on(own)
+        push, impacts, on = np.zeros(len(own["by"])), dict[int, Impact](), self._on(own)
         if not on.any():
             return push, []
         e = self._of_stops(own.get("restitution"), 0.0)
@@ -104,22 +108,22 @@ class Stops:
             before, speed = speed, speed + times(A[:, some], p)
             push, given[some] = push + times(by[:, some], p), given[some] + p
             for k in map(int, np.flatnonzero(comes)):
-                first = hits[k].before if k in hits else float(before[k])
-                hits[k] = Hit(k, first, float(speed[k]), float(e[k]), 0.0, soon.get(k))
-        return push, [replace(hit, impulse=float(given[hit.k])) for hit in hits.values()]
+                first = impacts[k].before if k in impacts else float(before[k])
+                impacts[k] = Impact(k, first, float(speed[k]), float(e[k]), 0.0, soon.get(k))
+        return push, [replace(one, impulse=float(given[one.k])) for one in impacts.values()]
 
     def touched(self, own: Mapping[str, np.ndarray], rate: np.ndarray, slow: float) -> np.ndarray:
         """(n_m,) stops on which their rows, with rates (n_e,), lie."""
         return np.asarray(self._near(own) & (np.abs(rate[self.row]) <= slow))
 
-    def too_close(self, hits: list[Hit], rate: np.ndarray, acceleration: np.ndarray) -> dict[int, float]:
+    def too_close(self, impacts: list[Impact], rate: np.ndarray, acceleration: np.ndarray) -> dict[int, float]:
         """Those whose bounces are over so soon, with the time until then [s]; rates and their changes by row (n_e,)."""
         found = dict[int, float]()
-        for hit in hits:
-            back, speed = (float(self.side[hit.k] * one[self.row[hit.k]]) for one in (acceleration, rate))
-            left = -back * (1 - hit.e) * TOO_CLOSE
-            if hit.rests is None and 0 < 2 * speed < left:
-                found[hit.k] = 2 * speed / left * TOO_CLOSE
+        for impact in impacts:
+            back, speed = (float(self.side[impact.k] * one[self.row[impact.k]]) for one in (acceleration, rate))
+            left = -back * (1 - impact.e) * TOO_CLOSE
+            if impact.rests is None and 0 < 2 * speed < left:
+                found[impact.k] = 2 * speed / left * TOO_CLOSE
         return found
 
 

@@ -53,7 +53,7 @@ def free_joint_accelerations(
     masks: by column, one where a coordinate moves and zero where it is held. wrenches: what the masses of each frame
     need at rates and weight, and do not get by `force`. Raises NoInertia.
     """
-    frames = [replace(frame, transforms=_turning_last(frame.transforms)) for frame in tree.frames]
+    frames = [replace(frame, transforms=_rotation_last(frame.transforms)) for frame in tree.frames]
     solution = _ArticulatedBodies(FrameTree(frames, tree.body_frames), {c: force.get(c, ZERO) for c in free}, masks)
     solution.inward(wrenches or [NOTHING] * len(frames))
     return solution.outward()
@@ -186,7 +186,7 @@ class _ArticulatedBodies:
             found[freed.column] = sub(value, turned)
 
 
-def _turning_last(transforms: Sequence[JointTransform]) -> list[JointTransform]:
+def _rotation_last(transforms: Sequence[JointTransform]) -> list[JointTransform]:
     """A constant shift along the axis of a turn before it: a freed turn passes no moment about its axis on to it."""
     found = list(transforms)
     for k in range(1, len(found)):

@@ -75,22 +75,22 @@ class Change:
 class Field:
     """tau and v of a frame with their rates."""
 
-    turning: Rates
+    rotation: Rates
     moving: Rates
 
     @property
     def twist(self) -> Motion:
         """tau and v."""
-        return Motion(self.turning[0], self.moving[0])
+        return Motion(self.rotation[0], self.moving[0])
 
     def by_position(self, a: Vector) -> Change:
         """Change of the frame's motion by the coordinate, seen in the frame; a: acceleration of its origin."""
-        return Change(self.turning[1], self.turning[2], plus(self.moving[2], cross(a, self.turning[0])))
+        return Change(self.rotation[1], self.rotation[2], plus(self.moving[2], cross(a, self.rotation[0])))
 
     @property
     def by_rate(self) -> Change:
         """Change by the rate of the coordinate."""
-        return Change(self.turning[0], scaled(TWO, self.turning[1]), scaled(TWO, self.moving[1]))
+        return Change(self.rotation[0], scaled(TWO, self.rotation[1]), scaled(TWO, self.moving[1]))
 
     def after(self, transform: Node, moved: TransformState) -> Field:
         """Of the frame after a transform."""
@@ -100,15 +100,15 @@ class Field:
 
     def shifted(self, arm: RelativeMotion) -> Field:
         """About the end of an arm."""
-        t, t1, t2 = self.turning
+        t, t1, t2 = self.rotation
         v, v1, v2 = self.moving
         first = plus(v1, cross(t1, arm.r), cross(t, arm.V))
         second = plus(v2, cross(t2, arm.r), cross(scaled(TWO, t1), arm.V), cross(t, arm.A))
-        return Field(self.turning, (plus(v, cross(t, arm.r)), first, second))
+        return Field(self.rotation, (plus(v, cross(t, arm.r)), first, second))
 
     def transformed(self, transform: Node) -> Field:
         """In the axes after a transform."""
-        t, t1, t2 = (transform.transformed(vector) for vector in self.turning)
+        t, t1, t2 = (transform.transformed(vector) for vector in self.rotation)
         v, v1, v2 = (transform.transformed(vector) for vector in self.moving)
         return Field((t, t1, t2), (v, v1, v2))
 
@@ -159,12 +159,12 @@ def cross_wrench(twist: Motion, wrench: Force) -> Force:
 
 def field_along(direction: Direction, parts: Sequence[FieldPart]) -> Field:
     """The field of a frame that has these parts, as a direction moves them."""
-    turning, moving = (zeros(), zeros(), zeros()), (zeros(), zeros(), zeros())
+    rotation, moving = (zeros(), zeros(), zeros()), (zeros(), zeros(), zeros())
     for part in parts:
         s, s1, s2 = (share_of(part, row) for row in (direction.S, direction.S_dot, direction.S_ddot))
-        turning = _added(turning, part.field.turning, s, s1, s2)
+        rotation = _added(rotation, part.field.rotation, s, s1, s2)
         moving = _added(moving, part.field.moving, s, s1, s2)
-    return Field(turning, moving)
+    return Field(rotation, moving)
 
 
 def share_of(part: FieldPart, row: Row) -> ca.SX:

@@ -284,8 +284,8 @@ class MarkerNode(JointTransform):
     def column_powers(self, after: Force) -> Vector:
         """Power of a wrench on each twist column."""
         f, moment = self.at_marker(after)
-        turning = self.deformation.still.on_turns(moment)
-        found = [add(dot(one.shape, f), dot(one.theta, turning)) for one in self.deformation.shared]
+        rotation = self.deformation.still.on_turns(moment)
+        found = [add(dot(one.shape, f), dot(one.theta, rotation)) for one in self.deformation.shared]
         return negative(found) if self.back else found
 
     def at_marker(self, after: Force) -> tuple[Vector, Vector]:
@@ -301,14 +301,14 @@ class MarkerNode(JointTransform):
         given = before.omega, before.alpha, before.a
         omega, alpha, a = [times(deformed.R, vector) for vector in given] if self.back else given
         body = minus(omega, deformed.omega) if self.back else omega
-        turning = plus(combination(deformed.spins, own), deformed.fading, cross(body, deformed.omega))
+        rotation = plus(combination(deformed.spins, own), deformed.fading, cross(body, deformed.omega))
         moving = plus(deformed.drift(body), combination(deformed.shapes, own))
         if self.back:
-            alpha = minus(alpha, turning)
+            alpha = minus(alpha, rotation)
             return FrameMotion(
                 body, alpha, minus(a, plus(FrameMotion(body, alpha, zeros()).carried(deformed.rho), moving))
             )
-        marker = plus(omega, deformed.omega), plus(alpha, turning), plus(before.carried(deformed.rho), moving)
+        marker = plus(omega, deformed.omega), plus(alpha, rotation), plus(before.carried(deformed.rho), moving)
         omega, alpha, a = (transposed_times(deformed.R, vector) for vector in marker)
         return FrameMotion(omega, alpha, a)
 

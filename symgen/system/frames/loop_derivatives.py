@@ -170,8 +170,8 @@ class FramePlace:
         """Change of the wrench of the forces of joints, as seen in a frame that turns by tau."""
         found = NOTHING
         for arm, force in self.forces:
-            turning = cross(tau, force)
-            found = found.plus(Force(turning, cross(arm, turning)))
+            rotation = cross(tau, force)
+            found = found.plus(Force(rotation, cross(arm, rotation)))
         return found
 
     def carried(self, directions: Sequence[Direction]) -> list[list[ca.SX]]:
@@ -311,14 +311,14 @@ class _Sums:
                 [dot(axis, end.other.path.along(vector)) for axis in end.own.path.axes]
                 for vector in field_along(direction, other.parts).moving
             )
-            found.append(Field(known.turning, (v, v1, v2)))
+            found.append(Field(known.rotation, (v, v1, v2)))
         return found
 
     def _contract(self, place: FramePlace, fields: list[Field], powers: list[tuple[Row, Motion]]) -> None:
         geometric, state = place.carried(self._directions), place.state
         for j, (one, direction) in enumerate(zip(fields, self._directions, strict=True)):
             by_position, by_rate = one.by_position(place.motion.a), one.by_rate
-            more_q, more_v = place.rotated_forces(one.turning[0]), NOTHING
+            more_q, more_v = place.rotated_forces(one.rotation[0]), NOTHING
             if state is not None and direction.column in state.rows:
                 more_q = more_q.plus(state.by_position[direction.column])
                 more_v = more_v.plus(state.by_rate[direction.column])

@@ -31,7 +31,7 @@ class PathColumn:
     slides: Vector | None
     before: int
     until: int | None = None
-    turning: tuple[list[Vector], Vector] | None = None
+    rotation: tuple[list[Vector], Vector] | None = None
 
 
 class Path:
@@ -123,17 +123,17 @@ class Path:
             self.turn_by(deformed.R)
 
     def _add_modes(self, columns: list[int], deformed: DeformedMarker, back: bool) -> None:
-        sign, turning = neg(ONE) if back else ONE, None
+        sign, rotation = neg(ONE) if back else ONE, None
         if deformed.common_axes:
-            turning = [scaled(sign, self.along(axis)) for axis in deformed.psi_spins]
+            rotation = [scaled(sign, self.along(axis)) for axis in deformed.psi_spins]
         for a, column in enumerate(columns):
             slides, shared = scaled(sign, self.along(deformed.shapes[a])), None
-            if turning is None:
+            if rotation is None:
                 turns = scaled(sign, self.along(deformed.spins[a]))
             else:
-                shared = turning, deformed.point.turns[a]
+                shared = rotation, deformed.point.turns[a]
                 turns = combination(*shared)
-            self.entries.append(PathColumn(column, turns, slides, len(self._arms), turning=shared))
+            self.entries.append(PathColumn(column, turns, slides, len(self._arms), rotation=shared))
 
     def _reach(self) -> None:
         """The arm so far is done: what turns from here on does not move its end."""
@@ -173,10 +173,10 @@ class Path:
         parts = []
         if entry.turns is not None:
             across = self._across(entry, to_end)
-            if entry.turning is None:
+            if entry.rotation is None:
                 parts.append(cross(entry.turns, across))
             else:
-                axes, share = entry.turning
+                axes, share = entry.rotation
                 parts.append(combination([cross(axis, across) for axis in axes], share))
         return plus(*parts, *([] if entry.slides is None else [entry.slides]))
 

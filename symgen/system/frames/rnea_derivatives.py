@@ -229,7 +229,7 @@ class _Bending:
         return first, second
 
     @cached_property
-    def _turning(self) -> tuple[Vector, Vector, ca.SX, ca.SX]:
+    def _rotation_vector(self) -> tuple[Vector, Vector, ca.SX, ca.SX]:
         """psi' and psi'' with 1 / (2 k), k' / k and k'' / k, where k = 1 + psi.psi / 4."""
         turns, (speeds, own) = self.deformation.point.turns, self._own
         first, second, deformed = combination(turns, speeds), combination(turns, own), self.deformed
@@ -244,7 +244,7 @@ class _Bending:
             return zeros(), zeros(), zeros()
         deformed, theta = self.deformed, one.theta
         value = scaled(deformed.inverse, plus(theta, scaled(HALF, cross(deformed.psi, theta))))
-        first, second, rate, bending = self._turning
+        first, second, rate, bending = self._rotation_vector
         own = minus(cross(first, theta), scaled(rate, value))
         more = minus(cross(second, theta), plus(scaled(mul(TWO, rate), own), scaled(bending, value)))
         return self._in_axes(value, own, more)
@@ -285,10 +285,10 @@ class BendChanges:
         return [FieldPart(one.shares, self._field(one)) for one in self._deformation.shared]
 
     def _field(self, one: SharedMotion) -> Field:
-        turning, moving = self._bending.spin(one), self._bending.shape(one)
+        rotation, moving = self._bending.spin(one), self._bending.shape(one)
         if not self._back:
-            return Field(turning, moving).transformed(self._move)
-        (t, t1, t2), (s, s1, s2) = ([negative(vector) for vector in rates] for rates in (turning, moving))
+            return Field(rotation, moving).transformed(self._move)
+        (t, t1, t2), (s, s1, s2) = ([negative(vector) for vector in rates] for rates in (rotation, moving))
         return Field((t, t1, t2), (s, s1, s2)).shifted(relative_motion(self._move, self._moved))
 
     def powers(self, column: int, wrench: Force, change: Force) -> Row:
@@ -297,14 +297,14 @@ class BendChanges:
         shares = [(one, one.shares[column]) for one in self._deformation.shared if column in one.shares]
         f, moment = self._move.at_marker(wrench)
         df, dn = self._move.at_marker(change)
-        turning = bending.deformed.on_turns(plus(dn, *(self._carried(one, share, f, moment) for one, share in shares)))
+        rotation = bending.deformed.on_turns(plus(dn, *(self._carried(one, share, f, moment) for one, share in shares)))
         for one, share in shares:
-            turning = plus(turning, scaled(share, bending.on_turns_changed(one, moment)))
+            rotation = plus(rotation, scaled(share, bending.on_turns_changed(one, moment)))
             if not self._back:
                 df = plus(df, scaled(share, cross(bending.spin(one)[0], f)))
         found, b = {}, self._deformation.columns.index(column)
         for a, other in enumerate(self._deformation.columns):
-            value = add(dot(bending.deformed.shapes[a], df), dot(point.turns[a], turning))
+            value = add(dot(bending.deformed.shapes[a], df), dot(point.turns[a], rotation))
             for i, H in enumerate(point.H):
                 value = sub(value, mul(H[a][b], f[i]))
             found[other] = neg(value) if self._back else value
@@ -316,11 +316,11 @@ class BendChanges:
         f, moment = self._move.at_marker(wrench)
         found = [[ZERO] * len(shared) for _ in shared]
         for k, one in enumerate(shared):
-            turning = self._bending.deformed.on_turns(self._carried(one, ONE, f, moment))
-            turning = plus(turning, self._bending.on_turns_changed(one, moment))
+            rotation = self._bending.deformed.on_turns(self._carried(one, ONE, f, moment))
+            rotation = plus(rotation, self._bending.on_turns_changed(one, moment))
             df = zeros() if self._back else cross(self._bending.spin(one)[0], f)
             for i, row in enumerate(shared):
-                value = add(dot(row.shape, df), dot(row.theta, turning))
+                value = add(dot(row.shape, df), dot(row.theta, rotation))
                 for axis, H in enumerate(point.H):
                     a, b = (self._deformation.columns.index(next(iter(mode.shares))) for mode in (row, one))
                     value = sub(value, mul(H[a][b], f[axis]))

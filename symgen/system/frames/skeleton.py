@@ -15,7 +15,7 @@ from symgen.system.frames.alignment import JointLink, Numbers, UnalignedFrame, a
 from symgen.system.frames.joint_transforms import Across, Ball, Float, JointTransform, MarkerNode, ToWorld
 from symgen.system.frames.spatial_algebra import SE3, Inertia, no_masses
 from symgen.system.frames.tree import GROUND, BodyFrame, FlexibleNode, FrameTree, RigidNode
-from symgen.system.orientations import Turning
+from symgen.system.orientations import RotationVector
 
 
 class Skeleton:
@@ -26,14 +26,14 @@ class Skeleton:
         self._body_frames: dict[str, BodyFrame] = {"ground": BodyFrame()}
         self._numbers = numbers
 
-    def float(self, body: SpatialBody, turning: Turning) -> None:
+    def float(self, body: SpatialBody, rotation: RotationVector) -> None:
         """A body that no joint places. Its mass stands at its origin, which moves without turning."""
         q, data = body.coordinates, body.integrals
         assert data is not None
         point = Inertia(data.mass, zeros(), no_masses().Sigma)
         floats = Float(q.columns[:3], q.R_o, q.R_o_dot)
         self._add(UnalignedFrame(GROUND, transforms=[floats], inertia=RigidNode(point)))
-        self._add(UnalignedFrame(len(self._rough) - 1, transforms=[_ball(turning)], inertia=_inertia(body, ZERO)))
+        self._add(UnalignedFrame(len(self._rough) - 1, transforms=[_ball(rotation)], inertia=_inertia(body, ZERO)))
         self._body_frames[body.name] = BodyFrame(len(self._rough) - 1)
 
     def place(
@@ -78,7 +78,7 @@ class Skeleton:
         self,
         body: SpatialBody,
         parent: str,
-        turning: Turning,
+        rotation: RotationVector,
         near: Deformation,
         far: Deformation,
         axes: Callable[[], Matrix],
@@ -90,10 +90,10 @@ class Skeleton:
         frame, before = self._at(parent, place_of(near))
         holder = self._rough[frame].transforms[-1:] if frame != GROUND else []
         if holder and isinstance(holder[0], Ball):
-            transforms: list[JointTransform] = [Across(before.r, holder[0].A), _ball(turning)]
+            transforms: list[JointTransform] = [Across(before.r, holder[0].A), _ball(rotation)]
         else:
             self._add(UnalignedFrame(frame, JointLink(before), inertia=RigidNode(no_masses())))
-            frame, transforms = len(self._rough) - 1, [ToWorld(axes), _ball(turning)]
+            frame, transforms = len(self._rough) - 1, [ToWorld(axes), _ball(rotation)]
         data, at = body.integrals, place_of(far)
         assert data is not None
         if data.nf:
@@ -121,8 +121,8 @@ class Skeleton:
         return aligned(self._rough, self._body_frames, self._numbers)
 
 
-def _ball(turning: Turning) -> Ball:
-    return Ball(turning.columns, turning.A, turning.omega)
+def _ball(rotation: RotationVector) -> Ball:
+    return Ball(rotation.columns, rotation.A, rotation.omega)
 
 
 def place_of(marker: Deformation) -> Deformation:

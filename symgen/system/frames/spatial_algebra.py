@@ -157,7 +157,7 @@ class FrameMotion:
     def _squares(self) -> Vector:
         return [mul(value, value) for value in self.omega]
 
-    def turning_moment(self, Sigma: Matrix) -> Vector:
+    def rotation_moment(self, Sigma: Matrix) -> Vector:
         """ax(Sigma G^T), where G_kk - G_jj is omega_k^2 - omega_j^2."""
         G, squares, found = self.G, self._squares, []
         for i in range(3):
@@ -232,14 +232,14 @@ class Inertia:
     def inertia_wrench(self, motion: FrameMotion) -> Force:
         """What moves the masses: f = m a + G h, n = h x a + ax(Sigma G^T)."""
         f = plus(scaled(self.m, motion.a), times(motion.G, self.h))
-        turning, in_world = motion.turning_moment(self.Sigma), motion.in_world
-        n = plus(cross(self.h, motion.a), turning)
+        rotation, in_world = motion.rotation_moment(self.Sigma), motion.in_world
+        n = plus(cross(self.h, motion.a), rotation)
         if in_world is None:
             return Force(f, n)
         world = plus(scaled(self.m, in_world.a), motion.swung(in_world, self.h))
         if not in_world.swings:
             return Force(f, n, world)
-        return Force(f, n, world, (LeverArm(self.h, in_world.a),), turning)
+        return Force(f, n, world, (LeverArm(self.h, in_world.a),), rotation)
 
 
 def no_masses() -> Inertia:

@@ -13,10 +13,10 @@ import numpy as np
 from runtime.contract.errors import ArgumentError, NoResult
 from runtime.contract.model import EmittedModel
 from runtime.contract.signals import SINCE
-from runtime.gradients.course import ALIKE, EventPassage, Hold
+from runtime.gradients.course import ALIKE, EventCrossing, Hold
 from runtime.gradients.impacts import rows_of
 from runtime.gradients.start_of_run import StartedRun
-from runtime.running.events import EventHandler, Passage, state_of
+from runtime.running.events import EventHandler, LocatedEvents, state_of
 from runtime.running.problem import Plan
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.switching.times import ON_THE_GRID
@@ -27,7 +27,7 @@ NEARER, NEARINGS = 16.0, 7  # steps end before a kink, and begin behind it, near
 GRAZING = 1e-3  # least slope of a passage, over that of the way to it since the start of the step
 
 
-class Passages:
+class EventCrossings:
     """Of a plan of its own, whose scheme gets the fields of events."""
 
     def __init__(self, model: EmittedModel, plan: Plan) -> None:
@@ -35,7 +35,7 @@ class Passages:
         self._events = watched_events(plan.scheme)
         self._names = [event.name for event in self._events]
 
-    def over(self, t0: float, dt: float, steps: int) -> Passages:
+    def over(self, t0: float, dt: float, steps: int) -> EventCrossings:
         """The same with so many steps of dt from t0 on [s]."""
         other = copy(self)
         other._plan = replace(self._plan, scheme=self._plan.scheme.with_step(dt), t0=t0, steps=steps, end=None)
@@ -59,7 +59,7 @@ class Passages:
                 "give constants",
             )
 
-    def found(self, started: StartedRun) -> dict[int, list[EventPassage]]:
+    def found(self, started: StartedRun) -> dict[int, list[EventCrossing]]:
         """By the step in which they happen. Raises NoResult for a run that they end."""
         plan = self._plan
         if not watches(plan.scheme):
@@ -69,7 +69,7 @@ class Passages:
         assert own.broken is not None
         z = own.stepper.start(own.broken.grid.clock(0), *started.state, own.c, plan.grid.dt_L)
         own.begin_events(z)
-        made, passages, kinks = list[Passage](), dict[int, list[EventPassage]](), list[float]()
+        made, crossings, kinks = list[LocatedEvents](), dict[int, list[EventCrossing]](), list[float]()
         event_handler = EventHandler(own, made)
         while int(z[1]) < plan.steps:
             event_handler.advance(z, min(BATCH, plan.steps - int(z[1])))
@@ -78,15 +78,15 @@ class Passages:
                     f"model {self._model.name}", f"the run has no derivative, it ends: {event_handler.status}"
                 )
             if made:
-                passages[int(z[1]) - 1] = self._event_passages(own, event_handler.start, made)
+                crossings[int(z[1]) - 1] = self._event_crossings(own, event_handler.start, made)
                 kinks += [one.t for one in made if are_kinks(plan.scheme)[one.events].any()]
                 made.clear()
                 event_handler.reported.clear()
-        return self._approached(passages, kinks)
+        return self._approached(crossings, kinks)
 
     def _approached(
-        self, passages: dict[int, list[EventPassage]], kinks: Sequence[float]
-    ) -> dict[int, list[EventPassage]]:
+        self, crossings: dict[int, list[EventCrossing]], kinks: Sequence[float]
+    ) -> dict[int, list[EventCrossing]]:
         """With steps that become shorter towards each kink and longer behind it.
 
         A stage at a kink has the slope of either side, and stages of a whole step are no nearer to the motion than its
@@ -100,17 +100,19 @@ class Passages:
                     step = int(np.floor((near - t0) / dt))
                     share = (near - t0) / dt - step
                     if 0 <= step < self._plan.steps and ON_THE_GRID < share < 1 - ON_THE_GRID:
-                        passages.setdefault(step, []).append(EventPassage(near))
-        return {step: sorted(found, key=lambda one: one.clock) for step, found in passages.items()}
+                        crossings.setdefault(step, []).append(EventCrossing(near))
+        return {step: sorted(found, key=lambda one: one.clock) for step, found in crossings.items()}
 
-    def _event_passages(self, own: SteppedModel, start: np.ndarray, made: Sequence[Passage]) -> list[EventPassage]:
+    def _event_crossings(
+        self, own: SteppedModel, start: np.ndarray, made: Sequence[LocatedEvents]
+    ) -> list[EventCrossing]:
         """Of one step from a state (whole, flat)."""
-        scheme, found = own.plan.scheme, list[EventPassage]()
+        scheme, found = own.plan.scheme, list[EventCrossing]()
         t, values = float(start[0] + start[1] * self._plan.grid.dt_L), start[scheme.layout.slice("event_values")]
         for one in made:
             acting = [k for k in one.events if self._events[k].sets or self._events[k].mode]
             if not acting:
-                found.append(EventPassage(one.t))
+                found.append(EventCrossing(one.t))
                 continue
             sets = any(self._events[k].sets for k in acting)
             if len(acting) > 1 and (sets or not self._alike(one, acting)):
@@ -120,10 +122,10 @@ class Passages:
                     "move one of them a little, or let one event do both",
                 )
             way = abs(float(values[acting[0]])) / max(one.t - t, 1e-300) if one is made[0] else 0.0
-            found.append(EventPassage(one.t, acting[0], GRAZING * way, sets, *self._settled(own, one)))
+            found.append(EventCrossing(one.t, acting[0], GRAZING * way, sets, *self._settled(own, one)))
         return found
 
-    def _settled(self, own: SteppedModel, one: Passage) -> Sequence[Any]:
+    def _settled(self, own: SteppedModel, one: LocatedEvents) -> Sequence[Any]:
         """Modes, push, rows and hit of what elements did, see EventPassage."""
         scheme, model = own.plan.scheme, self._model
         if one.settled is None:
@@ -134,7 +136,7 @@ class Passages:
         modes = tuple(Hold(0, first + int(k), float(one.inputs[k])) for k in model.element_modes)
         return (modes, one.settled.push, *rows_of(model, at, c, one.settled))
 
-    def _alike(self, one: Passage, acting: Sequence[int]) -> bool:
+    def _alike(self, one: LocatedEvents, acting: Sequence[int]) -> bool:
         """Do these events stay together, whatever disturbs the motion?"""
         scheme = self._plan.scheme
         z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)

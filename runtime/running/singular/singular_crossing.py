@@ -15,7 +15,7 @@ from runtime.contract.coordinates import mechanism_length
 from runtime.contract.status import Event, Status, StatusName
 from runtime.running.singular.crossing import BranchLost, TightIntegrator, approach, cross
 from runtime.running.singular.exchange import CLEARLY, Exchange, NoVariant, best_exchange, carried, variant_of
-from runtime.running.singular.over import Over, Way
+from runtime.running.singular.over import CrossingPath, Over
 from runtime.running.singular.singularity_monitor import FLOOR, LAST, LoopDeterminants, SingularityMonitor
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.options import SchemeError
@@ -86,7 +86,7 @@ def continuation(run: Run, before: np.ndarray, n: int) -> Continuation:
     if run.singularity.threshold < FLOOR:
         return Continuation(run.segment, z, [], monitored=False)
     last = z if previous is None else previous
-    found = Passage(run).go_on(last)
+    found = SingularCrossing(run).go_on(last)
     if run.left.get(id(found.segment)) == int(found.z[1]):  # exchanges would go in a circle
         return Continuation(run.segment, last, [], monitored=False)
     if found.drop_from is None and found.status is None:  # look again later
@@ -94,7 +94,7 @@ def continuation(run: Run, before: np.ndarray, n: int) -> Continuation:
     return found
 
 
-class Passage:
+class SingularCrossing:
     """Looks at a place where a run came near a singular position, and decides."""
 
     def __init__(self, run: Run) -> None:
@@ -139,7 +139,7 @@ class Passage:
         try:
             crossing = cross(integrator, t, y, block, largest)
             over = Over(self.segment, self.segments, self.event_handler, block, largest, self.asked)
-            samples, status = over.go(z, Way(integrator, t, y, crossing, integrator))
+            samples, status = over.go(z, CrossingPath(integrator, t, y, crossing, integrator))
         except BranchLost as error:
             return self._lost(
                 "branch_lost",
