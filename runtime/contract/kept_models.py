@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
+import time
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
@@ -15,6 +16,7 @@ from runtime.contract.cache import cache_folder, leftovers, read_own, refused_fo
 from runtime.contract.errors import ModelError, SymgenError
 from runtime.contract.files import WRITING, OutputError
 from runtime.contract.loading import load_folder
+from runtime.contract.log import CACHE
 from runtime.contract.model import EmittedModel
 
 MOST_KEPT = 100  # of a kind
@@ -33,11 +35,20 @@ class KeptModels:
 
         None where the cache cannot be used, or takes no more. Raises what `generate` raises of the scene.
         """
-        if refused_folder(self.folder):
+        if refused := refused_folder(self.folder):
+            CACHE.warning("the cache is not used: %s", refused)
             return None
         found = self._read(name, kind)
-        if found is None and self._write(name, generate):
+        if found is not None:
+            CACHE.debug("%s/%s: read", self.folder.name, name)
+            return found
+        began = time.perf_counter()
+        if self._write(name, generate):
             found = self._read(name, kind)
+        if found is None:
+            CACHE.warning("%s/%s: the cache takes no more", self.folder.name, name)
+        else:
+            CACHE.info("%s/%s: generated in %.3g s", self.folder.name, name, time.perf_counter() - began)
         return found
 
     def entries(self) -> list[Path]:

@@ -15,6 +15,7 @@ from typing import Any, Generic, NamedTuple, TypeVar
 import casadi as ca
 
 from runtime.contract.errors import CompilerError
+from runtime.contract.log import CACHE, COMPILE
 from runtime.contract.tape import code_length, no_collection, read_tape
 from runtime.engine.object_cache import ObjectCache
 from runtime.engine.program import Form, Program, Repeat, Until
@@ -109,10 +110,14 @@ class Compiler(Generic[T]):
         key = self._key(form, effort, processor)
         found = stored.read(key)
         if found is None:
+            began = time.perf_counter()
             text, work = self.printed(form)
             found = machine_code(text, effort, processor), work
             del text
             stored.write(key, *found)
+            COMPILE.info("program %.12s: compiled in %.3g s", key, time.perf_counter() - began)
+        else:
+            CACHE.debug("program %.12s: read", key)
         return self.loaded(linked(found[0], processor), found[1])
 
     def is_kept(self, form: Form, effort: Effort) -> bool:

@@ -14,6 +14,7 @@ from pathlib import Path
 
 from runtime.contract.cache import cache_folder, leftovers, read_own, refused_folder
 from runtime.contract.files import OutputError, replacing
+from runtime.contract.log import CACHE
 
 MOST_BYTES = 256 * 2**20
 _HEAD = 32 + 8
@@ -61,7 +62,8 @@ class ObjectCache:
         try:
             with replacing(self.folder / f"{key}.o") as temporary:
                 temporary.write_bytes(hashlib.sha256(payload).digest() + payload)
-        except OutputError:
+        except OutputError as error:
+            CACHE.warning("a compiled program was not kept: %s", error)
             return
         ObjectCache.written += len(payload)
         if ObjectCache.written > MOST_BYTES / 16:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass, replace
+from logging import INFO, WARNING
 from math import ceil
 from typing import Any
 
@@ -17,6 +18,8 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import euler_angles, followed
+from runtime.contract.errors import printable
+from runtime.contract.log import EVENTS, RUN
 from runtime.contract.model import EmittedModel
 from runtime.contract.status import Event, Status
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
@@ -102,7 +105,17 @@ def _ended(run: Run, error: MotionError | None) -> Solution:
     estimated = time.perf_counter()
     solution = with_limits(solution)
     parts = {"error_seconds": estimated - began, "limits_seconds": time.perf_counter() - estimated}
-    return run.record.finished(solution.but(stats={**solution.stats, **parts}))
+    solution = run.record.finished(solution.but(stats={**solution.stats, **parts}))
+    _log(solution)
+    return solution
+
+
+def _log(solution: Solution) -> None:
+    name, status = solution.model.name, solution.status
+    for event in solution.events:
+        EVENTS.debug("%s: %s", name, printable(str(event)))
+    how = f"{solution.scheme}, {solution.pace}"
+    RUN.log(INFO if status.ok else WARNING, "%s: %s; %s; error %s", name, printable(str(status)), how, solution.error)
 
 
 def chattering_of(run: Run) -> list[Event]:

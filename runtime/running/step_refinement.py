@@ -22,6 +22,7 @@ from typing import Any
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.log import REFINEMENT
 from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
@@ -252,6 +253,10 @@ class StepRefinement:
                         return
                     level.error = max(level.error, self._asked(level.estimated))
             levels.append(level)
+            REFINEMENT.debug(
+                "%s: %s, %d steps, error %.2g, %s", self.problem.model.name, method.label, level.steps, level.error,
+                level.status.name,
+            )  # fmt: skip
             yield level
             spent += plan.steps * level.run.segment.stepper.operations
             if len(levels) == 1:
