@@ -35,8 +35,9 @@ def test_events_are_logged_and_a_failure_is_a_warning(caplog: pytest.LogCaptureF
     scene = (
         Scene("ball")
         .gravity(0, -9.81)
-        .rigid("ball", mass=1.0, inertia=1.0)
-        .event("low", when="ball.y + 1", terminal=True)
+        .rigid("ball", mass=1.0, inertia=1.0, free=True)
+        .measure("height", "y", of="ball.origin")
+        .event("low", when="height + 1", terminal=True)
     )
     run = scene.model().simulate(t_end=1.0)
     ((_, text),) = lines(caplog, "events")
