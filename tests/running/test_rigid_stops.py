@@ -282,8 +282,8 @@ def test_impacts_of_random_mechanisms_obey_their_law(model_of: Build, n: int, fr
         impulse, rest = np.linalg.lstsq(G[near].T, M @ found.push, rcond=None)[:2]
         assert np.abs(G[near].T @ impulse - M @ found.push).max(initial=0.0) < 1e-9, rest
         assert (after[near] > -1e-9).all() and (impulse > -1e-8).all()
-        if len(found.hits) == 1:
-            k = stops.index(found.hits[0].k)
+        if len(found.impacts) == 1:
+            k = stops.index(found.impacts[0].k)
             A = G[k] @ np.linalg.solve(M, G[k])
             if np.abs(np.delete(impulse, np.flatnonzero(np.flatnonzero(near) == k))).max(initial=0.0) < 1e-9:
                 assert after[k] == pytest.approx(-e[k] * before[k], abs=1e-8)

@@ -29,7 +29,7 @@ def complementary(
 ) -> np.ndarray | None:
     """(n,) -1 at the lower bound, 0 between, 1 at the upper one, of v' = b + A f; None where no set was found.
 
-    let_go (n,): those that are at a bound, where rounding leaves it open; shares (n,): see `balancing`.
+    released (n,): those that are at a bound, where rounding leaves it open; shares (n,): see `balancing`.
     """
     n, at = len(b), np.zeros(len(b), dtype=int)
     if not n:

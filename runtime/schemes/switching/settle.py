@@ -54,9 +54,10 @@ def settled(
 ) -> Settled | NoMode:
     """The modes at a state, and what makes at rest what has come to rest; NoMode where no modes are consistent.
 
-    at: q_i, q_d, q_i_dot, q_d_dot, t; c (c_size,): constants, with the modes until now in it. let_go (n_m,): those that
-    are held no longer; come (n_m,): rates below which one has come to rest; reached (n_m,): stops that are just
-    reached. A stop whose bounces come too close takes them all at once: it is hit again without restitution.
+    at: q_i, q_d, q_i_dot, q_d_dot, t; c (c_size,): constants, with the modes until now in it. released (n_m,):
+    those that are held no longer; come (n_m,): rates below which one has come to rest; reached (n_m,): stops that
+    are just reached. A stop whose bounces come too close takes them all at once: it is hit again without
+    restitution.
     """
     stops = Stops.of(model, c, reached)
     soon = dict[int, float]()
