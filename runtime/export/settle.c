@@ -3,6 +3,7 @@
 
 #define AT_REST 1e-9
 #define BROKEN 1e-6
+#define NOTHING (-1e-12)
 #define PASSES 1e-6
 #define PIVOT 1e-9
 #define ROUNDING 1e-12
@@ -273,6 +274,7 @@ static int once(const Place *o, double *modes, const int *happened, const double
   Bounded b;
   memcpy(until, modes, sizeof until);
   weigh(o);
+  EACH(k, NV) if (!(y[HOLDS + k] >= NOTHING)) return -1; /* a limit of friction is none any more */
   EACH(k, NM) {
     const int stop = side_of[k] != 0, near = until[k] == 0 || (happened != NULL && happened[k]);
     on[k] = stop && (near || y[GAP + s] <= 0), touched[k] = stop && (near || y[GAP + s] <= TOUCH);

@@ -125,6 +125,12 @@ def _of_iterations(monitor: Monitor) -> str:
     return f"{monitor.scheme.if_not_converged} {short}"
 
 
+def _of_limits(monitor: Monitor) -> str:
+    from runtime.schemes.switching.consistency import ABOVE_ZERO
+
+    return ABOVE_ZERO
+
+
 CHECKS: dict[str, tuple[StatusName, str, str | Callable[[Monitor], str]]] = {  # status, cause, advice
     "finite at the start": (
         "not_finite",
@@ -153,6 +159,7 @@ CHECKS: dict[str, tuple[StatusName, str, str | Callable[[Monitor], str]]] = {  #
         "A force or a rate may grow without bound there, or jump at a time that depends on the motion: look at "
         "the motion until then, give a larger tolerance, or name a scheme with a step dt and no tolerance.",
     ),
+    "limit": ("no_mode", "{}", _of_limits),
     "mode": (
         "no_mode",
         "{}, and no event has told: what holds and what moves is no longer right",

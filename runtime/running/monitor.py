@@ -161,11 +161,13 @@ class Monitor:
         left = z[layout.slice("event_values")][declared - n : declared]
         if (left >= 0).all():
             return None
-        from runtime.schemes.switching.consistency import broken_on_the_way
+        from runtime.schemes.switching.consistency import broken_on_the_way, elements_of, no_limit
 
         shown, c = self.scheme.observer(z=z[: layout.size], c=self.c), self.c[: model.c_size].copy()
         at = {name: np.asarray(shown[name]).ravel() for name in ("q_i", "q_d", "q_i_dot", "q_d_dot", "t")}
         c[len(c) - model.signals.size :] = z[layout.slice("inputs")]
+        if (none := no_limit(model, elements_of(model, at, c)["holds"])) is not None:
+            return Failure("limit", found=(none.cause,))
         broken = broken_on_the_way(model, at, c, left, self.length)
         return None if broken is None else Failure("mode", found=(broken,))
 

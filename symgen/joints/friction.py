@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, Any, ClassVar
 
-from symgen.schema.fields import Bound, Fault, Meaning, Quantity, StrictModel
+from symgen.schema.fields import Bound, Fault, Meaning, Quantity, Scope, StrictModel
 
 FORCE = "N or N m"
 
@@ -16,6 +16,8 @@ class Friction(StrictModel):
     At rest the joint holds up to `breakaway`, coulomb unless given. stribeck: breakaway - coulomb unless given.
     By the joint's own force R [N] instead: mu R of a slide, mu R radius of a hinge, and at rest `mu_static`, mu unless
     given, in place of mu; what falls is the coefficient.
+    Limits and coefficients may change with time, inputs, states, measures and what events set, as those of clutches and
+    brakes do; one that becomes negative, or holds less than what slides, ends a run (`no_mode`).
     """
 
     references = (
@@ -24,19 +26,28 @@ class Friction(StrictModel):
     )
     example: ClassVar[str] = "friction = {coulomb = 40}"
 
-    coulomb: Annotated[Quantity | None, Meaning("friction of fast sliding", FORCE, Bound.NON_NEGATIVE)] = None
-    breakaway: Annotated[Quantity | None, Meaning("friction that holds at most", FORCE, Bound.POSITIVE)] = None
+    coulomb: Annotated[
+        Quantity | None, Meaning("friction of fast sliding", FORCE, Bound.NON_NEGATIVE, Scope.MEASURES)
+    ] = None
+    breakaway: Annotated[
+        Quantity | None, Meaning("friction that holds at most", FORCE, Bound.NON_NEGATIVE, Scope.MEASURES)
+    ] = None
     stribeck_velocity: Annotated[
         Quantity | None, Meaning("velocity over which friction falls", "m/s or rad/s", Bound.POSITIVE)
     ] = None
     stribeck: Annotated[
-        Quantity | None, Meaning("friction of slow sliding beyond coulomb", FORCE, Bound.NON_NEGATIVE)
+        Quantity | None, Meaning("friction of slow sliding beyond coulomb", FORCE, Bound.NON_NEGATIVE, Scope.MEASURES)
     ] = None
-    viscous: Annotated[Quantity, Meaning("friction per velocity", "N s/m or N m s/rad", Bound.NON_NEGATIVE)] = 0.0
+    viscous: Annotated[
+        Quantity, Meaning("friction per velocity", "N s/m or N m s/rad", Bound.NON_NEGATIVE, Scope.MEASURES)
+    ] = 0.0
     mu: Annotated[
-        Quantity | None, Meaning("friction of fast sliding for the joint's force", "1", Bound.NON_NEGATIVE)
+        Quantity | None,
+        Meaning("friction of fast sliding for the joint's force", "1", Bound.NON_NEGATIVE, Scope.MEASURES),
     ] = None
-    mu_static: Annotated[Quantity | None, Meaning("friction that holds at most for it", "1", Bound.POSITIVE)] = None
+    mu_static: Annotated[
+        Quantity | None, Meaning("friction that holds at most for it", "1", Bound.NON_NEGATIVE, Scope.MEASURES)
+    ] = None
     radius: Annotated[Quantity | None, Meaning("radius of the bearing", "m", Bound.POSITIVE)] = None
 
     def faults(self, scene: Any) -> Iterator[Fault]:
@@ -54,12 +65,13 @@ class Friction(StrictModel):
 
     def _size_faults(self, slides: str, holds: str) -> Iterator[Fault]:
         least, most = getattr(self, slides), getattr(self, holds)
-        falls = self.stribeck is not None or (most is not None and most != least)
+        falls = self.stribeck != 0 and (self.stribeck is not None or (most is not None and most != least))
         if falls and self.stribeck_velocity is None:
             yield Fault("friction", f"falls from {holds} to {slides} over no velocity", "give a stribeck_velocity")
         if not falls and self.stribeck_velocity is not None:
-            yield Fault("friction.stribeck_velocity", "has nothing to act on", f"give a {holds} above {slides}")
-        if not falls and least == 0:
+            remedy = f"give a {holds} above {slides}" if self.stribeck is None else "leave it out, or stribeck"
+            yield Fault("friction.stribeck_velocity", "has nothing to act on", remedy)
+        if not falls and least == 0 and not most:
             yield Fault("friction", "holds nothing", f"give a {slides} above zero, or damping where it is only viscous")
         numbers = [one for one in (most, least, self.stribeck or 0.0) if isinstance(one, float | int)]
         if len(numbers) == 3 and numbers[0] < numbers[1] + numbers[2]:

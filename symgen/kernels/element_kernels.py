@@ -27,6 +27,7 @@ from symgen.system.topology import Topology
 
 TOUCH = 1e-9  # m or rad: so far beyond a stop is on it, for what was left at rest and is pressed again
 LEAST = 1e-12  # m/s or rad/s: what has just begun to slide at rest has not come to rest
+NOTHING = -1e-12  # N, N m or 1: a limit of friction that changes is negative below it, less is rounding
 STATE = ("q_i", "q_d", "q_i_dot", "q_d_dot")
 WITHOUT = ("deflections", "deflection_response", "shifted_solution", "forward_dynamics")
 Builders = Mapping[str, Callable[[], Kernel]]
@@ -76,6 +77,7 @@ def _elements(locked: Locks, a: Arguments, grips: Grips) -> Kernel:
 
     Of friction by reactions R: Q_hat and holds without R, what they gain with R, and
     R_k = |F_0 + F_a q_i'' + F_R R + F_f f|_k with forces f on the elements; shares: by which they share what is held.
+    holds is negative or no number where a limit of friction has become that: by so much.
     """
     system, own = locked.system, locked.elements
     outputs = {
@@ -84,7 +86,7 @@ def _elements(locked: Locks, a: Arguments, grips: Grips) -> Kernel:
         "G": ca.densify(locked.G),
         "G_bias": ca.densify(ca.vertcat(*locked.bias)),
         "v_rel": ca.densify(ca.vertcat(*(one.rate for one in own))),
-        "holds": ca.densify(ca.vertcat(*(one.holds for one in own))),
+        "holds": ca.densify(ca.vertcat(*(_where_it_is_a_limit(one, one.holds) for one in own))),
     }
     if stops := [stop for one in own for stop in one.stops]:
         outputs["gap"] = ca.densify(ca.vertcat(*(one.gap for one in stops)))
@@ -122,11 +124,19 @@ def _left(one: Element, force: ca.SX, margin: ca.SX | None) -> list[ca.SX]:
         s, stuck = one.friction.mode, sub(ONE, mul(one.friction.mode, one.friction.mode))
         slack = add(mul(one.open, one.holds - ca.fabs(force)), sub(ONE, one.open))
         left = stuck * slack + mul(s, one.rate) + LEAST * s * s
-        found.append(left if margin is None else ca.fmin(left, margin))
+        left = left if margin is None else ca.fmin(left, margin)
+        found.append(left if one.friction.margin is None else ca.if_else(one.friction.margin >= NOTHING, left, -1))
     for stop in one.stops:
         away = mul(stop.mode, stop.mode)
         found.append(away * (stop.gap + TOUCH * (1 - stop.mode) / 2) + (1 - away) * (stop.side * force + one.holds))
     return found
+
+
+def _where_it_is_a_limit(one: Element, holds: ca.SX) -> ca.SX:
+    """What friction holds; where a limit of it has become negative or no number, that one."""
+    if one.friction is None or one.friction.margin is None:
+        return holds
+    return ca.if_else(one.friction.margin >= NOTHING, holds, one.friction.margin)
 
 
 def _rates_left(name: str, locked: Locks, a: Arguments, grips: Grips) -> Kernel:

@@ -69,7 +69,8 @@ class Rubbing:
     """What rubs on an element. mode: 0 while it is stuck, else the sign of v, an input that a run sets.
 
     holds: the force on v that keeps it stuck lies between -holds and holds. Where it moves, its law is a force.
-    reaction: the size of the joint's force as a symbol in both, where they are a share of it.
+    reaction: the size of the joint's force as a symbol in both, where they are a share of it. margin: where its limits
+    change as the run goes on, how far the least of what must not be negative is from that.
     """
 
     name: str
@@ -77,6 +78,7 @@ class Rubbing:
     law: ca.SX
     holds: ca.SX
     reaction: ca.SX | None
+    margin: ca.SX | None = None
 
     def record(self, row: int) -> EventRecord:
         """Of the event that ends a mode; row: of the element."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import partial, reduce
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
 import casadi as ca
@@ -82,6 +82,8 @@ class MovingBody(Protocol):
         """Potential of its weight."""
 
 
+FRICTION_LIMITS = ("coulomb", "breakaway", "stribeck", "viscous", "mu", "mu_static")
+LIMIT_ROUNDING = 1e-12  # of what holds: its parts are added up
 MOST_POWER = 9.0  # what is no polynomial counts as this power of the place
 
 
@@ -188,6 +190,7 @@ class Mechanism(Generic[Marker]):
         self.environment: Mapping[str, Any] = {**table.environment(), "t": equations.t, **equations.u}
         self._add_measures()
         self._add_states()
+        self._add_elements()
         q, q_dot = ca.vertcat(*equations.q), ca.vertcat(*equations.q_dot)
         for load in scene.loads:
             effect = space.load(load, self._expression, self.reader, q, q_dot)
@@ -251,8 +254,8 @@ class Mechanism(Generic[Marker]):
         if (motor := getattr(joint, "motor", None)) is not None:
             self._add_rotor(joint, motor)
         limits: Limits | None = getattr(joint, "limits", None)
-        backlash, modes = getattr(joint, "backlash", None), modes_of(joint)
-        if limits is None and backlash is None and not modes:
+        backlash = getattr(joint, "backlash", None)
+        if limits is None and backlash is None:
             return
         own = self.space.coordinate_row(f"{joint.name}.{(joint.motions or ())[0].name}")
         if backlash is not None:
@@ -261,8 +264,15 @@ class Mechanism(Generic[Marker]):
             self._bound_limits(joint.name, limits)
             if not limits.rigid:
                 self._add_one_sided(joint.name, own.C_q, self._limits(joint.name, limits, own))
-        if modes:
-            friction = joint.rubs()
+
+    def _add_elements(self) -> None:
+        """Friction and rigid stops of joints, whose limits may depend on measures and states."""
+        eq = self.equations
+        for joint in self.scene.joints:
+            if not (modes := modes_of(joint)):
+                continue
+            own = self.space.coordinate_row(f"{joint.name}.{(joint.motions or ())[0].name}")
+            friction, limits = joint.rubs(), getattr(joint, "limits", None)
             rubbing = None if friction is None else self._friction(joint.name, friction, own, eq.u[modes["friction"]])
             ends = [] if limits is None else [(limits, end) for end in joint.rigid_ends()]
             stops = [self._stop(joint.name, limits, end, own, eq.u[modes[end]]) for limits, end in ends]
@@ -290,8 +300,11 @@ class Mechanism(Generic[Marker]):
         By the joint's force R, which is left open here, mu R and mu R radius are in place of coulomb and of what holds.
         """
         item, reaction, by = f"{name}.friction", None, ONE
+        changing = {key for key in FRICTION_LIMITS if self._changes(getattr(friction, key), f"{item}.{key}")}
 
         def of(key: str, otherwise: ca.SX = ZERO) -> ca.SX:
+            if key in changing:
+                return self._expression(getattr(friction, key), f"{item}.{key}", {})
             return otherwise if getattr(friction, key) is None else self._quantity(friction, key, item)
 
         slides, most = ("coulomb", "breakaway") if friction.mu is None else ("mu", "mu_static")
@@ -301,15 +314,27 @@ class Mechanism(Generic[Marker]):
         least, speed, viscous = of(slides), of("stribeck_velocity", ONE), of("viscous")
         holds = of(most, least)
         beyond = of("stribeck", sub(holds, least))
-        if getattr(friction, most) is not None:
+        margins = [of(key) for key in FRICTION_LIMITS if key in changing]
+        if getattr(friction, most) is not None and not {slides, most} & changing:
             self.table.require(f"{item}.{most}", f"{most} - {slides}", sub(holds, least))
+        elif getattr(friction, most) is not None:
+            margins.append(holds * (1 + LIMIT_ROUNDING) - least - of("stribeck"))
         v, law = self._rate(own), least
         if not beyond.is_zero():  # steps look behind a reversal before they end there: it must not explode
             law = add(law, mul(beyond, ca.exp(ca.fmin(neg(div(mul(s, v), speed)), 1))))
         force = neg(add(mul(s, mul(by, law)), mul(viscous, v)))
         row = {column: mul(force, value) for column, value in own.C_q.items()}
         self._add_effect(name, LoadEffect(row, dissipated=neg(mul(force, v))))
-        return Rubbing(item, s, force, mul(by, holds), reaction)
+        margin = reduce(ca.fmin, margins) if margins else None
+        return Rubbing(item, s, force, mul(by, holds), reaction, margin)
+
+    def _changes(self, value: float | str | None, item: str) -> bool:
+        """Does a quantity depend on more than parameters, so that it changes during a run?"""
+        if not isinstance(value, str):
+            return False
+        names = ("t", *self.equations.u, *self.equations.measures)
+        fixed = self.table.environment().keys()
+        return not self.scene.expression(value, item, names).names <= fixed
 
     def _add_one_sided(self, name: str, row: Row, sides: Sequence[tuple[int, Push]]) -> None:
         self._add_effect(name, against(row, sides))

@@ -23,6 +23,8 @@ from runtime.schemes.sparse_lu import Number, factor, solve
 
 # of the forces and accelerations that what acts there makes, and of the rates: more is no rounding
 BROKEN = 1e-6
+NOTHING = -1e-12  # a limit of friction below it is negative, see symgen/kernels/element_kernels.py
+ABOVE_ZERO = "Keep it at zero or above, as by max(0, ...), and what holds at least at what slides."
 REMEDY = "Take smaller steps or a smaller tolerance; where it comes again, tell the authors: the choice is wrong."
 
 
@@ -72,6 +74,16 @@ def broken_law(
         elif (not side or mode < 0) and (side or mode) * a[row] < -most * np.sqrt(diagonal[row]):
             what = "lets go of what comes back" if side else "pushes on what it should hold back"
             return _no_mode(f"{event.name} {what}: {a[row]:.4g}")
+    return None
+
+
+def no_limit(model: EmittedModel, holds: np.ndarray) -> NoMode | None:
+    """Where a limit of friction that changes during the run is none any more; holds (n_e,): see `elements`."""
+    wrong = ~(holds >= NOTHING)
+    for event in model.mode_events:
+        if wrong[event.row] and not event.side:
+            what = "no number" if np.isnan(holds[event.row]) else "negative, or what holds less than what slides"
+            return NoMode(f"{event.name}: a limit of it becomes {what}", ABOVE_ZERO)
     return None
 
 

@@ -20,7 +20,7 @@ from runtime.contract.tape import shared
 from runtime.schemes.sparse_lu import Number, factor, solve
 from runtime.schemes.switching.complementarity import balancing, complementary, times
 from runtime.schemes.switching.consistency import NoMode as NoMode
-from runtime.schemes.switching.consistency import broken_law
+from runtime.schemes.switching.consistency import broken_law, no_limit
 from runtime.schemes.switching.impulse import moves_in_time
 from runtime.schemes.switching.stops import AT_REST, Impact, Stops
 
@@ -84,6 +84,8 @@ def _once(
 ) -> tuple[Settled, np.ndarray, np.ndarray] | NoMode | None:
     """Settled, and by row of G rates v and accelerations v'; soon: stops without restitution, and when they close."""
     start, c, own = at["q_i_dot"], c.copy(), weighed(model, at, c)
+    if (wrong := no_limit(model, own["holds"])) is not None:
+        return wrong
     slow = AT_REST * (1.0 + np.abs(start).max(initial=0.0))
     struck = stops.struck(own, slow, soon)
     if struck is None:
