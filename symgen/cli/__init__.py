@@ -10,6 +10,7 @@ import gc
 import os
 import sys
 from collections.abc import Sequence
+from io import TextIOWrapper
 
 from symgen.cli.outcome import OK, Progress, detailed, exit_code_of, report, report_error
 from symgen.cli.table import COMMANDS, parser
@@ -22,6 +23,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     shown where it broke. With --json, standard output is exactly one JSON object.
     """
     gc.set_threshold(100_000)  # imports make no garbage: searches for it take a tenth of a short run
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper):  # a console that lacks a sign of a title shows its escape
+            stream.reconfigure(errors="backslashreplace")
     given = list(sys.argv[1:] if arguments is None else arguments)
     as_json = "--json" in given
     command = next((word for word in given if not word.startswith("-")), "")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import os
 import re
 import subprocess
 import sys
@@ -96,6 +97,24 @@ def test_check_passes_fails_with_a_diff_and_names_the_mending_command(capsys, fo
     assert run(capsys, "simulate", target)[0] == 2  # edited code is not run
     assert main(data["mend"].split()[1:]) == 0 and (target / "model.py").read_text() == text
     assert run(capsys, "generate", target, "--check")[0] == 0  # a generated folder names its own scene
+
+
+def test_a_console_that_lacks_a_sign_shows_its_escape(tmp_path: Path) -> None:
+    """Code page 1252, as of many Windows consoles, has no mu of Greek and no Chinese sign."""
+    title = "W\u00e4lzlager \u03bc \u6f22"
+    text = (
+        f'name = "bearing"\ntitle = "{title}"\n'
+        '[[bodies]]\ntype = "rigid"\nname = "arm"\nmass = 1.0\ninertia = 1.0\n'
+        '[[joints]]\ntype = "revolute"\nname = "pin"\nmarker_a = "ground.origin"\nmarker_b = "arm.origin"\n'
+    )
+    (tmp_path / "bearing.toml").write_text(text, encoding="utf-8")
+    run_it = [sys.executable, "-m", "symgen", "simulate", "bearing.toml", "--t-end", "0.01", "-q", "--out", "run"]
+    environment = {**os.environ, "PYTHONIOENCODING": "cp1252"}
+    for words in (run_it, [sys.executable, "-m", "symgen", "show", "bearing.toml"]):
+        done = subprocess.run(words, cwd=tmp_path, capture_output=True, env=environment)
+        assert done.returncode == 0, done.stderr
+    assert title.encode("cp1252", "backslashreplace") in done.stdout
+    assert title in (tmp_path / "run" / "page.html").read_text(encoding="utf-8")
 
 
 def test_generate_only_some_functions(capsys, folder, tmp_path) -> None:

@@ -241,7 +241,7 @@ def made_by(generate: Generate) -> str:
     try:
         root = Path(inspect.getfile(generate)).parent
         for path in sorted(root.rglob("*.py")):
-            found.update(f"{path.relative_to(root)} ".encode() + path.read_bytes())
+            found.update(f"{path.relative_to(root).as_posix()} ".encode() + path.read_bytes())
     except (OSError, TypeError):  # no sources to be had: by its name alone
         found.update(repr(getattr(generate, "__qualname__", "")).encode())
     return found.hexdigest()
