@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import shlex
-import tomllib
 from collections.abc import Callable, Mapping
 from math import isnan
 from pathlib import Path
@@ -59,6 +58,7 @@ FRAMES = 200  # of the moving view
 INSTANTS = 4  # of the picture
 MOST_PANELS = 8  # of outputs
 MOST_SCENE = 60_000  # characters of a scene that are shown
+PLURALS = {"body": "bodies", "joint": "joints", "coordinate": "coordinates"}
 SAME = 1e-12  # of a coordinate: two starts that are one
 OPTION = re.compile(r"(\w+) = (\([^)]*\)|[^,]+)")
 PEAKS = "Peaks are the largest magnitudes among the saved samples."
@@ -92,7 +92,6 @@ def page(solution: Solution, path: str | Path | None = None, convergence: Conver
     Peaks are those of the saved samples. Section forces and stresses are by equilibrium (Eqs. 22, 37).
     """
     require(PLACE, or_none=True, path=path)
-    title, about = solution.model.title or solution.model.name, _scene(solution).get("description", "")
     sections = [
         ("Result", _result(solution, convergence)),
         ("Mechanism", _mechanism(solution)),
@@ -105,15 +104,14 @@ def page(solution: Solution, path: str | Path | None = None, convergence: Conver
         ("Parameters", _parameters(solution)),
         ("How to reproduce it", _reproduce(solution)),
     ]
-    return shown(document(title, str(about), sections), path)
+    return shown(document(solution.model.title or solution.model.name, _about(solution), sections), path)
 
 
-def _scene(solution: Solution) -> dict[str, Any]:
-    """The scene as plain values; nothing where the model does not hold it."""
-    try:
-        return tomllib.loads(solution.model.scene_toml)
-    except tomllib.TOMLDecodeError:
-        return {}
+def _about(solution: Solution) -> str:
+    described = solution.model.description
+    counts = {"body": len(described.bodies), "joint": len(described.joints), "coordinate": len(solution.model.q_i)}
+    words = [f"{n} {PLURALS[what] if n != 1 else what}" for what, n in counts.items() if n]
+    return ", ".join(words).replace("coordinate", "independent coordinate")
 
 
 # ---- How it ended, and how far it is off.

@@ -29,7 +29,7 @@ MASS, SPEED, LENGTH = 2.0, 3.0, 0.5  # of a body that a drive turns about a pivo
 def turning() -> Solution:
     """A point mass on a massless arm at constant speed: the pivot carries m r w^2, and the drive nothing."""
     scene = (
-        Scene("wheel", title="Turning mass", description="A mass on an arm.")
+        Scene("wheel", title="Turning mass")
         .parameter("speed", SPEED, "rad/s", "of the drive")
         .rigid(
             "arm", mass=MASS, inertia=1e-3, center_of_mass=(LENGTH, 0.0), markers={"tip": {"position": (LENGTH, 0.0)}}
@@ -103,7 +103,7 @@ def test_it_has_the_figures_of_a_turning_mass(tmp_path: Path) -> None:
     """By hand: m r w^2 = 9 N in the pivot all along, the tip at 0.5 m where 3 t = pi / 2, 171.9 deg = 3 rad at last."""
     found = read(turning(), tmp_path)
     head = (tmp_path / "page.html").read_text(encoding="utf-8").partition("</header>")[0]
-    assert "<h1>Turning mass</h1>" in head and "A mass on an arm." in head
+    assert "<h1>Turning mass</h1>" in head and "1 body, 2 joints" in head
     assert found.row("Result", "status")[1].startswith("completed")
     assert found.row("Key figures", "height")[1:3] == ["500 mm", "0.524"]  # the sample next to pi / 6
     assert found.row("Key figures", "arm.theta")[1:3] == ["171.9°", "1"]
