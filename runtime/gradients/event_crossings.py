@@ -126,7 +126,7 @@ class EventCrossings:
         return found
 
     def _settled(self, own: SteppedModel, one: LocatedEvents) -> Sequence[Any]:
-        """Modes, push, rows and hit of what elements did, see EventPassage."""
+        """Modes, push, rows and struck of what elements did, see EventCrossing."""
         scheme, model = own.plan.scheme, self._model
         if one.settled is None:
             return ()

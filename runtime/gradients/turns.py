@@ -39,8 +39,8 @@ class TurnProgram:
     """Turns of an observed program of one kind (see Turn.kind), with `width` directions in lanes.
 
     Fields of z besides the state of the scheme and the data: moved, zero, of which dT is the derivative; held: numbers
-    of inputs, those that are set by holds; of an event acts, one for the one that counts; push, rows, hit, see
-    EventPassage; value, rate, ends, begins, thrown: g, g', a-, a+, r as measured; ready: what the step program reads
+    of inputs, those that are set by holds; of an event acts, one for the one that counts; push, rows, struck, see
+    EventCrossing; value, rate, ends, begins, thrown: g, g', a-, a+, r as measured; ready: what the step program reads
     behind it.
     """
 
@@ -58,7 +58,7 @@ class TurnProgram:
         self._struck = kind == EVENT and bool(scheme.model.element_modes.size)
         rows, stops = sizes(scheme.model) if self._struck else (0, 0)
         own = {"state": scheme.layout.size, **dict.fromkeys(DATA, 1), "moved": 1, "holds": n_w, "held": n_w}
-        own |= {"acts": acts, "push": n_i if self._struck else 0, "rows": rows, "hit": stops, "value": 1, "rate": 1}
+        own |= {"acts": acts, "push": n_i if self._struck else 0, "rows": rows, "struck": stops, "value": 1, "rate": 1}
         own |= {"ends": n_i, "begins": n_i, "thrown": n_i if self._struck else 0, "ready": active.c_size}
         self.layout = Layout(own)
         at = self.layout.slice
@@ -141,7 +141,7 @@ class TurnProgram:
             given[at("holds")][row], given[at("held")][row] = 1.0, hold.number(started.values)
         if self._kind == EVENT and turn.crossing is not None:
             given[at("acts")][turn.crossing.event] = 1.0
-            for name in ("push", "rows", "hit") if self._struck else ():
+            for name in ("push", "rows", "struck") if self._struck else ():
                 given[at(name)] = getattr(turn.crossing, name)
         return given
 
@@ -228,7 +228,7 @@ class TurnProgram:
             a.append(equations.accelerations(equations.close_well(q_i, loop, clock), rate))
         found = {"ends": a[0], "begins": a[1]}
         if self._struck:
-            found["thrown"] = thrown(self._scheme.equations(c, fields), (q_i, loop, t[0]), v, z["rows"], z["hit"])
+            found["thrown"] = thrown(self._scheme.equations(c, fields), (q_i, loop, t[0]), v, z["rows"], z["struck"])
         return found | {"value": observed["events"], "rate": observed["slopes"]} if observed else found
 
     def _inputs(self, z: Fields, fields: Fields, observed: dict[str, ca.SX], moved: ca.SX) -> ca.SX | None:
@@ -251,7 +251,7 @@ class TurnProgram:
         if push is not None and self._struck:
             q_i, v, loop = self._motion(z, fields, shown)
             place = q_i + v * moved, loop, observed["t"] + moved
-            added = thrown(scheme.equations(shown, fields), place, v + z["ends"] * moved, z["rows"], z["hit"])
+            added = thrown(scheme.equations(shown, fields), place, v + z["ends"] * moved, z["rows"], z["struck"])
             push, shift = push + z["push"] + (added - z["thrown"]), -z["push"] * moved
         inputs = self._inputs(z, fields, observed, moved)
         found = restarted(scheme, z["state"], c, z["dt_before"], z["dt"], z["clock"], push, inputs, shift)
