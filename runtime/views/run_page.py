@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import shlex
 from collections.abc import Callable, Mapping
@@ -48,6 +49,7 @@ from runtime.views.document import (
     time_of,
 )
 from runtime.views.figure import grid, panel
+from runtime.views.mechanism import GROUND
 from runtime.views.viewer.page import View, shown, view
 
 if TYPE_CHECKING:
@@ -109,7 +111,11 @@ def page(solution: Solution, path: str | Path | None = None, convergence: Conver
 
 def _about(solution: Solution) -> str:
     described = solution.model.description
-    counts = {"body": len(described.bodies), "joint": len(described.joints), "coordinate": len(solution.model.q_i)}
+    counts = {
+        "body": sum(one.name != GROUND for one in described.bodies),
+        "joint": len(described.joints),
+        "coordinate": len(solution.model.q_i),
+    }
     words = [f"{n} {PLURALS[what] if n != 1 else what}" for what, n in counts.items() if n]
     return ", ".join(words).replace("coordinate", "independent coordinate")
 
@@ -231,7 +237,7 @@ def _outputs(solution: Solution) -> Figure:
 
 
 def _reactions(solution: Solution) -> Html:
-    axes = "x y z".split()[: 2 if solution.joint_forces.shape[-1] == 3 else 3]
+    axes = ("x", "y", "z")[: 2 if solution.joint_forces.shape[-1] == 3 else 3]
     parts: list[str] = []
     for title, found in (("joint", joint_peaks(solution)), ("load", load_peaks(solution))):
         header = (title, "largest force", "at t [s]", f"components {', '.join(axes)}", "largest moment", "at t [s]")
@@ -338,14 +344,10 @@ def _changed_options(solution: Solution) -> dict[str, Any]:
 
 def _value(text: str) -> Any:
     """A word, a number, or a list of numbers."""
-    if text.startswith("("):
-        return [float(part) for part in text.strip("(),").split(",")]
-    for kind in (int, float):
-        try:
-            return kind(text)
-        except ValueError:
-            continue
-    return text
+    try:
+        return json.loads(text.replace("(", "[").replace(",)", "]").replace(")", "]"))
+    except ValueError:
+        return text
 
 
 def _start(solution: Solution) -> dict[str, Any]:

@@ -35,6 +35,7 @@ READERS_OF_TEXT = {
     "runtime/export/fmu.py",  # names of files, commands
     "runtime/export/fmu_texts.py",  # units, as XML says them; rates by their ending
     "runtime/contract/tape.py",  # names of functions in emitted code
+    "runtime/views/run_page.py",  # options of a run, as its statistics say them
     "runtime/results/stream.py",
     "runtime/results/export.py",
     "runtime/results/solution.py",  # where modules have moved to
