@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import nullcontext
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -20,9 +21,10 @@ from runtime.running.time_functions import check_time_functions
 from runtime.schemes.switching.times import switching_times
 from runtime.start.start_state import start_state
 from runtime.studies.ensemble.ensemble_result import ensemble_result
-from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
+from runtime.studies.ensemble.ensemble_spec import DEVICES, EnsembleSpec
+from runtime.studies.ensemble.lane_programs import programs_of
 from runtime.studies.ensemble.lane_runs import LaneResults
-from runtime.studies.ensemble.parts import CHUNK, Executor, HereExecutor, Maker, in_parts, study_folder
+from runtime.studies.ensemble.parts import CHUNK, GPU_CHUNK, Executor, HereExecutor, Maker, in_parts, study_folder
 from runtime.studies.ensemble.refined_rows import rows_of
 from runtime.studies.ensemble.refinement import refuse_steps
 from runtime.studies.ensemble.starts import columns_by_name, table_of, with_functions
@@ -54,6 +56,7 @@ def ensemble(
     chunk: int | None = None,
     retries: int = 3,
     on_disk: bool = False,
+    device: str = "cpu",
     progress: Progress | bool | None = None,
 ) -> Any:
     """Run many cases of a model side by side; each is, bit for bit, the run that `simulate` makes.
@@ -94,6 +97,8 @@ def ensemble(
     on_disk : bool, optional
         True leaves the results in `folder`, as a Zarr store, and returns a Dataset that reads from there what is
         asked for: memory then holds one part in place of the study (extra `zarr`).
+    device : str, optional
+        "gpu": an NVIDIA GPU makes the steps, with the bits of the CPU (extra `gpu`).
     progress : bool or callable, optional
         True shows a line; a function is called with (cases done, cases).
 
@@ -142,9 +147,11 @@ def ensemble(
             scheme=scheme, m=m, options=options, t0=t0, t_end=t_end, spacing=spacing,
         )  # fmt: skip
         _check_names(spec)
-    size, tries = _whole("chunk", CHUNK if chunk is None else chunk, 1), _whole("retries", retries, 0)
+    usual = GPU_CHUNK if device == "gpu" else CHUNK
+    size, tries = _whole("chunk", usual if chunk is None else chunk, 1), _whole("retries", retries, 0)
     if executor is not None and not (hasattr(executor, "submit") or callable(executor)):
         raise ArgumentError("executor", f"{executor!r} has no submit", "give an executor, or a function that makes one")
+    spec = _on_device(spec, device, executor)
     if on_disk:
         check_store(folder)
     if chunk is not None and executor is None and folder is None:
@@ -166,6 +173,19 @@ def ensemble(
         found = LaneResults.none_yet(spec, len(table))
         _work_through(parts, len(table), meter, found.put)
         return ensemble_result(spec, table, found)
+
+
+def _on_device(spec: EnsembleSpec, device: str, executor: Executor | Maker | None) -> EnsembleSpec:
+    """The same on this device. Raises ArgumentError, and NoGpu with what is missing, before anything is done."""
+    if device not in DEVICES:
+        raise ArgumentError("device", f"there is no {device!r}", f"take one of {', '.join(DEVICES)}")
+    if device == "cpu":
+        return spec
+    if executor is not None:
+        raise ArgumentError("device and executor", "are two places", "give one of them")
+    found = replace(spec, device=device)
+    programs_of(found).compile()
+    return found
 
 
 def _work_through(

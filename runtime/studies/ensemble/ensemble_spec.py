@@ -16,6 +16,7 @@ from runtime.studies.ensemble.account import REDUCTIONS
 from runtime.studies.ensemble.refinement import Refinement, compared_names, refinement_of
 
 DATA = ("steps", "dt", "seen_steps", "end")  # of a plan's numbers: what lanes are given, not compiled for
+DEVICES = ("cpu", "gpu")
 LOOK_STEPS, MOST_LOOKS = 250, 16  # a run is looked at about every so many steps, at most so often
 
 
@@ -25,6 +26,7 @@ class EnsembleSpec:
 
     start: "" for the scene's own. reduced: (output, reduction) of each value kept of a case; () where each output is
     at every `plan.seen_steps`-th step. refinement: where each case has a tolerance; the plan is then of one level.
+    device: what makes the steps, one of DEVICES.
     """
 
     model: EmittedModel
@@ -35,6 +37,7 @@ class EnsembleSpec:
     outputs: list[str]
     reduced: list[tuple[str, str]]
     refinement: Refinement | None = None
+    device: str = "cpu"
 
     @classmethod
     def ask(
@@ -74,7 +77,7 @@ class EnsembleSpec:
 
         def of(one: EnsembleSpec) -> tuple[object, ...]:
             numbers = {name: value for name, value in one.plan.numbers.items() if name not in DATA}
-            return numbers, one.plan.end is None, one.start, one.outputs, one.reduced
+            return numbers, one.plan.end is None, one.start, one.outputs, one.reduced, one.device
 
         return self.model is other.model and of(self) == of(other)
 

@@ -13,6 +13,7 @@ import numpy as np
 from runtime.contract.consistent_state import MAX_ITERATIONS
 from runtime.contract.coordinates import mechanism_length
 from runtime.contract.model import EmittedModel
+from runtime.engine.gpu import GpuCode, the_gpu
 from runtime.engine.native import LaneCode, lane_form, lane_width, once_form, program_size
 from runtime.engine.prepare import Prepared, prepare
 from runtime.engine.program import Call, Fields, Layout, Program, Repeat, Sequence, Until, make_stage
@@ -69,7 +70,7 @@ class LanePrograms:
         settle = quasi_static(model, spec.start)
         self.row = row_layout(model, scheme, self._ready, self._read - self._ready, self.lane, len(FIELDS), settle)
         self.program = self._program()
-        self.width = width or lane_width(self.program)
+        self.width = 1 if spec.device == "gpu" else width or lane_width(self.program)
         self.operations = program_size(self.program)
 
     def _program(self) -> Program:
@@ -91,8 +92,10 @@ class LanePrograms:
         return ca.Function(stage.name(), [z, c], [z_next], ["z", "c"], ["z_next"])
 
     @cached_property
-    def steps(self) -> LaneCode:
+    def steps(self) -> LaneCode | GpuCode:
         """A major step, with own mathematics."""
+        if self.spec.device == "gpu":
+            return GpuCode(self.program, the_gpu())
         return LaneCode(self.program, *lane_form(self.program, self.width))
 
     @cached_property

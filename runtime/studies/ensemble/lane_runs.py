@@ -29,8 +29,10 @@ from runtime.studies.ensemble.starts import Starts
 LEAST_JOB = 256  # cases that a thread runs at a time, at least
 JOB_SECONDS = 0.01  # of native code in a job: what Python does for one takes about 0.3 ms, and holds up other threads
 JOB_BYTES = 1 << 23  # of rows and values
+GPU_JOB_BYTES = 1 << 28  # of a job whose steps a GPU makes
 JOBS_A_WORKER = 16  # where cases are few: no thread waits long for the last one, and Ctrl-C is heard
 SECONDS_PER_OPERATION = 2.5e-11  # of a step of one lane
+GPU_CASES = 100  # that a GPU steps in the time of one lane, at least
 LONGEST_CALL = 0.2  # s, so that Ctrl-C and progress are heard
 
 
@@ -88,6 +90,8 @@ class LaneRuns:
     def job(self, cases: int, workers: int) -> int:
         """Cases of a job of a study: what one of so many threads runs at a time."""
         programs = self.programs
+        if self.spec.device == "gpu":
+            return max(LEAST_JOB, min(cases, GPU_JOB_BYTES // (8 * (programs.row.size + self.spec.width))))
         by_time = JOB_SECONDS / (SECONDS_PER_OPERATION * programs.operations * self.steps)
         by_room = JOB_BYTES / (8 * (programs.row.size + self.spec.width))
         wanted = ceil(min(by_time, by_room, cases / (JOBS_A_WORKER * workers)))
@@ -204,7 +208,8 @@ class LaneRuns:
 
     def _longest(self, blocks: int) -> int:
         """Steps of a native call."""
-        seconds = SECONDS_PER_OPERATION * self.programs.operations * self.programs.width * blocks
+        side_by_side = GPU_CASES if self.spec.device == "gpu" else 1
+        seconds = SECONDS_PER_OPERATION * self.programs.operations * self.programs.width * blocks / side_by_side
         return max(1, int(LONGEST_CALL / seconds))
 
     def _first_samples(self, blocks: np.ndarray, cases: int) -> np.ndarray:

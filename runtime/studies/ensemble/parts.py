@@ -30,6 +30,7 @@ from runtime.studies.ensemble.refined_rows import rows_of
 from runtime.studies.ensemble.refinement import Refinement
 
 CHUNK = 1000  # cases of a part
+GPU_CHUNK = 1 << 16  # where a GPU makes the steps
 AHEAD = 4  # parts a worker that wait
 WORKERS = 16  # of an executor that does not say how many it has
 HEADER = "study.json"
@@ -73,6 +74,7 @@ class Job:
     reduced: list[tuple[str, str]]
     refinement: Refinement | None
     version: str
+    device: str = "cpu"
 
     @classmethod
     def of(cls, spec: EnsembleSpec, table: np.ndarray) -> Job:
@@ -88,12 +90,14 @@ class Job:
         digest.update(np.ascontiguousarray(table).tobytes())
         key = digest.hexdigest()[:24]
         refinement = spec.refinement
-        return cls(key, model, parameters, initial, plan, start, outputs, reduced, refinement, own_version())
+        return cls(
+            key, model, parameters, initial, plan, start, outputs, reduced, refinement, own_version(), spec.device
+        )
 
     def spec(self) -> EnsembleSpec:
         """As it was asked."""
         plan = Plan.of_numbers(self.model, self.plan)
-        asked = (self.outputs, self.reduced, self.refinement)
+        asked = (self.outputs, self.reduced, self.refinement, self.device)
         return EnsembleSpec(self.model, self.parameters, self.initial, plan, self.start, *asked)
 
 
@@ -106,7 +110,7 @@ def own_version() -> str:
         return "unknown"
 
 
-_specs: dict[str, EnsembleSpec] = {}  # of this worker: prepared once for all parts of a study
+_specs: dict[tuple[str, str], EnsembleSpec] = {}  # of this worker: prepared once for all parts of a study
 
 
 def work_out(job: Job, table: np.ndarray, threads: int) -> dict[str, np.ndarray]:
@@ -114,10 +118,11 @@ def work_out(job: Job, table: np.ndarray, threads: int) -> dict[str, np.ndarray]
     if job.version != own_version():
         problem = f"this worker has symgen {own_version()}, the study was begun with {job.version}"
         raise ModelError("ensemble", problem, "install the same version everywhere")
-    if job.key not in _specs:
+    key = job.key, job.device
+    if key not in _specs:
         _specs.clear()
-        _specs[job.key] = job.spec()
-    spec = _specs[job.key]
+        _specs[key] = job.spec()
+    spec = _specs[key]
     found = LaneResults.none_yet(spec, len(table))
     for first, part in rows_of(spec, table).in_threads(threads, lambda: False):
         found.put(first, part)
