@@ -365,10 +365,14 @@ class LoadRecord:
 
 @dataclass(frozen=True)
 class Measure:
-    """A scalar of the motion and its SI unit; the rate of a measure is a measure of its own."""
+    """A scalar of the motion and its SI unit; the rate of a measure is a measure of its own.
+
+    about: what it is, where its name does not tell: axes in which a vector is resolved, an expression.
+    """
 
     name: str
     unit: str
+    about: str = ""
 
 
 @dataclass(frozen=True)
@@ -488,6 +492,9 @@ def as_plain(description: Description) -> dict[str, Any]:
     for beam in plain["beams"]:
         if not beam["stresses"]:
             del beam["stresses"]
+    for measure in plain["measures"]:
+        if not measure["about"]:
+            del measure["about"]
     for load in plain["loads"]:
         if not load["along"]:
             del load["along"]

@@ -112,8 +112,13 @@ def long_names(model: EmittedModel) -> dict[str, str]:
     for prefix in ("", "energy."):
         found |= {f"{prefix}{name}": meaning for name, meaning in ENERGIES.items()}
     given = {one.name: one.meaning for one in described.inputs}
+    for joint in described.joints:
+        if joint.drawing == "drive":
+            found[f"{joint.name}.motor"] = f"what the drive of joint {joint.name} puts on its body b"
+    given |= {one.name: one.about for one in described.measures if one.about}
+    inputs = {one.name for one in described.inputs}
     for name in model.measures:
-        kind = "input" if name in given else "measure"
+        kind = "input" if name in inputs else "measure"
         meaning = f"{kind} {name}: {given[name]}" if given.get(name) else f"{kind} {name}"
         found |= {name: meaning, f"measure.{name}": meaning}
     return found

@@ -18,7 +18,7 @@ from runtime.contract.escapes import csv_row, words
 from runtime.contract.files import OutputError, replacing
 from runtime.contract.model import EmittedModel
 from runtime.contract.orientations import angle_motion, angle_names
-from runtime.contract.records import as_plain, description
+from runtime.contract.records import JointRecord, as_plain, description
 from runtime.contract.status import Event, Status
 from runtime.results.friction import friction_columns, friction_units
 from runtime.results.samples import FORCE_PARTS, Samples
@@ -213,11 +213,17 @@ def columns(solution: Samples) -> dict[str, np.ndarray]:
         for k, load in enumerate(model.description.loads)
         for axis, part in enumerate(FORCE_PARTS[solution.load_forces.shape[2]])
     }
+    found |= {f"{joint.name}.motor": solution.motor(joint.name) for joint in _driven(model)}
     found |= friction_columns(solution)
     found |= {f"energy.{key}": series for key, series in solution.energy.items()}
     found["constraint_error"] = solution.constraint_error
     found["constraint_rate_error"] = solution.constraint_rate_error
     return found | {f"measure.{name}": solution.measures[:, k] for k, name in enumerate(model.measures)}
+
+
+def _driven(model: EmittedModel) -> list[JointRecord]:
+    """The joints that prescribe a motion."""
+    return [joint for joint in model.description.joints if joint.drawing == "drive"]
 
 
 def column_units(model: EmittedModel) -> dict[str, str]:
@@ -233,6 +239,8 @@ def column_units(model: EmittedModel) -> dict[str, str]:
     for name in (*model.joints, *(f"load.{load.name}" for load in model.description.loads)):
         units |= {f"{name}.{part}": "N" if part.startswith("force") else "N m" for part in FORCE_PARTS[6]}
         units[f"{name}.moment"] = "N m"
+    turning = {row.joint: row.unit != "m" for row in reversed(described.constraints)}
+    units |= {f"{joint.name}.motor": "N m" if turning[joint.name] else "N" for joint in _driven(model)}
     units |= friction_units(model)
     energies = {key: "W" if key in POWERS else "J" for key in ("kinetic", "elastic", "potential", *POWERS)}
     for prefix in ("", "energy."):

@@ -98,6 +98,8 @@ class _Way:
         s, t = ahead[:, None], self.t + ahead
         at = {"q": self.q + s * self.q_dot + s**2 / 2 * self.q_ddot, "q_dot": self.q_dot + s * self.q_ddot}
         named = {name: np.full(len(ahead), value) for name, value in self.known.items()}
+        for suffix, values in (("", at["q"]), ("_dot", at["q_dot"])):
+            named |= {f"{name}{suffix}": values[:, k] for k, name in enumerate(self.model.coordinates)}
         if self.model.measures:
             found = evaluate(self.model.kernel("measures"), {**at, "t": t[:, None]}, self.c)["measures"]
             named |= dict(zip(self.model.measures, found.T, strict=True))
@@ -182,6 +184,8 @@ class _Reader:
             return np.full(len(counts), float(node.value))  # type: ignore[arg-type]
         if isinstance(node, ast.Name):
             return np.asarray(self.names[node.id])
+        if isinstance(node, ast.Attribute):  # a coordinate
+            return np.asarray(self.names[ast.unparse(node)])
         if isinstance(node, ast.UnaryOp):
             return OPERATORS[type(node.op)](self.value(node.operand, counts))
         if isinstance(node, ast.BinOp):

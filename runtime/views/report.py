@@ -92,8 +92,8 @@ def _outcome(solution: Solution) -> dict[str, Any]:
             for name, q, rate in zip(model.coordinates, solution.q[-1], solution.q_dot[-1], strict=True)
         },
         "measures": {
-            name: {"final": float(values[-1]), **_span(values)}
-            for name, values in zip(model.measures, solution.measures.T, strict=True)
+            entry.name: {"final": float(values[-1]), **_span(values), **({"about": entry.about} if entry.about else {})}
+            for entry, values in zip(model.description.measures, solution.measures.T, strict=True)
         },
         "elastic_extremes": {
             name: {**_span(solution[name]), "unit": model.coordinate(name).unit} for name in model.elastic

@@ -6,7 +6,7 @@ manifest.json (what the model is: its records, hashes) and data.json (its number
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
@@ -63,7 +63,7 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
         bodies=_bodies(derived),
         joints=_joints(scene),
         loads=[LoadRecord(load.name, *load.record(scene), eq.load_spans[load.name]) for load in scene.loads],
-        measures=[Measure(name, eq.measure_units[name]) for name in eq.measures],
+        measures=_measures(scene, eq.measure_units, eq.measures),
         drawing=_drawing(derived),
         gravity=_gravity(derived),
         parameters=derived.parameters,
@@ -104,6 +104,13 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
             for body, sets in eq.beams.items()
         ],
     )
+
+
+def _measures(scene: SceneRecord, units: Mapping[str, str], names: Iterable[str]) -> list[Measure]:
+    """Measures with their units, and with what pages say of them."""
+    notes = {one.name: one.note for one in scene.measures if one.note}
+    notes |= {f"{name}_dot": f"rate of {note}" for name, note in notes.items()}
+    return [Measure(name, units[name], notes.get(name, "")) for name in names]
 
 
 SECTION = ("area", "section_modulus", "section_modulus_z", "torsion_modulus", "shear_factor")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, Literal
 
-from symgen.joints.joint import Surroundings, Turn
+from symgen.joints.joint import Reaction, Surroundings, Turn
 from symgen.loads.load import Acting, Load, LoadEffect, on
 from symgen.schema.errors import did_you_mean
 from symgen.schema.fields import Coordinate, Fault, Meaning, Quantity, Scope, about
@@ -24,6 +24,8 @@ class Effort(Load):
     ]
     value: Annotated[Quantity, Meaning("torque or force", "N m or N", scope=Scope.MEASURES)]
 
+    directed = "acts on marker b along the coordinate"
+
     def effect(self, m: Acting) -> LoadEffect:
         """Q = value on the coordinate, power value times its rate."""
         scalar, value = m.coordinate(self.coordinate), m.value("value")
@@ -39,6 +41,10 @@ class Effort(Load):
         joint, motion = scene.joint_of(self.coordinate)
         ends = {"marker": joint.marker_b, "reaction": joint.marker_a}
         return "torque" if isinstance(motion, Turn) else "force", ends
+
+    def reaction_kind(self, scene: Surroundings) -> Reaction:
+        """A moment on an angle, a force on a travel."""
+        return "moment" if isinstance(scene.joint_of(self.coordinate)[1], Turn) else "force"
 
     def faults(self, scene: Surroundings) -> Iterator[Fault]:
         """A coordinate that no joint has."""

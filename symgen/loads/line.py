@@ -23,6 +23,7 @@ class Line(Load):
 
     carries = "force"
     shown_as = "spring_damper"
+    directed = "pulls the markers together"
 
     def effect(self, m: Acting) -> LoadEffect:
         """Force on b: -F(length, rate) e along the unit vector e from a to b, its opposite on a; power -F rate."""
@@ -34,4 +35,4 @@ class Line(Load):
         pull = m.value("value", length=length, rate=rate)
         force = [-pull * component for component in e]
         row = m.generalised((b, force, ()), (a, [-component for component in force], ()))
-        return LoadEffect(row, applied=-pull * rate, action=m.action(force))
+        return LoadEffect(row, applied=-pull * rate, action=m.action(force), size=pull)

@@ -34,6 +34,7 @@ class LoadEffect:
     action: force [N] and moment [N m] in world axes on the load's marker, or on marker b: x, y and about z in a plane,
     three and three in space.
     along: of a load along a beam, see `LoadRecord`.
+    size: of a load that `Load.directed` names a direction of, the signed force [N] or moment [N m] in it.
     """
 
     force: Row = field(default_factory=dict)
@@ -43,6 +44,7 @@ class LoadEffect:
     spring: LinearSpring | None = None
     action: Sequence[Any] = ()
     along: tuple[float, ...] = ()
+    size: Any = None
 
 
 @dataclass(frozen=True)
@@ -143,6 +145,7 @@ class Load(StrictModel):
 
     carries: what it puts on the bodies at its markers.
     shown_as: the load type of which records, pictures and pages show it; its own if empty.
+    directed: what a force or moment of positive size does, of a load with a line or an axis of its own.
     """
 
     name: Name
@@ -151,6 +154,7 @@ class Load(StrictModel):
 
     carries: ClassVar[Reaction] = "force and moment"
     shown_as: ClassVar[str] = ""
+    directed: ClassVar[str] = ""
 
     def effect(self, m: Acting) -> LoadEffect:
         """Generalised force, energies and powers."""
@@ -171,6 +175,10 @@ class Load(StrictModel):
         """As which type it is shown, and at which markers."""
         return self.shown_as or self.type, self.markers
 
+    def reaction_kind(self, scene: Surroundings) -> Reaction:
+        """What it puts on bodies, which may depend on the joint that it acts on."""
+        return self.carries
+
     def drives(self, coordinate: str) -> bool:
         """Does it act on this coordinate of a joint, about which that joint is then not free?"""
         return False
@@ -181,4 +189,4 @@ def on(scalar: Scalar, m: Acting, value: Any, **powers: Any) -> LoadEffect:
     row = {column: value * entry for column, entry in scalar.row.items()}
     acting = [value * component for component in scalar.axis]
     action = m.action(moment=acting) if scalar.rotation else m.action(force=acting)
-    return LoadEffect(row, action=action, **powers)
+    return LoadEffect(row, action=action, size=value, **powers)

@@ -23,6 +23,7 @@ class RotationalSpringDamper(Load):
     free_angle: Annotated[Quantity, Meaning("angle without torque", "rad")] = 0.0
 
     carries = "moment"
+    directed = "turns marker b on"
 
     def effect(self, m: Acting) -> LoadEffect:
         """Moment on b: -k (angle - free angle) - c angle'."""

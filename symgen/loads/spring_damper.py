@@ -19,6 +19,7 @@ class SpringDamper(Load):
     free_length: Annotated[Quantity, Meaning("length without force", "m", Bound.NON_NEGATIVE)] = 0.0
 
     carries = "force"
+    directed = "pulls the markers together"
 
     def effect(self, m: Acting) -> LoadEffect:
         """Force on b: -(k (l - l_0) + c l') along the line."""
@@ -26,4 +27,4 @@ class SpringDamper(Load):
         out = m.spring(a, b, m.constant("stiffness"), m.constant("damping"), m.constant("free_length"))
         row = m.generalised((b, out.force, ()), (a, [-component for component in out.force], ()))
         action = m.action(out.force)
-        return LoadEffect(row, potential=out.potential, dissipated=out.dissipated, action=action)
+        return LoadEffect(row, out.potential, out.dissipated, action=action, size=out.pull)

@@ -17,6 +17,7 @@ class Torque(Load):
     reaction: Annotated[MarkerRef | None, about("marker at which the opposite torque acts")] = None
 
     carries = "moment"
+    directed = "acts about the z-axis of its marker"
 
     def effect(self, m: Acting) -> LoadEffect:
         """Power: the torque times the turning rate about that axis, relative to the body of the reaction."""
@@ -26,10 +27,10 @@ class Torque(Load):
             axis = m.z(marker)
             moment = [value * component for component in axis]
             rate, row = m.dot(axis, m.spin(marker)), m.generalised((marker, (), moment))
-            return LoadEffect(row, applied=value * rate, action=m.action(moment=moment))
+            return LoadEffect(row, applied=value * rate, action=m.action(moment=moment), size=value)
         marker, reaction = m.pair(self.marker, self.reaction)
         axis = m.z(marker)
         moment = [value * component for component in axis]
         rate = m.dot(axis, m.spin(marker)) - m.dot(axis, m.spin(reaction))
         row = m.generalised((marker, (), moment), (reaction, (), [-component for component in moment]))
-        return LoadEffect(row, applied=value * rate, action=m.action(moment=moment))
+        return LoadEffect(row, applied=value * rate, action=m.action(moment=moment), size=value)

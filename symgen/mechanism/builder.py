@@ -19,7 +19,14 @@ from symgen.mechanism.entry_docs import entry_doc
 from symgen.mechanism.scene import SceneRecord
 from symgen.scene.bodies import BeamBody, GroundBody, RigidBody
 from symgen.scene.flexible import ModalBody, SpatialModalBody, Structure
-from symgen.scene.measures import CoordinateMeasure, MarkerMeasure, SectionForceMeasure, StressMeasure
+from symgen.scene.measures import (
+    CoordinateMeasure,
+    ExpressionMeasure,
+    ForceMeasure,
+    MarkerMeasure,
+    SectionForceMeasure,
+    StressMeasure,
+)
 from symgen.scene.parts import DeclaredInput, DeclaredParameter, DeclaredState
 from symgen.scene.simulation import DeclaredEvent, Simulation
 from symgen.scene.surfaces import SurfaceTable
@@ -373,14 +380,18 @@ class Scene(SceneEntries):
         type : str
             "angle" [rad], "distance", "x", "y" or "z" [m] of a marker relative to another one; "coordinate" [m,
             rad]; "normal_force", "shear_force", "shear_force_z" [N], "bending_moment", "bending_moment_y",
-            "torsion_moment" [N m] at a marker of a beam; "stress" [Pa].
+            "torsion_moment" [N m] at a marker of a beam; "stress" [Pa]; "force" [N] or "moment" [N m] of a load;
+            "expression", in any unit.
         of : str
-            What is measured: `"body.marker"`, a coordinate, or for a stress also `"body.gauge"` of a finite-element
-            body and `"body.all"`, the largest.
+            What is measured: `"body.marker"`, a coordinate, for a stress also `"body.gauge"` of a finite-element body
+            and `"body.all"`, the largest; the name of a load; or the text of an expression of coordinates and their
+            rates, measures, states, inputs, t, parameters and tables, such as `"torque*crank.theta_dot"`.
         relative_to : str
             The marker against which a marker is measured.
         **fields
-            component : {"von_mises", "xx", "yy", "zz", "yz", "xz", "xy", "mesh_error"}, of a stress.
+            component : {"von_mises", "xx", "yy", "zz", "yz", "xz", "xy", "mesh_error"} of a stress, {"own", "x", "y",
+            "z"} of a force or moment; axes : "world", or `"body.marker"` in whose axes x, y, z are taken; unit : str,
+            of an expression.
 
         Returns
         -------
@@ -803,7 +814,14 @@ RECORDS: dict[str, Mapping[str, type[StrictModel]]] = {
     "loads": LOADS,
     "measures": {
         kind: record
-        for record in (MarkerMeasure, CoordinateMeasure, SectionForceMeasure, StressMeasure)
+        for record in (
+            MarkerMeasure,
+            CoordinateMeasure,
+            SectionForceMeasure,
+            StressMeasure,
+            ExpressionMeasure,
+            ForceMeasure,
+        )
         for kind in get_args(record.model_fields["type"].annotation)
     },
 }

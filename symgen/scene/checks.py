@@ -19,6 +19,7 @@ from symgen.scene.attachments import with_ends
 from symgen.scene.bodies import BeamBody, GroundBody, RigidBody
 from symgen.scene.flexible import ModalBody, SpatialModalBody
 from symgen.scene.joint_pairs import joint_pair_errors
+from symgen.scene.measures import known_late
 from symgen.scene.parts import SceneParts
 from symgen.scene.translate import SECTIONS, item_path
 from symgen.schema.errors import SceneError, did_you_mean, raise_all
@@ -187,7 +188,7 @@ def _unknown(path: str, entry: Any, known: dict[str, list[str]]) -> Iterator[Sce
 
 def _pair(section: str, path: str, entry: Any, rigid: set[str]) -> Iterator[SceneError]:
     """What is wrong with the one or two ends that an entry has, whatever its type; rigid: names of bodies."""
-    ends = list(entry.markers.values())
+    ends = [reference for key, reference in entry.markers.items() if key != "axes"]
     if len(ends) == 1 and section == "loads" and body_of(ends[0]) == "ground":
         yield SceneError(f"{path}.marker", "a load on the ground has no effect", "name a marker of a moving body")
     if len(ends) != 2:
@@ -298,13 +299,21 @@ class _QuantityCheck:
         states = [name for state in scene.states for name in (state, f"{state}_dot")]
         self.states = frozenset(states)
         measured = [name for measure in scene.measures for name in (measure.name, f"{measure.name}_dot")]
+        late = known_late(scene.measures)
+        self.late = frozenset((*late, *(f"{name}_dot" for name in late)))
+        early = [name for name in measured if name not in self.late]
+        moving = [] if scene.structure else [part for name in scene.coordinates() for part in (name, f"{name}_dot")]
         self.names = {
             Scope.PARAMETERS: frozenset((*self.defaults, *tables)),
             Scope.TIME: frozenset((*self.defaults, *inputs, *tables, "t")),
-            Scope.MEASURES: frozenset((*self.defaults, *inputs, *tables, "t", *measured, *states)),
-            Scope.LINE: frozenset((*self.defaults, *inputs, *tables, "t", *measured, *states, "length", "rate")),
-            Scope.PLACE: frozenset((*self.defaults, *inputs, *tables, "t", *measured, *states, "s")),
-            Scope.STATES: frozenset((*self.defaults, *inputs, *tables, "t", *measured, *scene.states)),
+            Scope.MEASURES: frozenset((*self.defaults, *inputs, *tables, "t", *early, *states)),
+            Scope.LINE: frozenset((*self.defaults, *inputs, *tables, "t", *early, *states, "length", "rate")),
+            Scope.PLACE: frozenset((*self.defaults, *inputs, *tables, "t", *early, *states, "s")),
+            Scope.STATES: frozenset((*self.defaults, *inputs, *tables, "t", *early, *scene.states)),
+            Scope.EVENTS: frozenset((*self.defaults, *inputs, *tables, "t", *measured, *states)),
+            Scope.MOTION: frozenset(
+                (*self.defaults, *inputs, *tables, "t", *measured, *scene.states, *moving, *scene.angles())
+            ),
         }
 
     def check(self, path: str, value: float | str, meaning: Meaning) -> None:
@@ -313,6 +322,12 @@ class _QuantityCheck:
                 path, "uses a state, which would have to be driven by the mechanism's own motor",
                 "let an input with rates or a filter give the motion, or a load in place of the motion",
             )  # fmt: skip
+        if isinstance(value, str) and meaning.scope not in (Scope.EVENTS, Scope.MOTION):
+            for name in sorted(self.late & set(WORD.findall(value))):
+                raise SceneError(
+                    path, f"uses '{name}', which is of the force of a load and known behind the loads only",
+                    "write the law of that force here; events and expressions of measures may use it",
+                )  # fmt: skip
         if meaning.scope is Scope.PARAMETERS and isinstance(value, str):
             for name in sorted(self.switched & set(WORD.findall(value))):
                 raise SceneError(

@@ -1,8 +1,9 @@
-"""Measures: scalars of the motion that load expressions may use, with their rates ``<measure>_dot``."""
+"""Measures: scalars of the motion that expressions may use, with their rates ``<measure>_dot``; forces of loads."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 from typing import Annotated, Any, Literal
 
 from pydantic import Field
@@ -11,7 +12,22 @@ from symgen.scene.bodies import BeamBody
 from symgen.scene.flexible import ALL_GAUGES, SpatialModalBody
 from symgen.scene.simulation import unknown_coordinate
 from symgen.schema.errors import did_you_mean
-from symgen.schema.fields import SPATIAL, Coordinate, Fault, GaugeRef, MarkerRef, Name, StrictModel
+from symgen.schema.fields import (
+    SPATIAL,
+    WORLD,
+    AxesRef,
+    Coordinate,
+    Fault,
+    GaugeRef,
+    MarkerRef,
+    Meaning,
+    Name,
+    Quantity,
+    Scope,
+    StrictModel,
+    about,
+)
+from symgen.schema.texts import Text
 
 KNOWN_BY = {  # which shapes of a beam know a section force
     "normal_force": "axial",
@@ -31,11 +47,18 @@ class _Measure(StrictModel):
         """The markers that it names, by key."""
         return {}
 
+    @property
+    def note(self) -> str:
+        """What pages say of it where its name and unit do not tell."""
+        return ""
+
 
 class MarkerMeasure(_Measure):
-    """From marker `relative_to` to marker `of`: the world components x, y, z [m] or the length [m] of r_b - r_a, or the
-    angle phi_b - phi_a [rad].
+    """From marker `relative_to` to marker `of`: the components x, y, z [m] or the length [m] of r_b - r_a, or the angle
+    phi_b - phi_a [rad].
 
+    axes: "world", or a marker in whose axes x, y, z are taken; rates are those of the components, as somebody sees them
+    who turns with these axes.
     In space the angle is that about the z-axis of `relative_to`, between -pi and pi; between the markers of a joint
     with an angle of its own it is that angle, over any number of turns.
     """
@@ -43,16 +66,31 @@ class MarkerMeasure(_Measure):
     type: Literal["angle", "distance", "x", "y", "z"]
     of: MarkerRef
     relative_to: MarkerRef = "ground.origin"
+    axes: AxesRef = WORLD
 
     @property
     def markers(self) -> dict[str, str]:
-        """From and to."""
-        return {"relative_to": self.relative_to, "of": self.of}
+        """From and to, and whose axes."""
+        return {"relative_to": self.relative_to, "of": self.of, **own_axes(self.axes)}
+
+    @property
+    def note(self) -> str:
+        """Ends and axes, where these are not those of the world."""
+        if self.axes == WORLD:
+            return ""
+        return f"{self.type} from {self.relative_to} to {self.of} in the axes of {self.axes}"
 
     def faults(self, scene: Any) -> Iterator[Fault]:
-        """A height in the plane."""
+        """A height in the plane, axes of what has none."""
+        if self.axes != WORLD and self.type in ("angle", "distance"):
+            yield Fault("axes", f"the {self.type} is the same in all axes", "leave them out, or take x, y or z")
         if self.type == "z" and scene.space == "planar":
             yield Fault("type", "a planar scene has no z", SPATIAL)
+
+
+def own_axes(axes: str) -> dict[str, str]:
+    """The marker whose axes these are, by its key."""
+    return {} if axes == WORLD else {"axes": axes}
 
 
 class CoordinateMeasure(_Measure):
@@ -157,6 +195,103 @@ class StressMeasure(_Measure):
                 yield Fault("of", f"'{beam.name}' has no {key}, which its stress needs", f"give it {key}: {meaning}")
 
 
+NAMED = re.compile(r"[A-Za-z][\w.]*")
+
+
+class ExpressionMeasure(_Measure):
+    """An expression of coordinates and their rates, measures, states, inputs, t, parameters and tables.
+
+    It may use all measures but expressions that are declared below it. Its rate `<name>_dot` is known where it uses
+    no rates, nor inputs without rates, nor forces.
+    """
+
+    type: Literal["expression"] = "expression"
+    of: Annotated[Quantity, Meaning("value of the expression", "its unit", scope=Scope.MOTION)]
+    unit: Annotated[Text, about("SI unit of its value")] = ""
+
+    @property
+    def note(self) -> str:
+        """The expression."""
+        return str(self.of)
+
+    def uses(self) -> set[str]:
+        """All names in it, those of measures among them."""
+        return set(NAMED.findall(self.of)) if isinstance(self.of, str) else set()
+
+    def faults(self, scene: Any) -> Iterator[Fault]:
+        """Itself, or an expression below it."""
+        expressions = [one.name for one in scene.measures if isinstance(one, ExpressionMeasure)]
+        for name in expressions[expressions.index(self.name) :]:
+            if {name, f"{name}_dot"} & self.uses():
+                itself = "itself" if name == self.name else f"'{name}', which is declared below it"
+                yield Fault("of", f"uses {itself}", "let expressions use those above them")
+
+
+class ForceMeasure(_Measure):
+    """Force [N] or moment [N m] of the load `of`, along its own line or about its own axis, or a component of it.
+
+    component: "own": of a spring or a line what pulls the markers together; of an effort what acts on marker b along
+    the coordinate; of a torque, or a rotational spring, what turns the marker, or marker b, on. Or x, y, z of what acts
+    at the marker, or marker b. axes: "world", or a marker in whose axes the component is taken.
+    """
+
+    type: Literal["force", "moment"]
+    of: Name
+    component: Literal["own", "x", "y", "z"] = "own"
+    axes: AxesRef = WORLD
+
+    @property
+    def markers(self) -> dict[str, str]:
+        """Whose axes."""
+        return own_axes(self.axes)
+
+    @property
+    def note(self) -> str:
+        """Load, component and axes."""
+        if self.component == "own":
+            return f"{self.type} of {self.of}"
+        return f"{self.type} of {self.of}, {self.component} in the axes of {self.axes}"
+
+    def faults(self, scene: Any) -> Iterator[Fault]:
+        """What is no load, has no such force, or no direction of its own."""
+        loads = {load.name: load for load in scene.loads}
+        if self.of not in loads:
+            yield self._no_load(scene, [*loads])
+            return
+        load = loads[self.of]
+        kind = load.reaction_kind(scene)
+        if self.type not in kind:
+            yield Fault("type", f"the {load.type} '{self.of}' has a {kind} only", f'take "{kind}"')
+        elif self.component == "own" and not load.directed:
+            yield Fault("component", f"the {load.type} '{self.of}' has no line of its own", "take x, y or z")
+        elif self.component == "own" and self.axes != WORLD:
+            yield Fault("axes", "are of a component", "leave them out, or take x, y or z")
+        elif scene.space == "planar" and self.component in (("x", "y") if self.type == "moment" else ("z",)):
+            what = "moments have z alone" if self.type == "moment" else "forces have x and y"
+            yield Fault("component", f"in a planar scene {what}", SPATIAL)
+
+    def _no_load(self, scene: Any, loads: list[str]) -> Fault:
+        if self.of in [entry.name for entry in (*scene.joints, *scene.couplings)]:
+            remedy = f"results have it: run.joint_force('{self.of}'), columns '{self.of}.force_x', ..."
+            return Fault(
+                "of", f"the force of '{self.of}' follows from accelerations, which measures do not know", remedy
+            )
+        return Fault("of", f"there is no load '{self.of}'", did_you_mean(self.of, loads))
+
+
+def known_late(measures: Iterable[_Measure]) -> set[str]:
+    """Forces of loads, and expressions of them: measures that loads, states and motions cannot use."""
+    late: set[str] = set()
+    for one in measures:
+        if isinstance(one, ForceMeasure):
+            late.add(one.name)
+    for one in measures:
+        if isinstance(one, ExpressionMeasure) and one.uses() & {*late, *(f"{name}_dot" for name in late)}:
+            late.add(one.name)
+    return late
+
+
 Measure = Annotated[
-    MarkerMeasure | CoordinateMeasure | SectionForceMeasure | StressMeasure, Field(discriminator="type")
+    MarkerMeasure | CoordinateMeasure | SectionForceMeasure | StressMeasure | ExpressionMeasure | ForceMeasure,
+    Field(discriminator="type"),
 ]

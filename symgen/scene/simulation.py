@@ -221,10 +221,10 @@ class DeclaredEvent(StrictModel):
     ``cool_down`` seconds after it has happened it is not looked for.
     """
 
-    when: Annotated[Quantity, Meaning("value that passes zero", "any", scope=Scope.MEASURES)]
+    when: Annotated[Quantity, Meaning("value that passes zero", "any", scope=Scope.EVENTS)]
     direction: Literal["rising", "falling", "either"] = "either"
     terminal: Flag = False
-    action: Annotated[dict[Name, Quantity], Meaning("value of an input", "its unit", scope=Scope.MEASURES)] = Field(
+    action: Annotated[dict[Name, Quantity], Meaning("value of an input", "its unit", scope=Scope.EVENTS)] = Field(
         default_factory=dict
     )
     cool_down: Annotated[Number, Field(ge=0)] = 0.0

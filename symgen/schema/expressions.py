@@ -73,6 +73,12 @@ class Node:
         act = env[table_name(str(self.value), len(given))] if self.kind == "table" else OPERATIONS[self.kind]
         return ca.SX(act(*given))
 
+    def with_definitions(self, definitions: Mapping[str, Node]) -> Node:
+        """The same with what names are defined as in their place."""
+        if self.kind == "name":
+            return definitions.get(str(self.value), self)
+        return Node(self.kind, tuple(part.with_definitions(definitions) for part in self.parts), self.value)
+
     def names(self) -> set[str]:
         """The entries of an environment that it uses."""
         found = set().union(*(part.names() for part in self.parts))
@@ -104,7 +110,7 @@ _HINTS = {
 
 @dataclass(frozen=True)
 class Expression:
-    """A parsed expression. ``names``: the parameters, measures, tables and ``t`` it uses (not ``pi``)."""
+    """A parsed expression. ``names``: the parameters, measures, coordinates, tables and ``t`` it uses (not ``pi``)."""
 
     text: str
     item: str
@@ -193,9 +199,14 @@ class _Reader:
                 return Node(_OPERATORS[type(sign)], self._nodes((tree.left, tree.right), depth))
             case ast.Call(func=ast.Name(id=function), args=arguments, keywords=keywords):
                 return self._call(function, arguments, bool(keywords), depth)
-            case ast.Attribute(value=ast.Name(id=item), attr=name):
+            case ast.Attribute() if (name := _dotted(tree)) in self.names:
+                return Node("name", value=name)
+            case ast.Attribute() if name := _dotted(tree):
+                known = sorted(one for one in self.names if "." in one)
+                if known:
+                    raise self._error(f"there is no coordinate '{_short(name)}'", did_you_mean(name, known))
                 raise self._error(
-                    f"'{_short(f'{item}.{name}')}' cannot be read in an expression",
+                    f"'{_short(name)}' cannot be read in an expression",
                     "declare a measure of it, and use the measure's name and its rate <measure>_dot",
                 )
             case ast.IfExp(test=test, body=body, orelse=orelse):
@@ -270,6 +281,16 @@ def _finite(value: float, item: str) -> float:
     if not math.isfinite(number):
         raise SceneError(item, f"the number {show(value)} is not finite", "use numbers below 1e308")
     return number
+
+
+def _dotted(tree: ast.expr) -> str:
+    """Names with dots between them, or nothing."""
+    match tree:
+        case ast.Name(id=name):
+            return name
+        case ast.Attribute(value=before, attr=name) if owner := _dotted(before):
+            return f"{owner}.{name}"
+    return ""
 
 
 def _too_deep(item: str) -> SceneError:

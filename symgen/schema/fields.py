@@ -13,6 +13,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple, TypeVar
@@ -88,6 +89,8 @@ class Scope(Enum):
     LINE = "parameters, inputs, t, measures, states and their rates, and length and rate of the line"
     PLACE = "parameters, inputs, t, measures, states and their rates, and the place s along the beam"
     STATES = "parameters, inputs, t, measures, their rates and states"
+    MOTION = "parameters, inputs, t, measures and their rates, states, coordinates and their rates"
+    EVENTS = "parameters, inputs, t, measures, forces of loads, states and their rates"
 
 
 @dataclass(frozen=True)
@@ -218,16 +221,24 @@ def _inertia(value: object) -> float | str | tuple[float | str, ...]:
     return tuple(_quantity(entry) for entry in value)
 
 
+WORLD = "world"  # axes in which a vector is resolved, if not in those of a marker
+
+
+def _two_names(value: object, what: str, example: str) -> str:
+    parts = value.split(".") if isinstance(value, str) else []
+    if len(parts) != 2 or not all(re.fullmatch(NAME_PATTERN, part) for part in parts):
+        raise refuse(f"{show(value)} does not name a {what}", f"write {example}")
+    return str(value)
+
+
 def _reference(what: str, example: str) -> PlainValidator:
     """Text of two names with a dot between them."""
+    return PlainValidator(partial(_two_names, what=what, example=example), json_schema_input_type=str)
 
-    def checked(value: object) -> str:
-        parts = value.split(".") if isinstance(value, str) else []
-        if len(parts) != 2 or not all(re.fullmatch(NAME_PATTERN, part) for part in parts):
-            raise refuse(f"{show(value)} does not name a {what}", f"write {example}")
-        return str(value)
 
-    return PlainValidator(checked, json_schema_input_type=str)
+def _axes(value: object) -> str:
+    """World axes, or those of a marker."""
+    return WORLD if value == WORLD else _two_names(value, "marker", f'"{WORLD}", or "body.marker" whose axes are meant')
 
 
 def _coordinate(value: object) -> str:
@@ -244,6 +255,7 @@ Inertia = Annotated[
     PlainValidator(_inertia, json_schema_input_type=float | str | list[float | str]),
 ]
 MarkerRef = Annotated[str, _reference("marker", '"body.marker", for instance "crank.origin"')]
+AxesRef = Annotated[str, PlainValidator(_axes, json_schema_input_type=str)]
 GaugeRef = Annotated[str, _reference("gauge", '"body.gauge", or "body.all" for the largest')]
 Coordinate = Annotated[str, PlainValidator(_coordinate, json_schema_input_type=str)]
 Flag = Annotated[bool, Strict()]

@@ -11,7 +11,7 @@ import numpy as np
 
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_scaled, nonzero
-from symgen.algebra.scalar import ONE, ZERO, div, dot, mul, neg, sub
+from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
 from symgen.algebra.vectors import Vector, combination, minus, negative, plus, scaled, zeros
 from symgen.bodies.beam_places import moving_place, stations
 from symgen.bodies.planar_body import MarkerMotion
@@ -32,9 +32,10 @@ SMALLEST = 1e-24  # m2: points nearer than that have met
 
 @dataclass(frozen=True)
 class SpringForce:
-    """Force on point b [N], stored energy [J], dissipated power [W]."""
+    """Force on point b and what pulls the points together [N], stored energy [J], dissipated power [W]."""
 
     force: list[ca.SX]
+    pull: ca.SX
     potential: ca.SX
     dissipated: ca.SX
 
@@ -46,6 +47,8 @@ def spring_between(d: Vector, d_dot: Vector, stiffness: ca.SX, damping: ca.SX, f
     limit d' there.
     """
     squared, along = dot(d, d), dot(d, d_dot)
+    length, rate = distance_between(d, d_dot)
+    pull = add(mul(stiffness, sub(length, free_length)), mul(damping, rate))
     if free_length.is_zero():
         spring, stored = stiffness, div(mul(stiffness, squared), ca.SX(2))
         if not damping.is_zero():
@@ -55,7 +58,7 @@ def spring_between(d: Vector, d_dot: Vector, stiffness: ca.SX, damping: ca.SX, f
                 for part, rate in zip(d, d_dot, strict=True)
             ]
             lost = mul(damping, ca.if_else(squared < SMALLEST, dot(d_dot, d_dot), mul(share, along)))
-            return SpringForce(negative(plus(scaled(spring, d), force)), stored, lost)
+            return SpringForce(negative(plus(scaled(spring, d), force)), pull, stored, lost)
     else:
         length = ca.sqrt(squared)
         stretch = sub(length, free_length)
@@ -64,7 +67,7 @@ def spring_between(d: Vector, d_dot: Vector, stiffness: ca.SX, damping: ca.SX, f
             div(mul(stiffness, mul(stretch, stretch)), ca.SX(2)),
         )
     damper = mul(damping, div(along, squared))
-    return SpringForce(negative(plus(scaled(spring, d), scaled(damper, d))), stored, mul(damper, along))
+    return SpringForce(negative(plus(scaled(spring, d), scaled(damper, d))), pull, stored, mul(damper, along))
 
 
 def distance_between(d: Vector, d_dot: Vector) -> tuple[ca.SX, ca.SX]:

@@ -198,7 +198,8 @@ class Equations:
     load_forces: generalised force of each load and each joint's friction, by its name. beams: their mode sets;
     flexible: bodies in space with modes of their own; static_residuals: beams whose shapes do not carry what is
     attached to them.
-    load_actions: what each load does at its marker or marker b, see LoadEffect; load_spans: its `along`.
+    load_actions: what each load does at its marker or marker b, see LoadEffect; load_spans: its `along`;
+    load_sizes: its `size`.
     events: by name what passes zero, and the values that inputs get then.
     switching: (load, joint or state, value) of what changes sign where an expression jumps or kinks in time; kinks: by
     name (load, joint or state, value) of what does where it depends on the motion.
@@ -230,6 +231,7 @@ class Equations:
     static_residuals: list[StaticResidual] = field(default_factory=list)
     load_actions: dict[str, Sequence[ca.SX]] = field(default_factory=dict)
     load_spans: dict[str, list[float]] = field(default_factory=dict)
+    load_sizes: dict[str, ca.SX] = field(default_factory=dict)
     events: dict[str, tuple[ca.SX, dict[str, ca.SX]]] = field(default_factory=dict)
     switching: list[tuple[str, ca.SX]] = field(default_factory=list)
     kinks: dict[str, tuple[str, ca.SX]] = field(default_factory=dict)

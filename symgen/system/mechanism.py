@@ -30,7 +30,15 @@ from symgen.loads import Load
 from symgen.loads.load import LoadEffect, Scalar
 from symgen.scene import BeamBody, BeamMarker, SpatialModalBody
 from symgen.scene.flexible import ALL_GAUGES
-from symgen.scene.measures import Measure, SectionForceMeasure, StressMeasure
+from symgen.scene.measures import (
+    ExpressionMeasure,
+    ForceMeasure,
+    MarkerMeasure,
+    Measure,
+    SectionForceMeasure,
+    StressMeasure,
+    known_late,
+)
 from symgen.schema.fields import Scope, StrictModel
 from symgen.system.constraint import ConstraintRow, DerivationError, Motion, combined
 from symgen.system.equations import Element, Equations, Rotor, Rubbing, Stop
@@ -148,8 +156,12 @@ class Space(ABC, Generic[Marker]):
                 yield LoadEffect(force, dissipated=damping * own.rate**2)
 
     @abstractmethod
-    def measure(self, kind: str, a: str, b: str) -> ca.SX:
+    def measure(self, kind: str, a: str, b: str, axes: str) -> ca.SX:
         """A scalar of the motion between two markers."""
+
+    @abstractmethod
+    def resolved(self, vector: Sequence[ca.SX], axes: str) -> list[ca.SX]:
+        """Components of a world vector along the axes of a marker, or of the world."""
 
     @abstractmethod
     def distance(self, a: str, b: str) -> tuple[ca.SX, ca.SX]:
@@ -197,6 +209,9 @@ class Mechanism(Generic[Marker]):
             self._add_effect(load.name, effect)
             equations.load_actions[load.name] = effect.action
             equations.load_spans[load.name] = [min(part, MOST_POWER) for part in effect.along]
+            if effect.size is not None:
+                equations.load_sizes[load.name] = effect.size
+        self._add_late_measures()
         self._add_events()
         equations.picture = space.picture()
 
@@ -447,17 +462,81 @@ class Mechanism(Generic[Marker]):
                 )
 
     def _add_measures(self) -> None:
+        """Those that loads may use."""
+        eq, late = self.equations, known_late(self.scene.measures)
+        moving = {name: q for name, q in zip(eq.names, eq.q, strict=True)}
+        moving |= {f"{name}_dot": q_dot for name, q_dot in zip(eq.names, eq.q_dot, strict=True)}
+        states = {name: eq.q_dot[column] for name, column in eq.states.items()}
+        self.environment = {**self.environment, **moving, **states}
+        early = [one for one in self.scene.measures if one.name not in late]
+        for measure in sorted(early, key=lambda one: isinstance(one, ExpressionMeasure)):
+            self._add_measure(measure)
+        self._in_order()
+
+    def _add_late_measures(self) -> None:
+        """Forces of loads, and expressions of them."""
+        late = known_late(self.scene.measures)
+        for measure in sorted(self.scene.measures, key=lambda one: isinstance(one, ExpressionMeasure)):
+            if measure.name in late:
+                self._add_measure(measure)
+        self._in_order()
+
+    def _in_order(self) -> None:
+        """Measures as the scene has them, states behind them."""
         eq = self.equations
-        for measure in self.scene.measures:
-            if measure.type == "distance":
-                value, rate = self.space.distance(measure.relative_to, measure.of)
-                unit = "m"
-            else:
-                value, unit = self._measured(measure)
-                rate = ca.jtimes(value, ca.vertcat(*eq.q), ca.vertcat(*eq.q_dot))
-            eq.measures[measure.name], eq.measures[f"{measure.name}_dot"] = value, rate
-            eq.measure_units |= {measure.name: unit, f"{measure.name}_dot": f"{unit}/s"}
-        self.environment = {**self.environment, **eq.measures}
+        names = [name for one in self.scene.measures for name in (one.name, f"{one.name}_dot") if name in eq.measures]
+        eq.measures = {**{name: eq.measures[name] for name in names}, **eq.measures}
+
+    def _add_measure(self, measure: Measure) -> None:
+        eq = self.equations
+        rate: ca.SX | None
+        if measure.type == "distance":
+            value, rate = self.space.distance(measure.relative_to, measure.of)
+            unit = "m"
+        elif isinstance(measure, ExpressionMeasure):
+            value, unit = self._of_expression(measure), measure.unit
+            rate = self._rate_of(value)
+        elif isinstance(measure, ForceMeasure):
+            value, unit, rate = self._force_of(measure), "N" if measure.type == "force" else "N m", None
+        else:
+            value, unit = self._measured(measure)
+            rate = ca.jtimes(value, ca.vertcat(*eq.q), ca.vertcat(*eq.q_dot))
+        found = {measure.name: value} if rate is None else {measure.name: value, f"{measure.name}_dot": rate}
+        eq.measures |= found
+        eq.measure_units |= dict(zip(found, (unit, f"{unit or '1'}/s"), strict=False))
+        self.environment = {**self.environment, **found}
+
+    def _of_expression(self, measure: ExpressionMeasure) -> ca.SX:
+        """Its value; whoever uses the measure looks for jumps and kinks in the definition."""
+        item = f"measures.{measure.name}.of"
+        if not isinstance(measure.of, str):
+            return ca.SX(measure.of)
+        angles = [name for name in self.scene.angles() if name in measure.of]
+        environment = {**self.environment, **{name: self._euler_angle(name) for name in angles}}
+        names = ("t", *self.equations.u, *environment)
+        expression = self.scene.expression(measure.of, item, names)
+        self.reader.definitions[measure.name] = expression.node.with_definitions(self.reader.definitions)
+        return expression.to_casadi(environment)
+
+    def _rate_of(self, value: ca.SX) -> ca.SX | None:
+        """Its derivative in time, where it uses no rates, nor inputs whose rates are not known."""
+        eq, rated = self.equations, [name for name in self.equations.u if f"{name}_dot" in self.equations.u]
+        unknown = [*eq.q_dot, *(symbol for name, symbol in eq.u.items() if name not in rated)]
+        if ca.depends_on(value, ca.vertcat(*unknown)):
+            return None
+        moving = ca.vertcat(*eq.q, eq.t, *(eq.u[name] for name in rated))
+        return ca.jtimes(value, moving, ca.vertcat(*eq.q_dot, 1, *(eq.u[f"{name}_dot"] for name in rated)))
+
+    def _force_of(self, measure: ForceMeasure) -> ca.SX:
+        """Of a load: along its own line, or a component."""
+        eq, size = self.equations, len(self.space.axes)
+        if measure.component == "own":
+            return ca.SX(eq.load_sizes[measure.of])
+        action = list(eq.load_actions[measure.of])
+        if measure.type == "moment" and size == 2:
+            return action[2]
+        vector = action[:size] if measure.type == "force" else action[size:]
+        return self.space.resolved(vector, measure.axes)["xyz".index(measure.component)]
 
     def _euler_angle(self, name: str) -> ca.SX:
         """`body.theta1`, ...: read off the body's Euler parameters."""
@@ -480,7 +559,8 @@ class Mechanism(Generic[Marker]):
             return self.space.section_force(body, measure.type, at), unit
         if isinstance(measure, StressMeasure):
             return self._stress(measure), "Pa"
-        value = self.space.measure(measure.type, measure.relative_to, measure.of)
+        assert isinstance(measure, MarkerMeasure)
+        value = self.space.measure(measure.type, measure.relative_to, measure.of, measure.axes)
         return value, "rad" if measure.type == "angle" else "m"
 
     def _place(self, reference: str) -> tuple[BeamBody, float]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import casadi as ca
@@ -30,6 +30,7 @@ from symgen.joints.joint import Turn
 from symgen.loads import Load
 from symgen.loads.load import LoadEffect, Scalar
 from symgen.scene import BeamBody
+from symgen.schema.fields import WORLD
 from symgen.system.acting import PlanarActing, distance_between, turn_between
 from symgen.system.constraint import STILL, ConstraintRow, Motion
 from symgen.system.constraint_rows import LocalPlace, holding, planar_rows, sliding_rows
@@ -99,10 +100,19 @@ class PlanarSpace(Space[MarkerMotion]):
         value, rate = dot(a.direction, minus(b.r, a.r)), dot(a.direction, minus(b.r_dot, a.r_dot))
         return Scalar(value, rate, row, a.direction, rotation=False)
 
-    def measure(self, kind: str, a: str, b: str) -> ca.SX:
+    def measure(self, kind: str, a: str, b: str, axes: str) -> ca.SX:
         """Angle, x or y."""
         first, second = self.marker(a), self.marker(b)
-        return {"angle": second.phi - first.phi, **dict(zip("xy", minus(second.r, first.r), strict=True))}[kind]
+        if kind == "angle":
+            return second.phi - first.phi
+        return self.resolved(minus(second.r, first.r), axes)["xy".index(kind)]
+
+    def resolved(self, vector: Sequence[ca.SX], axes: str) -> list[ca.SX]:
+        """By the transpose of the marker's rotation."""
+        if axes == WORLD:
+            return list(vector)
+        (cosine, sine), (x, y) = self.marker(axes).direction, vector
+        return [cosine * x + sine * y, cosine * y - sine * x]
 
     def distance(self, a: str, b: str) -> tuple[ca.SX, ca.SX]:
         """The distance between two markers, and its rate."""

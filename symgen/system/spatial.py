@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -33,6 +33,7 @@ from symgen.joints.joint import Turn
 from symgen.loads import Load
 from symgen.loads.load import LoadEffect, Scalar
 from symgen.scene import BeamBody
+from symgen.schema.fields import WORLD
 from symgen.system.acting import SpatialActing, angle_about_z, axis_of, distance_between, gradient
 from symgen.system.constraint import STILL, ConstraintRow, Motion
 from symgen.system.constraint_rows import (
@@ -183,12 +184,16 @@ class SpatialSpace(Space[SpatialMarker]):
         """Of a beam at a fraction of its length, by its shapes."""
         return section_force(body, spatial_mesh_key(body), kind, at, self.bodies[body.name].coordinates.q_f, self.table)
 
-    def measure(self, kind: str, a: str, b: str) -> ca.SX:
+    def resolved(self, vector: Sequence[ca.SX], axes: str) -> list[ca.SX]:
+        """By the transpose of the marker's rotation."""
+        return list(vector) if axes == WORLD else [dot(axis, vector) for axis in self.marker(axes).axes]
+
+    def measure(self, kind: str, a: str, b: str, axes: str) -> ca.SX:
         """Angle about marker a's z-axis (that of the joint between the markers, if it has one), x, y or z."""
         if kind == "angle":
             own = self._joint_angle(a, b)
             return angle_about_z(*self.pair(a, b)) if own is None else own.value
-        return minus(self.marker(b).r, self.marker(a).r)["xyz".index(kind)]
+        return self.resolved(minus(self.marker(b).r, self.marker(a).r), axes)["xyz".index(kind)]
 
     def distance(self, a: str, b: str) -> tuple[ca.SX, ca.SX]:
         """The distance between two markers, and its rate."""

@@ -8,7 +8,7 @@ Where an expression jumps or kinks: the values that change their sign there, rea
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import reduce
 from typing import TYPE_CHECKING, Any
 
@@ -64,11 +64,12 @@ SAME_DEPTH = 20  # down to which two expressions are compared
 @dataclass(frozen=True)
 class ExpressionReader:
     """Reads expressions of a scene; equations.switching gets what changes its sign where they jump or kink in time,
-    equations.kinks what does where the motion decides.
+    equations.kinks what does where the motion decides. definitions: what measures by expression stand for.
     """
 
     scene: SceneRecord
     equations: Equations
+    definitions: dict[str, Node] = field(default_factory=dict)
 
     def read(self, text: float | str, item: str, owner: str, environment: Mapping[str, Any], *names: str) -> ca.SX:
         """The value of an expression of t, the inputs and these names; owner: the load, joint or state that it is of.
@@ -77,10 +78,10 @@ class ExpressionReader:
         """
         eq = self.equations
         expression = self.scene.expression(text, item, ("t", *eq.u, *names))
-        value = expression.to_casadi(environment)
-        for found in switching_values(expression.node, environment):
+        value, node = expression.to_casadi(environment), expression.node.with_definitions(self.definitions)
+        for found in switching_values(node, environment):
             self.switch(owner, found)
-        for found in knot_values(expression.node, environment, self.scene.tables):
+        for found in knot_values(node, environment, self.scene.tables):
             if not self._in_motion(found):  # there steps pass the points of a table
                 self.switch(owner, found)
         return value
