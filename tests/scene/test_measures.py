@@ -17,10 +17,10 @@ def arm(space: str = "planar") -> Scene:
     """A hub that a torque turns, a rod on it, a spring from its tip to the ground."""
     tip, inertia = ([0.5, 0.1], 0.05) if space == "planar" else ([0.5, 0.1, 0.2], [0.05, 0.06, 0.07])
     scene = Scene("measured_arm", space=space).parameter("k", 3.0).input("u", 0.2)
-    scene.rigid("hub", mass=2.0, inertia=inertia).rigid(
-        "rod", mass=1.0, inertia=inertia, markers={"tip": {"position": tip}}
-    )
-    scene.revolute("h", "ground.origin", "hub.origin", damping=0.1).revolute("j", "hub.origin", "rod.origin")
+    end = {"end": {"position": [0.4, 0.0, 0.0][: len(tip)]}}
+    scene.rigid("hub", mass=2.0, inertia=inertia, markers=end)
+    scene.rigid("rod", mass=1.0, inertia=inertia, markers={"tip": {"position": tip}})
+    scene.revolute("h", "ground.origin", "hub.origin", damping=0.1).revolute("j", "hub.end", "rod.origin")
     scene.torque("drive", "hub.origin", "0.3 * sin(5 * t)")
     scene.spring_damper("spring", "ground.origin", "rod.tip", stiffness=20.0, damping=0.4, free_length=0.2)
     scene.rotational_spring_damper("coil", "hub.origin", "rod.origin", stiffness=2.0, damping=0.1, free_angle=0.3)
@@ -171,8 +171,8 @@ def test_further_refusals() -> None:
 def test_events_and_files_know_them(model_of: Build) -> None:
     """An event at a force; a scene that is written and read again is the same."""
     scene = arm().measure("F", "force", "spring").measure("M", "expression", "F * 0.5", unit="N m")
-    scene.event("slack", "M - 1", terminal=True)
+    scene.event("turned", "M - 3.05", terminal=True)
     record = scene.build()
     assert SceneRecord.from_toml_text(record.to_toml()) == record
     run = model_of(record).simulate()
-    assert run.status.name == "event" and run["F"][-1] == pytest.approx(2.0, abs=1e-9)
+    assert run.status.name == "event" and run["F"][-1] == pytest.approx(6.1, abs=1e-9)
