@@ -112,9 +112,8 @@ def long_names(model: EmittedModel) -> dict[str, str]:
     for prefix in ("", "energy."):
         found |= {f"{prefix}{name}": meaning for name, meaning in ENERGIES.items()}
     given = {one.name: one.meaning for one in described.inputs}
-    for joint in described.joints:
-        if joint.drawing == "drive":
-            found[f"{joint.name}.motor"] = f"what the drive of joint {joint.name} puts on its body b"
+    drives = [one.name for one in described.joints if one.drawing == "drive"]
+    found |= {f"{name}.motor": f"what the drive of joint {name} puts on its body b" for name in drives}
     given |= {one.name: one.about for one in described.measures if one.about}
     inputs = {one.name for one in described.inputs}
     for name in model.measures:
