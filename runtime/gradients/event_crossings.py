@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from copy import copy
 from dataclasses import replace
 from typing import Any
 
@@ -37,9 +36,8 @@ class EventCrossings:
 
     def over(self, t0: float, dt: float, steps: int) -> EventCrossings:
         """The same with so many steps of dt from t0 on [s]."""
-        other = copy(self)
-        other._plan = replace(self._plan, scheme=self._plan.scheme.with_step(dt), t0=t0, steps=steps, end=None)
-        return other
+        scheme = self._plan.scheme.with_step(dt)
+        return EventCrossings(self._model, replace(self._plan, scheme=scheme, t0=t0, steps=steps, end=None))
 
     def refuse(self, samples: bool) -> None:
         """Raises ArgumentError for events that are not differentiated; samples: do inputs change in the run?"""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from copy import copy
 from dataclasses import dataclass
 
 import casadi as ca
@@ -53,14 +52,12 @@ class StartOfRun:
         self._program, self._plan, self._variables = program, plan, variables
         self._model = plan.scheme.model
         self._parameters, self._initial = dict(parameters), dict(initial)
-        self._kind = self._kind_of(start)
+        self._start, self._kind = start, self._kind_of(start)
 
     def on(self, program: ObservedProgram, plan: Plan, parameters: Given | None = None) -> StartOfRun:
         """The same start of a program and plan with other steps, another time and further parameters."""
-        other = copy(self)
-        other._program, other._plan = program, plan
-        other._parameters = {**self._parameters, **(parameters or {})}
-        return other
+        own = {**self._parameters, **(parameters or {})}
+        return StartOfRun(program, plan, self._variables, own, self._initial, self._start)
 
     def values(self) -> np.ndarray:
         """(n,) x of the start: what was given, else what the model says. Raises ModelError for a motion that jumps."""

@@ -9,6 +9,7 @@ comparison_times.py.
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from logging import INFO, WARNING
 from math import ceil
@@ -46,10 +47,13 @@ SMALLER_STEP = "Take a smaller step, or a tolerance instead of a step."
 SMALLER_TOLERANCE = "Take a smaller tolerance."
 
 
-def finished(run: Run, error: MotionError | None = None) -> Solution:
-    """Go to the end and put the Solution together. error: where it is known or not wanted; else it is measured."""
+def finished(run: Run, error: MotionError | None = None, missed: Sequence[Event] = ()) -> Solution:
+    """Go to the end and put the Solution together. error: where it is known or not wanted; else it is measured.
+
+    missed: events of loads that steps of the run pass by, which it has not looked for itself.
+    """
     try:
-        return _ended(run, error)
+        return _ended(run, error, missed)
     finally:
         run.record.close()
 
@@ -63,10 +67,9 @@ def passed_by(run: Run, steps: float) -> list[Any]:
     return list(short_loads(run, steps))
 
 
-def _ended(run: Run, error: MotionError | None) -> Solution:
+def _ended(run: Run, error: MotionError | None, missed: Sequence[Event]) -> Solution:
     status = run.integrate()
-    if status.ok:
-        run.events += [one.event for one in passed_by(run, 1.0)[:1]]
+    happened = [*missed, *run.events, *(one.event for one in (passed_by(run, 1.0)[:1] if status.ok else ()))]
     run.record.flush()
     solution = run.sampled_solution()
     if not status.ok:
@@ -75,17 +78,17 @@ def _ended(run: Run, error: MotionError | None) -> Solution:
 
         found = outside_its_domain(status, solution, run.segment.with_inputs(run.z), run.plan.scheme.next_step(run.z))
         near = 2 * run.plan.grid.dt_L
-        status = found if found is not status else laid_to_loads(status, solution, run.events, near)
+        status = found if found is not status else laid_to_loads(status, solution, happened, near)
     stats = {**statistics(run.segment, run.z, run.set_up, run.seconds), **solution.stats, **_circumstances(run)}
     if run.plan.end is not None and not run.plan.scheme.adaptive:
         stats["last_step"] = run.plan.last_step
-    events = sorted((event for event in run.events if event.kind != "kink"), key=lambda event: event.time)
+    events = sorted((event for event in happened if event.kind != "kink"), key=lambda event: event.time)
     if run.segment.model.description.kinks and run.segment.plan.scheme.options.kinks == "crossed":
         from runtime.results.missing import crossed_kinks
 
         events += crossed_kinks(solution)
-    elif len(events) < len(run.events):
-        stats["kinks"] = len(run.events) - len(events)
+    elif len(events) < len(happened):
+        stats["kinks"] = len(happened) - len(events)
         slides = chattering_of(run)
         events = sorted([*events, *slides], key=lambda event: event.time)
     solution = solution.but(status=status, stats=stats, events=events, parameters=run.segment.p, stops=_stops(run))
@@ -263,7 +266,7 @@ def measured(run: Run, solution: Solution) -> MotionError:
         [sampled, comparison_times.compared_motion(run.problem.model)], axis=1
     )  # samples may be in phase with a vibration
     try:
-        if any(event.kind == "load_missed" for event in run.events):  # other steps of this length miss it, too
+        if any(event.kind == "load_missed" for event in solution.events):  # other steps of this length miss it, too
             for short in passed_by(run, LEAST / INSIDE)[:1]:  # even steps of an eighth may pass it by
                 return MotionError(reliable_until=short.event.time, reason=short.event.text)
             return compared(run, comparison_times, sampled, 1 / INSIDE)

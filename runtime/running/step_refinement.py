@@ -24,7 +24,7 @@ import numpy as np
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.log import REFINEMENT
 from runtime.contract.model import EmittedModel
-from runtime.contract.status import Status
+from runtime.contract.status import Event, Status
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.running.comparison_times import comparison_steps, refined, shared
 from runtime.running.fastest_mode import RESOLVED, fastest_mode, slopes_at_start
@@ -112,7 +112,7 @@ def _word(name: str, value: Any) -> str:
     return value if isinstance(value, str) else f"{name}={value[0] if isinstance(value, tuple) else value}"
 
 
-@dataclass
+@dataclass(frozen=True)
 class RefinementLevel:
     """A whole motion in so many steps.
 
@@ -241,17 +241,13 @@ class StepRefinement:
             level = self.level(plan, levels[-1].run if levels else None, [common, shared(count)])
             order = plan.scheme.order
             if levels and not level.lost and not levels[-1].lost:
-                self.judge(levels, level, order)
+                level = self.judged(levels, level, order)
                 if plan.scheme.damps and level.error <= self.tolerance:  # levels that have lost a vibration agree
                     try:
-                        level.estimated = with_what_is_damped(
-                            level.run, level.comparison_times, level.sampled, level.estimated
-                        )
+                        level = self._with_what_is_damped(level)
                     except KeyboardInterrupt:
-                        level.estimated = MotionError(reason="stopped by the user while it was measured")
-                        yield level
+                        yield replace(level, estimated=MotionError(reason="stopped by the user while it was measured"))
                         return
-                    level.error = max(level.error, self._asked(level.estimated))
             levels.append(level)
             REFINEMENT.debug(
                 "%s: %s, %d steps, error %.2g, %s", self.problem.model.name, method.label, level.steps, level.error,
@@ -311,8 +307,13 @@ class StepRefinement:
         status = run.integrate()
         return RefinementLevel(steps, run, comparison_times, status, time.process_time() - began)
 
-    def judge(self, before: list[RefinementLevel], level: RefinementLevel, order: int) -> None:
-        """The error of a level by the one before it, in place; by extrapolation where three levels show the order."""
+    def _with_what_is_damped(self, level: RefinementLevel) -> RefinementLevel:
+        """The level with the error that the damping of its method makes, where that is larger."""
+        estimated = with_what_is_damped(level.run, level.comparison_times, level.sampled, level.estimated)
+        return replace(level, estimated=estimated, error=max(level.error, self._asked(estimated)))
+
+    def judged(self, before: list[RefinementLevel], level: RefinementLevel, order: int) -> RefinementLevel:
+        """The level with its error by the one before it; by extrapolation where three levels show the order."""
         last = before[-1]
         places = gcd(level.steps, last.steps)  # ends of steps of both
         every, others = level.steps // places, last.steps // places
@@ -321,21 +322,22 @@ class StepRefinement:
         )
         common = np.intersect1d(ours, theirs)
         if not len(common):
-            return
+            return level
         model, plan = self.problem.model, level.run.plan
         q, v = level.compared.compress(among(level.reached, common * every), axis=1)
         other_q, other_v = last.compared.compress(among(last.reached, common * others), axis=1)
         sizes = amplitudes(model, np.concatenate([other_q, level.sampled[0]]))
         t = plan.t0 + common * every * plan.grid.dt_L
-        level.estimated = motion_error(model, t, q, other_q, sizes, (v, other_v), level.sampled[1])
-        level.error = level.differs = self._asked(level.estimated)
-        if len(before) > 1 and 0 < level.error < last.differs:
+        estimated = motion_error(model, t, q, other_q, sizes, (v, other_v), level.sampled[1])
+        error = differs = self._asked(estimated)
+        if len(before) > 1 and 0 < differs < last.differs:
             ratio = level.steps / last.steps
-            shown = shown_order(last.differs, level.differs, last.steps / before[-2].steps, ratio, order)
+            shown = shown_order(last.differs, differs, last.steps / before[-2].steps, ratio, order)
             if shown > SHOWN * order:
                 richer = max(2.0, ratio**shown - 1)
-                level.error *= min(0.5, RICHARDSON / richer)
-                level.estimated = level.estimated.scaled(1 / richer)
+                error *= min(0.5, RICHARDSON / richer)
+                estimated = estimated.scaled(1 / richer)
+        return replace(level, differs=differs, error=error, estimated=estimated)
 
     def _asked(self, error: MotionError) -> float:
         """What is compared with the tolerance; of rates, and of what is not graded, a run has to be accurate."""
@@ -403,19 +405,17 @@ class StepRefinement:
         run_options, interrupted = self.run_options, levels[-1].status.name == "interrupted"
         chance = levels[-1].lost and not interrupted and not (whole and whole[-1].estimated.measured)
         if not whole or chance:  # a motion that coarse steps alone bring to its end is none
-            levels[-1].run.events += loads_missed(levels[-1].run)
-            return finished(levels[-1].run, levels[-1].estimated)
+            return finished(levels[-1].run, levels[-1].estimated, loads_missed(levels[-1].run))
         answer = whole[-1]
         error = _doubted(answer, levels)
-        run = answer.run
-        if run_options.bounded or (
-            run_options.checkpoint is not None and not interrupted
-        ):  # once more, to keep what it makes
+        run, passed = answer.run, list[Event]()
+        again = run_options.bounded or (run_options.checkpoint is not None and not interrupted)
+        if again:  # to keep what it makes
             plan = replace(run.record.segments[0].plan, outputs=tuple(run_options.outputs or ()))
             run = start_run(self.problem, plan, comparison_times_of(self.problem, plan), run_options)
         else:
-            run.events[:0] = loads_missed(run)
-        found = finished(run, error)
+            passed = loads_missed(run)
+        found = finished(run, error, passed)
         stats: dict[str, float | int | str] = dict(found.stats) | {
             "tolerance": self.tolerance,
             "rungs": len(levels),

@@ -6,7 +6,7 @@ What a scene asks of the later stages: which coordinates, which groups, which st
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from runtime.contract.consistent_state import GivenValues
@@ -125,19 +125,19 @@ def build_system(scene: SceneRecord) -> System:
 
 def _with_inputs(equations: Equations, scene: SceneRecord) -> Equations:
     """The equations, their inputs now among the measures."""
-    equations.measures |= equations.u
-    equations.measure_units |= input_units(scene)
-    return equations
+    units = {**equations.measure_units, **input_units(scene)}
+    return replace(equations, measures={**equations.measures, **equations.u}, measure_units=units)
 
 
 def _blank(scene: SceneRecord) -> Equations:
     """With what is known of the bodies' shapes."""
-    equations = blank_equations(scene)
+    equations = replace(
+        blank_equations(scene), flexible=[body.name for body in scene.bodies if isinstance(body, SpatialModalBody)]
+    )
     beams = [body for body in scene.bodies if isinstance(body, BeamBody)]
     if beams:
         from symgen.bodies.beam_sets import set_records, static_residuals
 
-        equations.static_residuals = static_residuals(scene)
-        equations.beams = {body.name: set_records(body) for body in beams}
-    equations.flexible = [body.name for body in scene.bodies if isinstance(body, SpatialModalBody)]
+        of_beams = {body.name: set_records(body) for body in beams}
+        return replace(equations, static_residuals=static_residuals(scene), beams=of_beams)
     return equations

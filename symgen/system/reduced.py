@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -27,7 +28,7 @@ from symgen.bodies.spatial_integrals import spatial_point
 from symgen.bodies.spatial_moments import Deformation, SpatialPoint
 from symgen.joints import Joint
 from symgen.system.constraint import ConstraintRow, Motion
-from symgen.system.equations import Direction, Equations, Rotor
+from symgen.system.equations import Direction, Equations, InertiaForces, Rotor
 from symgen.system.frames.aba import floats, free_joint_accelerations
 from symgen.system.frames.alignment import links_of
 from symgen.system.frames.crba import mass_rows
@@ -288,27 +289,33 @@ def reduced_equations(built: Mechanism[SpatialMarker], space: SpatialSpace, orie
         placed_columns=_placed(whole, topology, orientations),
     )
     tree_space = TreeSpace(space, blank, whole, orientations)
-    equations = Mechanism(built.scene, built.table, tree_space, blank, topology).equations
-    _set_rates(whole, equations, ca.vertcat(*q_dot[n:]))
-    for rotation in equations.rotation_vectors:
-        equations.body_columns[rotation.body] += rotation.columns
-        equations.constraints += rotation.rows([q[column] for column in rotation.columns])
-    tree = tree_space.tree
-    equations.masses = lambda: with_states(mass_rows(tree, size), equations)
-    forces = TreeForces(tree, replace(equations) if equations.rotors else equations, tree_space.loops)
-    equations.inertia_forces = forces.inertia_forces
-    if equations.rotors:
-        equations.masses = lambda: with_rotors(with_states(mass_rows(tree, size), equations), equations)
-        equations.inertia_forces = partial(_inertia_with_rotors, forces, equations.rotors)
+    found = Mechanism(built.scene, built.table, tree_space, blank, topology).equations
+    _set_rates(whole, found, ca.vertcat(*q_dot[n:]))
+    constraints = list(found.constraints)
+    for rotation in found.rotation_vectors:
+        found.body_columns[rotation.body] += rotation.columns
+        constraints += rotation.rows([q[column] for column in rotation.columns])
+    equations = replace(found, constraints=constraints)
+    return replace(equations, felt_columns=_felt(equations, topology, orientations), **_dynamics(equations, tree_space))
+
+
+def _dynamics(equations: Equations, space: TreeSpace) -> dict[str, Any]:
+    """Masses and inertia forces of a tree of frames, with what else its recursions give, by fields of `Equations`."""
+    tree, size, rotors = space.tree, len(equations.q), equations.rotors
+    bodies = replace(equations, masses=lambda: with_states(mass_rows(tree, size), equations))
+    forces = TreeForces(tree, bodies, space.loops)
+    inertia_forces: InertiaForces = forces.inertia_forces
+    found: dict[str, Any] = {"masses": lambda: bodies.M}
+    if rotors:
+        found["masses"] = lambda: with_rotors(with_states(mass_rows(tree, size), equations), equations)
+        inertia_forces = partial(_inertia_with_rotors, forces, rotors)
     elif has_force_changes(tree):
-        equations.force_changes, equations.loop_changes = forces.force_changes, forces.loop_changes
-        equations.loop_rates = {joint: loop.rows for joint, loop in tree_space.loops.items()}
-    if not floats(tree) and not equations.rotors:
-        equations.free_joints = forces.free_joints
-    inertia_forces = equations.inertia_forces
-    equations.velocity_forces = lambda: _negated(inertia_forces({}), size)
-    equations.felt_columns = _felt(equations, topology, orientations)
-    return equations
+        found |= {"force_changes": forces.force_changes, "loop_changes": forces.loop_changes}
+        found["loop_rates"] = {joint: loop.rows for joint, loop in space.loops.items()}
+    if not floats(tree) and not rotors:
+        found["free_joints"] = forces.free_joints
+    negated: Callable[[], list[ca.SX]] = lambda: _negated(inertia_forces({}), size)  # noqa: E731
+    return found | {"inertia_forces": inertia_forces, "velocity_forces": negated}
 
 
 def _placed(whole: Equations, topology: Topology, orientations: Orientations) -> frozenset[int]:

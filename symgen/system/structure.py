@@ -8,7 +8,7 @@ Where an expression jumps or kinks: the values that change their sign there, rea
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import reduce
 from typing import TYPE_CHECKING, Any
 
@@ -124,17 +124,26 @@ def structure_equations(scene: SceneRecord, table: ParameterTable) -> Equations:
         ]
 
     M = matrix(structure.mass, "M", "kg")
-    eq.masses, eq.velocity_forces = lambda: M, lambda: [ZERO] * len(eq.q)
-    eq.K = matrix(structure.stiffness, "K", "N/m")
+    K = matrix(structure.stiffness, "K", "N/m")
     D = matrix(structure.damping, "D", "N s/m")
+    Q_F, elastic, dissipated, applied = list[ca.SX](), eq.elastic, eq.dissipated, eq.applied
     for row in range(len(eq.names)):
-        spring = total(mul(value, eq.q[column]) for column, value in eq.K[row].items())
+        spring = total(mul(value, eq.q[column]) for column, value in K[row].items())
         damper = total(mul(value, eq.q_dot[column]) for column, value in D[row].items())
         load = ca.SX(0)
         if structure.force is not None:
             load = reader.read(structure.force[row], f"force[{row}]", f"force[{row}]", env)
-        eq.Q_F[row] = load - damper
-        eq.elastic = eq.elastic + eq.q[row] * spring / 2
-        eq.dissipated = eq.dissipated + eq.q_dot[row] * damper
-        eq.applied = eq.applied + eq.q_dot[row] * load
-    return eq
+        Q_F.append(load - damper)
+        elastic = elastic + eq.q[row] * spring / 2
+        dissipated = dissipated + eq.q_dot[row] * damper
+        applied = applied + eq.q_dot[row] * load
+    return replace(
+        eq,
+        K=K,
+        Q_F=Q_F,
+        elastic=elastic,
+        dissipated=dissipated,
+        applied=applied,
+        masses=lambda: M,
+        velocity_forces=lambda: [ZERO] * len(eq.q),
+    )

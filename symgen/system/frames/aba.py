@@ -59,7 +59,7 @@ def free_joint_accelerations(
     return solution.outward()
 
 
-@dataclass
+@dataclass(frozen=True)
 class _Subtree:
     """I^A and p^A of what is beyond a place, and U by column."""
 
@@ -101,21 +101,22 @@ class _ArticulatedBodies:
         subtrees = [_Subtree(ArticulatedInertia.of(no_masses())) for _ in self._tree.frames]
         for k in reversed(range(len(self._tree.frames))):
             frame, here = self._tree.frames[k], subtrees[k]
-            here.p_A = here.p_A.plus(wrenches[k])
+            here = replace(here, p_A=here.p_A.plus(wrenches[k]))
             if frame.inertia is not None:
-                here.I_A = here.I_A.plus(ArticulatedInertia.of(frame.inertia.rigid))
+                here = replace(here, I_A=here.I_A.plus(ArticulatedInertia.of(frame.inertia.rigid)))
                 for (row, column), value in frame.inertia.own_masses().items():
                     self._add(row, column, value)
                 gather(here.U, {c: momentum for c, momentum in frame.inertia.momenta.items() if c in self._tau})
-            self._eliminate((k, len(frame.transforms)), here, None)
+            here = self._eliminate((k, len(frame.transforms)), here, None)
             for place in reversed(range(len(frame.transforms))):
-                self._through(frame.transforms[place], (k, place), here)
+                here = self._through(frame.transforms[place], (k, place), here)
             if frame.parent != GROUND:
                 parent = subtrees[frame.parent]
-                parent.I_A, parent.p_A = parent.I_A.plus(here.I_A), parent.p_A.plus(here.p_A)
                 gather(parent.U, here.U)
+                subtrees[frame.parent] = _Subtree(parent.I_A.plus(here.I_A), parent.p_A.plus(here.p_A), parent.U)
 
-    def _through(self, transform: JointTransform, place: Place, here: _Subtree) -> None:
+    def _through(self, transform: JointTransform, place: Place, here: _Subtree) -> _Subtree:
+        """What is beyond a transform, seen before it."""
         S = {column: twist for column, twist in transform.twists.items() if column in self._tau}
         U = {column: here.I_A.momentum(twist) for column, twist in S.items()}
         alone = (
@@ -131,12 +132,15 @@ class _ArticulatedBodies:
             for other in list(S)[position:]:
                 self._add(column, other, U[column].along(S[other]))
         gather(here.U, U)
-        self._eliminate(place, here, transform if alone else None)  # type: ignore[arg-type]
-        here.I_A, here.p_A = transform.composite(here.I_A), transform.wrench(here.p_A)
-        here.U = {column: transform.wrench(wrench) for column, wrench in here.U.items()}
+        left = self._eliminate(place, here, transform if alone else None)  # type: ignore[arg-type]
+        U = {column: transform.wrench(wrench) for column, wrench in left.U.items()}
+        return _Subtree(transform.composite(left.I_A), transform.wrench(left.p_A), U)
 
-    def _eliminate(self, place: Place, here: _Subtree, hinge: JointNode | None) -> None:
-        """The columns that are met nowhere nearer to the ground. A hinge passes on its own force alone as a moment."""
+    def _eliminate(self, place: Place, here: _Subtree, hinge: JointNode | None) -> _Subtree:
+        """Without the columns that are met nowhere nearer to the ground. A hinge passes on its own force as a
+        moment.
+        """
+        I_A, p_A = here.I_A, here.p_A
         for column in sorted(column for column in here.U if self._last[column] == place):
             U, u = here.U.pop(column), self._u.pop(column)
             if (column, column) not in self._D:
@@ -147,15 +151,16 @@ class _ArticulatedBodies:
             others = {other: mul(inverse, mass) for other, mass in masses.items()}
             freed = _Freed(column, mul(inverse, u), U.scaled(inverse), others, hinge)
             self._freed.setdefault(place, []).append(freed)
-            here.p_A, here.I_A = here.p_A.minus(U.scaled(freed.u)), here.I_A.less(U, freed.U)
+            p_A, I_A = p_A.minus(U.scaled(freed.u)), I_A.less(U, freed.U)
             if hinge is not None:
-                here.p_A.n[hinge.axis] = mul(hinge.sign, self._tau[column])
-                here.I_A = here.I_A.free_about(hinge.axis)
+                p_A.n[hinge.axis] = mul(hinge.sign, self._tau[column])
+                I_A = I_A.free_about(hinge.axis)
             for other, factor in others.items():
                 self._u[other] = add(self._u[other], mul(factor, u))
                 here.U[other] = here.U[other].plus(U.scaled(factor))
                 for second in (second for second in masses if second >= other):
                     self._add(other, second, mul(factor, masses[second]))
+        return _Subtree(I_A, p_A, here.U)
 
     def _add(self, i: int, j: int, value: ca.SX) -> None:
         if i in self._tau and j in self._tau and not value.is_zero():

@@ -275,14 +275,14 @@ class _Sums:
     def add(self, k: int, ends: list[_End]) -> None:
         """What a frame adds, with the forces of joints on it."""
         inertia, place = self._tree.frames[k].inertia, self._places[k]
-        transformed = FramePlace(place.steps, place.motion)
-        if inertia is not None:
-            transformed.state = self._sweep.body(inertia, place.motion)
+        state = None if inertia is None else self._sweep.body(inertia, place.motion)
+        transformed = FramePlace(place.steps, place.motion, state)
         closed = len(ends) == 1 and len(place.parts) > len(self._place(ends[0].other.frame).parts)
         if len(ends) == 1 and (closed or isinstance(inertia, FlexibleNode)):
             transformed = self._at_marker(transformed, ends[0])
         else:
-            transformed.forces = [(end.own.end.r, end.force) for end in ends if isinstance(end.own.end, JointNode)]
+            forces = [(end.own.end.r, end.force) for end in ends if isinstance(end.own.end, JointNode)]
+            transformed = FramePlace(place.steps, place.motion, state, forces)
         fields = [field_along(direction, transformed.parts) for direction in self._directions]
         if closed:
             fields = self._closed(fields, ends[0])
@@ -290,8 +290,8 @@ class _Sums:
 
     def _at_marker(self, place: FramePlace, end: _End) -> FramePlace:
         """The same masses looked at from the marker of a joint."""
-        transformed = place.after(end.own.end, *self._moving)
-        transformed.state, transformed.forces = place.state, [(zeros(), end.force)]
+        after = place.after(end.own.end, *self._moving)
+        transformed = replace(after, state=place.state, forces=[(zeros(), end.force)])
         if place.state is not None:
             transform = end.own.end
             back = (

@@ -368,6 +368,18 @@ class Subtree:
         for column, row in other.rows.items():
             self.rows[column] = self.rows[column].plus(row) if column in self.rows else row
 
+    def carry_before(self, transform: Node, moved: TransformState, parts: list[FieldPart]) -> None:
+        """Carry rows, inertia and wrench to the place before a transform."""
+        for part in parts:
+            row = self.tangent.row(part.field.twist)
+            for column, share in part.shares.items():
+                own = row.scaled(share)
+                self.rows[column] = self.rows[column].plus(own) if column in self.rows else own
+        velocity = scaled(TWO, relative_motion(transform, moved).V)
+        self.rows = {column: _row_before(transform, row, velocity) for column, row in self.rows.items()}
+        self.tangent = _tangent_before(transform, velocity, self.tangent)
+        self.wrench = transform.wrench(self.wrench)
+
 
 def _no_subtree() -> Subtree:
     return Subtree(Tangent(no_masses(), zeros(), [zeros() for _ in range(3)]))
@@ -443,23 +455,11 @@ class ForceSweep:
             for row, value in transform.powers(wrench).items():
                 add_to(self.D[row], column, value)
             state.by_rate[column] = transform.wrench(wrench)
-        self._before(transform, moved, state, parts)
+        state.carry_before(transform, moved, parts)
 
     def _shared(self, target: list[Row], row: int, part: FieldPart, value: ca.SX) -> None:
         for column, share in part.shares.items():
             add_to(target[row], column, mul(share, value))
-
-    def _before(self, transform: Node, moved: TransformState, state: Subtree, parts: list[FieldPart]) -> None:
-        """Rows, inertia and wrench as seen before a transform."""
-        for part in parts:
-            row = state.tangent.row(part.field.twist)
-            for column, share in part.shares.items():
-                own = row.scaled(share)
-                state.rows[column] = state.rows[column].plus(own) if column in state.rows else own
-        velocity = scaled(TWO, relative_motion(transform, moved).V)
-        state.rows = {column: _row_before(transform, row, velocity) for column, row in state.rows.items()}
-        state.tangent = _tangent_before(transform, velocity, state.tangent)
-        state.wrench = transform.wrench(state.wrench)
 
 
 def _shares(part: FieldPart, wrench: Force) -> dict[int, Force]:
