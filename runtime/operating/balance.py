@@ -191,6 +191,10 @@ class Clamped:
     goal: np.ndarray
     loop: np.ndarray
 
+    def with_constants(self, c: np.ndarray) -> Clamped:
+        """The same with other constants c (c_size,)."""
+        return replace(self, functions=PointFunctions(self.model, c, self.functions.drives_move))
+
     def state(self, q_i: np.ndarray) -> State:
         """The state at q_i."""
         return State(self.t, q_i, self.rates(q_i), self.loop)
@@ -321,8 +325,9 @@ def _reciprocal(sizes: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Trimmed:
-    """q_i, p and the iterations it took; converged."""
+    """q_i, p and the iterations it took; converged. clamped: with the constants of the last p."""
 
+    clamped: Clamped
     q_i: np.ndarray
     p: np.ndarray
     iterations: int
@@ -332,7 +337,7 @@ class Trimmed:
 def trimmed(model: EmittedModel, clamped: Clamped, q_i: np.ndarray, p: np.ndarray, names: Sequence[str]) -> Trimmed:
     """Newton on Q_hat(q_i, p) = 0 and the clamped coordinates' values, over q_i and the named parameters.
 
-    It begins at the equilibrium with holding forces. `clamped` is left with the constants of the last p.
+    It begins at the equilibrium with holding forces.
     """
     drives_move = clamped.functions.drives_move
     by_parameters = force_by_parameters(model, names, drives_move)
@@ -340,7 +345,7 @@ def trimmed(model: EmittedModel, clamped: Clamped, q_i: np.ndarray, p: np.ndarra
     n, p = len(q_i), p.copy()
     start = np.inf
     for iteration in range(TRIM_ITERATIONS):
-        clamped.functions = PointFunctions(model, model.constants(p), drives_move)
+        clamped = clamped.with_constants(model.constants(p))
         at = clamped.values(q_i)
         if at is None:
             break
@@ -357,7 +362,7 @@ def trimmed(model: EmittedModel, clamped: Clamped, q_i: np.ndarray, p: np.ndarra
         done = np.abs(step[:n]).max() <= TRIM_TOLERANCE * max(1.0, float(np.abs(q_i).max()))
         done = done and bool(np.all(np.abs(step[n:]) <= 1e-11 * np.maximum(np.abs(p[index]), 1e-300)))
         if done or size == 0:
-            return Trimmed(q_i, p, iteration, size <= BALANCED * max(start, 1e-300) or iteration == 0)
+            return Trimmed(clamped, q_i, p, iteration, size <= BALANCED * max(start, 1e-300) or iteration == 0)
         q_i = q_i + step[:n]
         p[index] += step[n:]
-    return Trimmed(q_i, p, TRIM_ITERATIONS, False)
+    return Trimmed(clamped, q_i, p, TRIM_ITERATIONS, False)

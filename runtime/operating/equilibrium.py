@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import casadi as ca
 import numpy as np
@@ -164,26 +164,28 @@ def equilibrium(
     functions = PointFunctions(model, model.constants(p), moving)
     clamped, q_i = _clamped(functions, p, t if at_time is None else at_time, held, rates, fixed, initial)
     if model.element_modes.size:
-        p = _sliding(clamped, q_i, p)
+        p, clamped = _sliding(clamped, q_i, p)
     # a controller that wants something else than what is held has no balance before its inputs are solved for
     found = Found(q_i, True, np.zeros(0), 0) if trim and model.states else clamped.solve(q_i)
     if not found.converged:
-        found = _led_around(clamped, p, initial, held) or found
+        around = _led_around(clamped, p, initial, held)
+        found, clamped = (found, clamped) if around is None else around
     if not found.converged:
         raise _failure(model, clamped, found)
     stops = any(event.side for event in model.mode_events)
     if stops:
         from runtime.operating.resting import on_stops
 
-        found, p = on_stops(clamped, found, p)
+        found, p, clamped = on_stops(clamped, found, p)
         if not found.converged:
             raise _failure(model, clamped, found)
     q_i, iterations = found.x, found.iterations
     if trim:
         trim_found = trimmed(model, clamped, q_i, p, trim)
         if not trim_found.converged:
-            raise _no_trim(clamped, trim, fixed)
+            raise _no_trim(trim_found.clamped, trim, fixed)
         q_i, p, iterations = trim_found.q_i, trim_found.p, iterations + trim_found.iterations
+        clamped = trim_found.clamped
     values = dict(zip([parameter.name for parameter in model.parameters], p, strict=True))
     balanced = _equilibrium(
         clamped, q_i, p, tuple(held), tuple(rates), {name: float(values[name]) for name in trim}, iterations
@@ -267,7 +269,8 @@ def _clamped(
     task = Clamped(model, functions, t, np.zeros(len(q_i)), rows, np.zeros(0), loop)
     at = task.values(q_i)
     if at is not None:
-        task.goal = np.array([held.get(name, float(at.places[row])) for name, row in zip(fixed, rows, strict=True)])
+        goal = [held.get(name, float(at.places[row])) for name, row in zip(fixed, rows, strict=True)]
+        task = replace(task, goal=np.array(goal))
     placed = task.placed(q_i) if at is not None else None
     if placed is None:
         wanted = ", ".join(f"{name} = {held[name]:g}" for name in held) or "closed loops"
@@ -275,14 +278,16 @@ def _clamped(
             f"model {model.name} has no state with {wanted} in reach of its initial one: begin closer with "
             "`initial`, or hold other coordinates"
         )
-    task.v = steady_rates(functions, t, placed, task.loop, rates)
-    return task, placed
+    return replace(task, v=steady_rates(functions, t, placed, task.loop, rates)), placed
 
 
 def _led_around(
     clamped: Clamped, p: np.ndarray, initial: Mapping[str, float], held: Mapping[str, float]
-) -> Found | None:
-    """The equilibrium at rest found on all coordinates, where the way in the independent ones was barred."""
+) -> tuple[Found, Clamped] | None:
+    """The equilibrium at rest found on all coordinates, where the way in the independent ones was barred.
+
+    With the task whose loops are closed there.
+    """
     model = clamped.model
     if not model.loop_unknowns or model.states or clamped.v.any() or not model.has("augmented"):
         return None
@@ -290,8 +295,8 @@ def _led_around(
     q = AllCoordinates(model, clamped.functions.c, clamped.t, clamped.rows, clamped.goal).solve(start.q)
     if q is None:
         return None
-    clamped.loop = loop_part(model, q)
-    return clamped.solve(independent_part(model, q))
+    there = replace(clamped, loop=loop_part(model, q))
+    return there.solve(independent_part(model, q)), there
 
 
 def _equilibrium(
@@ -336,18 +341,17 @@ def _equilibrium(
     )
 
 
-def _sliding(clamped: Clamped, q_i: np.ndarray, p: np.ndarray) -> np.ndarray:
-    """p with the modes of friction by the rates where the search starts, as `clamped` has them from here on."""
+def _sliding(clamped: Clamped, q_i: np.ndarray, p: np.ndarray) -> tuple[np.ndarray, Clamped]:
+    """p with the modes of friction by the rates where the search starts, and `clamped` with its constants."""
     model, at = clamped.model, clamped.values(q_i)
     if at is None:
-        return p
+        return p, clamped
     from runtime.operating.resting import signs, state_of, with_modes
 
     refuse_reactions(model, "is open in an equilibrium", "give coulomb, or step it")
     state, c = state_of(clamped, at, q_i)
     found = with_modes(model, p, signs(model, state, c))
-    clamped.functions.c = model.constants(found)
-    return found
+    return found, clamped.with_constants(model.constants(found))
 
 
 def _held_by(clamped: Clamped, at: PointValues, q_i: np.ndarray) -> tuple[dict[str, float], np.ndarray]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -153,10 +153,10 @@ def held(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray) -> tu
 CLOSED_GAP = 1e-12  # m or rad
 
 
-def on_stops(clamped: Clamped, found: Found, p: np.ndarray) -> tuple[Found, np.ndarray]:
+def on_stops(clamped: Clamped, found: Found, p: np.ndarray) -> tuple[Found, np.ndarray, Clamped]:
     """From an equilibrium with all stops open the one that rests on those it is beyond, and p with their modes.
 
-    `clamped` is left with the constants of that p. Where no choice comes out, the last is what is found.
+    And `clamped` with the constants of that p. Where no choice comes out, the last is what is found.
     """
     model, iterations = clamped.model, found.iterations
     stops = np.array([bool(one.side) for one in model.mode_events])
@@ -174,13 +174,13 @@ def on_stops(clamped: Clamped, found: Found, p: np.ndarray) -> tuple[Found, np.n
         closed = (closed | off) & ~pulls
         placed = _placed(clamped, found.x, closed)
         if placed is None:
-            clamped.loop = at.loop
+            clamped = replace(clamped, loop=at.loop)
             break
         p = with_modes(model, p, np.where(stops, np.where(closed, 0.0, 1.0), now))
-        clamped.functions.c = model.constants(p)
+        clamped = clamped.with_constants(model.constants(p))
         found = clamped.solve(placed)
         iterations += found.iterations
-    return Found(found.x, found.converged, found.residual, iterations), p
+    return Found(found.x, found.converged, found.residual, iterations), p, clamped
 
 
 def _rows(clamped: Clamped, at: PointValues) -> tuple[np.ndarray, np.ndarray]:

@@ -250,7 +250,7 @@ def _followed(
     task = Clamped(model, functions, float(times[0]), np.zeros(len(q_i)), [], np.zeros(0), loop)
     places, rates = [], []
     for t in times:
-        task.t = float(t)
+        task = replace(task, t=float(t))
         found = task.solve(q_i)
         at = task.values(found.x) if found.converged else None
         if at is None:
