@@ -20,6 +20,7 @@
 #define BY (BACK + NSTOPS)
 #define A_OF (BY + NI * NV)
 #define B_OF (A_OF + NV * NV)
+#define SLIDES (B_OF + NV) /* where some friction falls as it lets go */
 
 static double larger(double a, double b) { return a > b ? a : b; }
 
@@ -270,7 +271,7 @@ static int lawful(const Place *o, const double *modes, const int *rest, const do
 static int once(const Place *o, double *modes, const int *happened, const double *come, int *soon) {
   double *v = o->at + NI + NQD, *y = o->y, push[NI] = {0}, rate[NV], e[NM], until[NM], force[NV] = {0};
   const double slow = AT_REST * (1.0 + largest_of(v, NI));
-  int on[NM], touched[NM], hit[NM] = {0}, rest[NV] = {0}, open[NV] = {0}, k, j, s = 0, any = 0, again = 0;
+  int on[NM], touched[NM], hit[NM] = {0}, rest[NV] = {0}, open[NV] = {0}, k, j, s = 0, any = 0, again = 0, drops;
   Bounded b;
   memcpy(until, modes, sizeof until);
   weigh(o);
@@ -312,7 +313,16 @@ static int once(const Place *o, double *modes, const int *happened, const double
     rest[k] = ++b.n; /* its number among them, from 1 */
   }
   EACH(k, NV) EACH(j, NV) if (rest[k] && rest[j]) b.A[rest[k] - 1 + b.n * (rest[j] - 1)] = y[A_OF + k + NV * j];
-  if (!complementary(&b)) return -1;
+  do {
+    drops = 0;
+    if (!complementary(&b)) return -1;
+    EACH(k, NV) if (NSEEN > SLIDES && rest[k] && b.at[rest[k] - 1] != 0) {
+      const double slides = y[SLIDES + k];
+      j = rest[k] - 1;
+      if (b.upper[j] < INFINITY && slides < b.upper[j]) b.upper[j] = slides, drops = 1;
+      if (b.lower[j] > -INFINITY && -slides > b.lower[j]) b.lower[j] = -slides, drops = 1;
+    }
+  } while (drops); /* what lets go falls to that at once, which others may not hold */
   balance(&b);
   EACH(k, NV) if (rest[k]) force[k] = b.f[rest[k] - 1];
   EACH(k, NM) {

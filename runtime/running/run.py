@@ -341,7 +341,9 @@ class Run:
         self._hold(w)
         self.earlier = None
         self.note_impulses()
-        self.status = self.checked() or self.event_handler.status
+        own = self.event_handler.status
+        failed = own is not None and not own.ok  # it knows the time
+        self.status = own if failed else self.checked() or own
 
     def note_impulses(self) -> None:
         """Tell those of prescribed motions until here."""

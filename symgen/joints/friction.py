@@ -68,6 +68,9 @@ class Friction(StrictModel):
         falls = self.stribeck != 0 and (self.stribeck is not None or (most is not None and most != least))
         if falls and self.stribeck_velocity is None:
             yield Fault("friction", f"falls from {holds} to {slides} over no velocity", "give a stribeck_velocity")
+        if self.stribeck not in (None, 0) and most is None:
+            remedy = "give a breakaway of at least coulomb and stribeck together"
+            yield Fault("friction.stribeck", "is beyond what holds, which is coulomb", remedy)
         if not falls and self.stribeck_velocity is not None:
             remedy = f"give a {holds} above {slides}" if self.stribeck is None else "leave it out, or stribeck"
             yield Fault("friction.stribeck_velocity", "has nothing to act on", remedy)

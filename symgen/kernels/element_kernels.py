@@ -77,7 +77,8 @@ def _elements(locked: Locks, a: Arguments, grips: Grips) -> Kernel:
 
     Of friction by reactions R: Q_hat and holds without R, what they gain with R, and
     R_k = |F_0 + F_a q_i'' + F_R R + F_f f|_k with forces f on the elements; shares: by which they share what is held.
-    holds is negative or no number where a limit of friction has become that: by so much.
+    holds is negative or no number where a limit of friction has become that: by so much. slides: forces of friction
+    that has let go, where some are less than what holds.
     """
     system, own = locked.system, locked.elements
     outputs = {
@@ -88,6 +89,8 @@ def _elements(locked: Locks, a: Arguments, grips: Grips) -> Kernel:
         "v_rel": ca.densify(ca.vertcat(*(one.rate for one in own))),
         "holds": ca.densify(ca.vertcat(*(_where_it_is_a_limit(one, one.holds) for one in own))),
     }
+    if any(one.friction is not None and one.friction.slides is not None for one in own):
+        outputs["slides"] = ca.densify(ca.vertcat(*(one.slides for one in own)))
     if stops := [stop for one in own for stop in one.stops]:
         outputs["gap"] = ca.densify(ca.vertcat(*(one.gap for one in stops)))
         outputs["restitution"] = ca.densify(ca.vertcat(*(one.restitution for one in stops)))

@@ -189,7 +189,7 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "Directions that may stick, v_rel = G q_i', v_rel' = G q_i'' + G_bias, and M_hat, Q_hat with none stuck",
             "condensed",
             f"{STATE} t u c",
-            "M_hat Q_hat G G_bias v_rel holds gap restitution Q_hat_R holds_R F_0 F_a F_R F_f shares margin",
+            "M_hat Q_hat G G_bias v_rel holds slides gap restitution Q_hat_R holds_R F_0 F_a F_R F_f shares margin",
         ),
         _spec(
             "element_forces",

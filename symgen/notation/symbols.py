@@ -106,6 +106,7 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation("G", "", "", "n_e x n_i", "mixed", "v_rel = G q_i'"),
     Notation("G_bias", "", "", "n_e", "m/s^2, rad/s^2", "what G leaves of v_rel'"),
     Notation("holds", "", "", "n_e", "N, N m", "the largest force that keeps such a direction stuck"),
+    Notation("slides", "", "", "n_e", "N, N m", "the force against such a direction once it slides"),
     Notation(
         "Q_hat_R", "", "", "n_i x n_r", "mixed", "what Q_hat gains with each reaction R that friction is a share of"
     ),

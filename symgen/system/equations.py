@@ -70,7 +70,8 @@ class Rubbing:
 
     holds: the force on v that keeps it stuck lies between -holds and holds. Where it moves, its law is a force.
     reaction: the size of the joint's force as a symbol in both, where they are a share of it. margin: where its limits
-    change as the run goes on, how far the least of what must not be negative is from that.
+    change as the run goes on, how far the least of what must not be negative is from that. slides: the force against a
+    slow sliding, where it may be less than what holds.
     """
 
     name: str
@@ -79,6 +80,7 @@ class Rubbing:
     holds: ca.SX
     reaction: ca.SX | None
     margin: ca.SX | None = None
+    slides: ca.SX | None = None
 
     def record(self, row: int) -> EventRecord:
         """Of the event that ends a mode; row: of the element."""
@@ -143,6 +145,11 @@ class Element:
     def holds(self) -> ca.SX:
         """Force up to which friction holds."""
         return ZERO if self.friction is None else self.friction.holds
+
+    @property
+    def slides(self) -> ca.SX:
+        """Force of friction once it slides."""
+        return self.holds if self.friction is None or self.friction.slides is None else self.friction.slides
 
     @property
     def share(self) -> ca.SX:

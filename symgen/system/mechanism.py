@@ -341,7 +341,9 @@ class Mechanism(Generic[Marker]):
         row = {column: mul(force, value) for column, value in own.C_q.items()}
         self._add_effect(name, LoadEffect(row, dissipated=neg(mul(force, v))))
         margin = reduce(ca.fmin, margins) if margins else None
-        return Rubbing(item, s, force, mul(by, holds), reaction, margin)
+        drops = getattr(friction, most) is not None and friction.stribeck is not None
+        slides_at = mul(by, add(least, beyond)) if drops else None
+        return Rubbing(item, s, force, mul(by, holds), reaction, margin, slides_at)
 
     def _changes(self, value: float | str | None, item: str) -> bool:
         """Does a quantity depend on more than parameters, so that it changes during a run?"""

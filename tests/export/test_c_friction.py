@@ -72,7 +72,22 @@ def slippery() -> Scene:
     return builder.force("pull", "block.origin", "2 * max(t - 1, 0)", 0.0)
 
 
+def clutches() -> Scene:
+    """A clutch by an input, one by ramps of time, a brake by the motion; what lets go falls to coulomb at once."""
+    builder = Scene("clutches").input("lim", 5.0, "N m").measure("turn", "angle", "A.origin").ground()
+    for name, inertia in zip("ABC", (1.0, 0.7, 0.4), strict=True):
+        builder.rigid(name, mass=1.0, inertia=inertia)
+    builder.revolute("c0", "ground.origin", "A.origin", friction={"coulomb": "abs(turn)"})
+    builder.revolute("c1", "A.origin", "B.origin", friction={"coulomb": "lim * step(t - 0.2)"})
+    falls = {"coulomb": "min(20*t, 5)", "breakaway": "1.2 * min(20*t, 5)", "stribeck": 0.0}
+    builder.revolute("c2", "B.origin", "C.origin", friction=falls)
+    builder.event("far", "turn - 0.7", direction="rising", action={"lim": 0.5})
+    return builder.torque("drive", "A.origin", "4*sin(6*t) + 1").torque("other", "C.origin", "6*sin(7.3*t)")
+
+
 CASES: list[Any] = [
+    (clutches, "rk4", 0.002, 2000, 8),
+    (clutches, "single_rate", 0.002, 2000, 8),
     (block, "rk4", 0.01, 1000, 5),
     (block, "single_rate", 0.01, 1000, 5),
     (lambda: links(2), "rk4", 0.01, 600, 39),

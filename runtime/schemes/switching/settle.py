@@ -167,11 +167,18 @@ def _balance(
         b, holds = own["b"], own["holds"]
         if n:
             b, holds = b + own["b_R"] @ R, holds + own["holds_R"] @ R
-        A, (lower, upper) = own["A"][np.ix_(rest, rest)], bounds.of(holds)
-        sides = complementary(A, b[rest], lower[rest], upper[rest], released[rest], shares)
-        if sides is None:
-            return None
-        force[rest], moving[rest] = balancing(A, b[rest], lower[rest], upper[rest], sides, shares), -sides
+        A, limits = own["A"][np.ix_(rest, rest)], holds
+        while True:
+            lower, upper = bounds.of(limits)
+            sides = complementary(A, b[rest], lower[rest], upper[rest], released[rest], shares)
+            if sides is None:
+                return None
+            moving[rest] = -sides
+            fallen = np.where(moving != 0, np.minimum(limits, own.get("slides", limits)), limits)
+            if (fallen == limits).all():
+                break
+            limits = fallen  # of what lets go, at once: it may be too much for others that held
+        force[rest] = balancing(A, b[rest], lower[rest], upper[rest], sides, shares)
         before = R
         if n:
             R = np.linalg.norm((own["F_0"] + own["F_f"] @ force + own["F_R"] @ R).reshape(n, -1), axis=1)
@@ -265,6 +272,7 @@ def weights(model: EmittedModel) -> ca.Function:
         found: dict[str, ca.SX] = {}
         found |= {name: own[name] for name in ("G", "v_rel", "holds", "gap", "restitution") if name in own}
         found |= {"by": by, "A": ca.triu2symm(ca.triu(G @ by)), "b": G @ free + own["G_bias"]}
+        found |= {"slides": own["slides"]} if "slides" in own else {}
         if "margin" in own:
             by_R = ca.horzcat(*(solve(factors, Number(one)).re for one in ca.horzsplit(own["Q_hat_R"])))
             found |= {"b_R": G @ by_R, "F_f": own["F_f"] + own["F_a"] @ by, "F_R": own["F_R"] + own["F_a"] @ by_R}
