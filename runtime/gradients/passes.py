@@ -1,5 +1,7 @@
 """Forward and reverse mode: a run along directions, and a run with its way back (the adjoint); derivatives of outputs.
 
+Forward mode gives sensitivities by the parameters and initial values, reverse mode the gradient of one number.
+
 Forward, each lane carries one direction. Backward, the outputs' bars are given and flow to the beginning: what steps
 and outputs read is on tapes. A short run is recorded whole. A long one keeps its state at some sqrt(n) steps and is run
 again from the last of them, then from the one before, so that memory grows as sqrt(n).

@@ -1,5 +1,7 @@
 """The equations of motion at a state, by the names of robotics: M(q) a + C(q, v) v + g(q) = tau.
 
+Inverse dynamics gives tau of the accelerations, forward dynamics the accelerations of tau.
+
 tau stands for generalised forces on q_i beside all loads of the scene, so M is M_hat, and C v + g is -Q_hat of Eq. (38)
 with inputs as they are given (or their defaults): springs, dampers and elastic forces are in it.
 """

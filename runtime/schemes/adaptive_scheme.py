@@ -1,10 +1,10 @@
 """Adaptive steps: a step of the run is as many steps of a one-step method as a tolerance asks for.
 
 The loop, the step size controller (step_size_controller.py) and the dense output are one program; the error is
-measured as error_norm.py says. The estimate is that of an embedded method, and where the method has it, the last
-evaluation of a step is the first of the next one (FSAL).
+measured as error_norm.py says. The estimate is that of an embedded pair (the local truncation error), and where the
+method has it, the last evaluation of a step is the first of the next one (FSAL).
 
-What `dt` is elsewhere is here the time between two states that can be configurations: t0 + n dt. The method's own
+What `dt` is elsewhere is here the time between two states that can be seen: t0 + n dt. The method's own
 steps do not end there; a state in between is had from the method's own interpolant. An application of the program
 is
 
@@ -52,7 +52,7 @@ from runtime.schemes.switching.watched import NEVER
 # What z and the constants hold of steps whose length follows from a tolerance, and what a run asks of it.
 
 BREAKPOINTS = 4  # times ahead that z knows; whoever runs the scheme fills in the next ones
-FIRST_STEP = 0.1  # of dt: the first step that is tried
+FIRST_STEP = 0.1  # of dt: the starting step size, the first step that is tried
 RANGE_GROWTH = 1.5  # ranges whose squares, weighted, add up to so much more than before make the weights be formed anew
 MIN_STEP, MIN_STEP_OF_TIME = 1e-12, 1e-14  # of dt and of t: shorter steps are not made
 LEAST_TIME_IN_STEP = 1e-12  # of a step: an interpolant is not asked for less

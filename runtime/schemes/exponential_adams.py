@@ -1,5 +1,7 @@
 """Exponential Adams steps of order 4 on the stiff deflections, with a point in the middle: two evaluations a step.
 
+A multistep method: accelerations of the last step are used again.
+
 As those of exponential_rk4.py they follow the stiff deflections beside a polynomial, which here goes through what was
 seen in the last step, too. With d for accelerations beside a_n and what the stiff part accounts for, half steps apart,
 

@@ -1,5 +1,7 @@
 """A one-step method, written once: what it evaluates at the start of a step, the step itself, and its dense output.
 
+Dense output is the continuous extension of a step: an interpolant of the method itself.
+
 How long steps are is not its concern. Its own program is a step of the grid in one stage; adaptive_scheme.py wraps the
 same method in steps that follow its estimate of the error. Fields of the start of a step: q_from, v_from, loop_from,
 t_from, a_from, and what `step_start` gives; side_offset [s]: how near to its ends time is looked at, where forces

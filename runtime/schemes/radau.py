@@ -5,9 +5,10 @@ Unknown are the accelerations K_i of the stages,
 
     q_i = q + c_i h v + h^2 sum_j (A^2)_ij K_j,    v_i = v + h sum_j A_ij K_j,    R_i = M (a_i - K_i) = 0.
 
-Newton's matrix and M are those at the start of the step. (Residuals Q_hat_i - M_hat_i K_i would save a factorisation
-a stage, but Newton would converge more slowly by an order of h.) The eigenvalues r of A^-1, one real and a complex
-pair, split the matrix: with A^-1 = T diag(r) T^-1, each iteration is one real and one complex solve of
+The iteration is simplified Newton: its matrix and M are those at the start of the step. (Residuals Q_hat_i -
+M_hat_i K_i would save a factorisation a stage, but Newton would converge more slowly by an order of h.) The
+eigenvalues r of A^-1, one real and a complex pair, split the matrix: with A^-1 = T diag(r) T^-1, each iteration is
+one real and one complex solve of
 
     (r^2 M - r h J_v - h^2 J_q) k = r^2 (T^-1 R),    K <- K + T k.
 

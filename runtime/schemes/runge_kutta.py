@@ -1,6 +1,7 @@
 """Explicit Runge-Kutta steps of one size: the classical method of order 4 and Dormand and Prince's of order 8.
 
-Opponents of the multirate schemes, compiled like them. The tableau of order 8 is SciPy's (E. Hairer's dop853).
+Opponents of the multirate schemes, compiled like them. Each is a Butcher tableau (`tableau`). That of order 8 is
+SciPy's (E. Hairer's dop853).
 """
 
 from __future__ import annotations

@@ -1,5 +1,7 @@
 """The step size controller: is a step accepted (`judge`), and how long is the next one (`propose`)?
 
+Step size control by the estimated local truncation error, in place of a PI controller, for the reason below.
+
 The rule is that of Hairer, Norsett & Wanner (4.13),
 
     h_next = h min(GROW, max(SHRINK, AIM^(1/p) e^(-1/p)))

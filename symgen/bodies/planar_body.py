@@ -1,5 +1,8 @@
 """One planar body of a scene: its points, and its share of M and Q_v (Eqs. 15-20).
 
+The body has a floating frame of reference (Shabana): R_o and theta, in which q_f deforms it. Q_v is the quadratic
+velocity force.
+
 A point is at r = R_o + A(theta) rho(q_f). In world components, with a = A rho, b = A rho' by q_f', the shape f of a
 mode there, n = A rho'' without second derivatives, and J, which turns by 90 degrees, for d/dtheta,
 

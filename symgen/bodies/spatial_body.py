@@ -1,5 +1,8 @@
 """One spatial body of a scene: its points and axes, and its share of M and Q_v (Eqs. 15-20).
 
+The body has a floating frame of reference (Shabana): R_o and the orientation of its axes, in which q_f deforms it.
+Q_v is the quadratic velocity force.
+
 Quaternions that move with coordinates: value, rows over q, rate, and acceleration without second derivatives.
 
 Products follow the product rule, so the constraint of a joint that places a body, e_child = e_parent K, has its rows,

@@ -1,4 +1,5 @@
-"""Accelerations of a tree in O(N): constraint substitutions and mass pivots interleaved from the tips to the root.
+"""Forward dynamics, accelerations of a tree in O(N): constraint substitutions and mass pivots interleaved from the
+tips to the root.
 
 Eliminating a body's dependent coordinates carries its inertia to its parent; eliminating its independent ones right
 after that (block L D L^T in topological order) leaves fill on the parent only. M_hat is never formed. This is the

@@ -1,5 +1,8 @@
 """The three mode sets: free, fixed-interface (Craig-Bampton), mixed.
 
+Modal reduction of a finite-element body (model order reduction, component mode synthesis). Free modes move no mass as a
+whole: the frame of the body is that of mean axes (Tisserand), its reference conditions.
+
 Static shapes of loads as modes: what the body does at rest under them is then held exactly, and so are its stresses.
 
 weight_x, ...: a unit acceleration along an axis; turn_x, ...: a unit angular acceleration about an axis through the

@@ -1,8 +1,9 @@
 """The paper's planar beam: a mesh of beam elements with masses lumped at its nodes (Eqs. 15-20).
 
-Cubic elements without rotary inertia bend; the rotations, which have no mass, follow statically from the deflections.
-Stretching is that of bars. The integrals of Eq. 20 are sums over the nodes. Shapes in closed form, what a beam has
-otherwise, are the limit: frequencies converge with the square of the elements.
+Cubic elements without rotary inertia bend; the rotations, which have no mass, follow statically from the
+deflections (static condensation, Guyan). Stretching is that of bars. The integrals of Eq. 20 are sums over the
+nodes. Shapes in closed form, what a beam has otherwise, are the limit: frequencies converge with the square of the
+elements.
 """
 
 from __future__ import annotations

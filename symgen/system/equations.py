@@ -1,5 +1,7 @@
 """The equations of the whole system in all coordinates q: M, Q*, C, C_q, C_t, gamma, energies (Eqs. 20-28).
 
+q are generalised coordinates with the holonomic constraints C(q, t) = 0: Lagrange's equations of the first kind.
+
 Sparse rows of CasADi SX, put together from the scene's bodies, joints and loads. Nothing is condensed here.
 """
 

@@ -1,5 +1,7 @@
 """From a joint type's rows to C, C_q, C_t and gamma in the quantities of its markers (Eqs. 21-27), in SymPy.
 
+Holonomic constraints, their constraint Jacobian C_q and gamma, what is quadratic in the rates.
+
 A joint type states only its rows C = 0. In the plane the direction t_a = (cos phi_a, sin phi_a) of marker a and its
 normal n_a turn with phi_a. In space an axis turns with its marker: its virtual change is pi x axis, its rate
 omega x axis; axis rates are symbols of their own, which keeps second derivatives short. The chain to the coordinates

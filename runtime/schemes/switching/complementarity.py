@@ -1,6 +1,6 @@
 """Forces between bounds on directions that are at rest: a box-constrained linear complementarity problem.
 
-With v' = b + A f, A = G M_hat^-1 G^T,
+With v' = b + A f, where A = G M_hat^-1 G^T is the Delassus matrix,
 
     f at its lower bound: v' >= 0,    f between its bounds: v' = 0,    f at its upper bound: v' <= 0.
 

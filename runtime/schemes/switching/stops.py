@@ -1,6 +1,8 @@
 """Impacts on rigid stops, by Newton's law of restitution, and bounces that come too close (Zeno behaviour).
 
-The impulses solve a linear complementarity problem (unilateral constraints, Moreau's impact law).
+The impulses solve a linear complementarity problem (unilateral constraints, Moreau's impact law). Poisson's
+hypothesis, which divides the impulse into compression and restitution, is not used: both agree for impacts of a single
+stop without friction.
 
 A stop is an end of the way of a direction v = G q_i': its gap changes with v_s = side v. Of all that touch, and do not
 leave, the impulses p >= 0 along v_s solve

@@ -1,5 +1,7 @@
 """The times at which loads and prescribed motions jump or kink: where a condition of the model changes its sign.
 
+These are the known discontinuities (breakpoints) of the right-hand side; those that depend on the motion are events.
+
 A condition is a function of time once the parameters are numbers. Interval bounds of it and of its slope tell where it
 has no zero and where it has at most one; what is left is halved (bisection). So of `sin(w t) > 0` every change is
 found, however short its period is beside a step.

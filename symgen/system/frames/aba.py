@@ -1,10 +1,11 @@
-"""Accelerations of a tree of frames in O(N): the articulated-body algorithm, for a generalised force given by column.
+"""Forward dynamics of a tree of frames in O(N): the articulated-body algorithm, for a generalised force by column.
 
 R. Featherstone, Rigid Body Dynamics Algorithms, Springer 2008, ch. 7.
 
-From the tips to the ground each place carries the articulated inertia I^A of all beyond it and the wrench p^A that is
-left of the forces there. A coordinate whose twist is S, with U = I^A S, D = S.U and u = tau - S.p^A, is eliminated at
-the last transform on this way that depends on it, and on the way out its acceleration follows from that of the frame:
+From the tips to the ground each place carries the articulated inertia I^A of all beyond it and the wrench p^A (the bias
+force) that is left of the forces there. A coordinate whose twist is S, with U = I^A S, D = S.U and u = tau - S.p^A,
+is eliminated at the last transform on this way that depends on it, and on the way out its acceleration follows from
+that of the frame:
 
     I^A -= U U^T / D,    p^A += U u / D,    x'' = (u - U.a) / D.
 

@@ -1,4 +1,7 @@
-"""What is passed along a tree of frames, all in the axes of the frame it stands at: motions, wrenches, inertia.
+"""Spatial algebra: motions (twists), wrenches and inertia along a tree of frames, in the axes of the frame they
+stand at.
+
+Featherstone's spatial vectors, each as two vectors of three: `Motion`, `Force`, `Inertia`, `ArticulatedInertia`.
 
 A frame moves with the angular velocity omega and the angular acceleration alpha; its origin has the acceleration a. No
 linear velocity occurs. A point fixed at rho has the acceleration a + G rho with G = alpha~ + omega~^2.
@@ -181,7 +184,8 @@ class FrameMotion:
 
 @dataclass(frozen=True)
 class Inertia:
-    """Mass m, first moment h = int rho dm and second moments Sigma = int rho rho^T dm about the frame's origin.
+    """Spatial inertia: mass m, first moment h = int rho dm and second moments Sigma = int rho rho^T dm about the
+    frame's origin.
 
     The inertia tensor is tr(Sigma) - Sigma. A shift changes three entries of Sigma where it changes five of the tensor.
     """
