@@ -217,8 +217,8 @@ class StressRecovery:
         at = nodes >= 0
         elements[at] = first[nodes[at]]
         local[at] = np.asarray(self.basis.elem.doflocs, dtype=float)[corner[nodes[at]]]
-        for k in map(int, np.flatnonzero(~at)):
-            found = self._nearest(places[k], size)
+        others = np.flatnonzero(~at)
+        for k, found in zip(map(int, others), self._nearest(places[others], size), strict=True):
             if found is None:
                 nearest = self.node_places[near[k]] - origin
                 raise FiniteElementError(
@@ -247,13 +247,24 @@ class StressRecovery:
         margin = REACH * (high - low).max(axis=1, keepdims=True)
         return low - margin, high + margin
 
-    def _nearest(self, place: Array, size: float) -> tuple[int, Array] | None:
-        """The element that holds the place (3,), and where in it; None where none is near."""
+    def _nearest(self, places: Array, size: float) -> list[tuple[int, Array] | None]:
+        """Of each place (m, 3) the element that holds it, and where in it; None where none is near."""
         low, high = self._boxes
-        near = np.flatnonzero(np.all((low <= place) & (place <= high), axis=1))
+        near = [np.flatnonzero(np.all((low <= place) & (place <= high), axis=1)) for place in places]
+        counts = [len(one) for one in near]
+        if not sum(counts):
+            return [None] * len(places)
+        every, every_converged = self._inverse(np.repeat(places, counts, axis=0), np.concatenate(near), size)
+        ends = np.cumsum(counts)[:-1]
+        parts = zip(places, near, np.split(every, ends), np.split(every_converged, ends), strict=True)
+        return [self._best(*part) for part in parts]
+
+    def _best(
+        self, place: Array, near: Integers, local: Array, converged: NDArray[np.bool_]
+    ) -> tuple[int, Array] | None:
+        """Of the elements near a place (3,), with its local coordinates (e, 3) in each, the one that holds it."""
         if not near.size:
             return None
-        local, converged = self._inverse(place, near, size)
         outside = np.maximum(-local.min(axis=1), local.max(axis=1) - 1.0)
         if not self.hexahedra:
             outside = np.maximum(-local.min(axis=1), local.sum(axis=1) - 1.0)
@@ -278,18 +289,18 @@ class StressRecovery:
         shares = nnls(system, np.append((place - corner) / size, 1.0 / ONE))[0]
         return np.asarray(shares[1:] / shares.sum())
 
-    def _inverse(self, place: Array, elements: Integers, size: float) -> tuple[Array, NDArray[np.bool_]]:
-        """Local coordinates (e, 3) of a place (3,) in elements (e,) by Newton's method, and whether it converged."""
+    def _inverse(self, places: Array, elements: Integers, size: float) -> tuple[Array, NDArray[np.bool_]]:
+        """Local coordinates (e, 3) of places (e, 3) in elements (e,) by Newton's method, and whether it converged."""
         mapping = self.basis.mapping
         local = np.full((AXES, len(elements), 1), 0.5 if self.hexahedra else 0.25)
         for _ in range(NEWTON_STEPS):
-            apart = place[:, None] - np.asarray(mapping.F(local, tind=elements))[:, :, 0]
+            apart = places.T - np.asarray(mapping.F(local, tind=elements))[:, :, 0]
             if np.linalg.norm(apart, axis=0).max() <= CONVERGED * size:
                 break
             slopes = np.asarray(mapping.DF(local, tind=elements))[:, :, :, 0].transpose(2, 0, 1)
             step = np.linalg.solve(slopes, apart.T[:, :, None])[:, :, 0].T
             local = np.clip(local + np.clip(step, -0.5, 0.5)[:, :, None], -1.0, 2.0)
-        apart = place[:, None] - np.asarray(mapping.F(local, tind=elements))[:, :, 0]
+        apart = places.T - np.asarray(mapping.F(local, tind=elements))[:, :, 0]
         return local[:, :, 0].T, np.linalg.norm(apart, axis=0) <= 1e3 * CONVERGED * size
 
     def _points_at(self, elements: Integers, local: Array) -> Array:

@@ -113,7 +113,7 @@ def test_a_restart_goes_on_with_other_steps(model_of: Build, tmp_path: Path) -> 
     assert own.observe()[place] == pytest.approx(t**2 / 4, rel=1e-12)
 
 
-@pytest.mark.every_push("flags1")
+@pytest.mark.every_push("flags1-flexible_slider_crank")  # compiling the spatial one takes some ten seconds
 @needs_compiler
 @pytest.mark.parametrize("name", ["flexible_slider_crank", "spatial_slider_crank"])
 @pytest.mark.parametrize(

@@ -167,7 +167,7 @@ def moreau(own: Any, start: np.ndarray, h: float, t_end: float) -> tuple[np.ndar
             bounds = most * arms
             lower, upper = np.append(-bounds, np.zeros(len(e) - len(G))), np.append(bounds, reached)
             for i in range(len(p)):
-                p[i] = np.clip(p[i] - (v[i] + A[i] @ p) / A[i, i], lower[i], upper[i])
+                p[i] = min(max(p[i] - (v[i] + A[i] @ p) / A[i, i], lower[i]), upper[i])
             if np.abs(p - before).max() < 1e-10 * max(np.abs(p).max(), 1e-3 * h):
                 break
         rates = free + by @ p
