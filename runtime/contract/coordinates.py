@@ -18,9 +18,14 @@ from runtime.contract.orientations import angular_velocity, chart_rates, exponen
 OMEGA = ("omega_x", "omega_y", "omega_z")
 
 
+def sides_in(model: EmittedModel) -> slice:
+    """Where the sides of jumps by the motion stand in c, before the charts."""
+    return slice(model.emitted_c_size, model.emitted_c_size + len(model.description.held))
+
+
 def charts_in(model: EmittedModel) -> slice:
     """Where the charts of orientations stand in c, before the numbers of inputs."""
-    first = model.emitted_c_size
+    first = sides_in(model).stop
     return slice(first, first + 4 * len(model.description.orientations))
 
 

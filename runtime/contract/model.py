@@ -396,8 +396,8 @@ class EmittedModel:
                     f"model {self.name} has no function {name!r}; it has {', '.join(self.builders)}. "
                     + ("Regenerate the scene with that function" if self.q_i else driven)
                 )
-            count = len(self.description.orientations)
-            self._kernels[name] = as_called(self.builders[name](), count, self.signals, self.emitted_c_size)
+            counts = len(self.description.held), len(self.description.orientations)
+            self._kernels[name] = as_called(self.builders[name](), *counts, self.signals, self.emitted_c_size)
         return self._kernels[name]
 
     def derived(self, name: str, build: Callable[[], T]) -> T:
@@ -430,8 +430,8 @@ class EmittedModel:
         `input_entries`. Raises ModelError for a function that the model does not have.
         """
         self.kernel(name)  # refuses a function that was not generated
-        count, size = len(self.description.orientations), self.emitted_c_size
-        own, constants = (as_called(self.builders[key](), count, Signals([]), size) for key in (name, "constants"))
+        counts, size = (len(self.description.held), len(self.description.orientations)), self.emitted_c_size
+        own, constants = (as_called(self.builders[key](), *counts, Signals([]), size) for key in (name, "constants"))
         return of_parameters(own, constants)
 
     def evaluate(self, name: str, **values: Any) -> dict[str, Any]:

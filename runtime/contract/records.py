@@ -218,7 +218,7 @@ Bound = Literal["any", "positive", "not negative"]
 # A ladder: what a function takes is known at its stage. Stage -> the arguments that are known from there on.
 STAGES: dict[str, tuple[str, ...]] = {
     "constants": ("p",),
-    "closure": ("c", "t", "u", "chart", "q_i", "q_d"),
+    "closure": ("c", "t", "u", "side", "chart", "q_i", "q_d"),
     "velocities": ("q_i_dot",),
     "condensed": ("q_d_dot", "q", "q_dot"),
     "accelerations": ("q_i_ddot", "q_L_ddot", "crossing", "interface", "shift", "push"),
@@ -419,7 +419,8 @@ class Description:
     beams: all of them; flexible: other bodies with modes in space that loads act on; gauges: where
     stresses are known; struts: between which markers bodies buckle;
     switching: the load, joint or state of each output of the function `switching`; events: those of `events`; kinks:
-    the load, joint or state of each output of `events` behind those of the events.
+    the load, joint or state of each output of `events` behind those of the events; held: positions in kinks of those
+    whose side steps may hold, in the order of the argument `side`.
     """
 
     name: str
@@ -447,6 +448,7 @@ class Description:
     events: list[EventRecord] = field(default_factory=list)
     switching: list[str] = field(default_factory=list)
     kinks: list[str] = field(default_factory=list)
+    held: list[int] = field(default_factory=list)
     orientations: list[OrientationRecord] = field(default_factory=list)
     gauges: list[GaugeRecord] = field(default_factory=list)
     struts: list[StrutRecord] = field(default_factory=list)
@@ -476,7 +478,7 @@ _TABLES: dict[str, type] = {
     "struts": StrutRecord,
 }
 # tables that are not written where they are empty
-_MAY_LACK = ("inputs", "beams", "flexible", "switching", "kinks", "events", "orientations", "gauges", "struts")
+_MAY_LACK = ("inputs", "beams", "flexible", "switching", "kinks", "held", "events", "orientations", "gauges", "struts")
 
 
 def as_plain(description: Description) -> dict[str, Any]:

@@ -1,7 +1,8 @@
 """Inputs u as functions of time: held values, values with rates, values behind a filter, functions.
 
-A kernel of the emitted code takes u, and charts of orientations. What the runtime calls takes [c, charts, w] instead
-of c, where w are the numbers that u(t) is made of; so whatever evaluates a model has them as well:
+A kernel of the emitted code takes u, charts of orientations, and sides of jumps by the motion. What the runtime calls
+takes [c, sides, charts, w] instead of c, where w are the numbers that u(t) is made of; so whatever evaluates a model has
+them as well. Sides are zero where nobody holds them.
 
     an input             its numbers in w                     u(t), s = t - since
     plain                value                                value
@@ -187,26 +188,27 @@ def _is_number(function: Callable[[Any], Any], time: float) -> bool:
         return False
 
 
-def as_called(kernel: ca.Function, charts: int, signals: Signals, c_size: int) -> ca.Function:
-    """A kernel of the emitted code as the runtime calls it: with [c, charts, w] for its c, with [p, w] for p.
+def as_called(kernel: ca.Function, sides: int, charts: int, signals: Signals, c_size: int) -> ca.Function:
+    """A kernel of the emitted code as the runtime calls it: with [c, sides, charts, w] for its c, with [p, w] for p.
 
-    charts: how many orientations have one; c_size: length of c. Without charts and inputs it is the kernel itself.
+    sides: how many jumps may be held; charts: how many orientations have one; c_size: length of c. Without all of them
+    it is the kernel itself.
     """
-    names, end = kernel.name_in(), c_size + 4 * charts
-    if not charts and not signals.inputs:
+    names, first, end = kernel.name_in(), c_size + sides, c_size + sides + 4 * charts
+    if not sides and not charts and not signals.inputs:
         return kernel
     if kernel.name() == "constants" or "p" in names:
         p, w = ca.SX.sym("p", kernel.size1_in(0)) if names else ca.SX(0, 1), ca.SX.sym("w", signals.size)
         of_p = kernel.call([p] if names else [])
         if kernel.name() == "constants":
-            of_p = [ca.densify(ca.vertcat(of_p[0], ca.DM(IDENTITY * charts), w))]
+            of_p = [ca.densify(ca.vertcat(of_p[0], ca.DM.zeros(sides), ca.DM(IDENTITY * charts), w))]
         return ca.Function(kernel.name(), [ca.vertcat(p, w)], of_p, ["p"], kernel.name_out())
-    behind_c = {"c", "chart", "u"} if signals.inputs else {"c", "chart"}
+    behind_c = {"c", "side", "chart", "u"} if signals.inputs else {"c", "side", "chart"}
     if behind_c.isdisjoint(names):
         return kernel
     given = {name: ca.SX.sym(name, *kernel.size_in(name)) for name in names if name not in behind_c}
     both = ca.SX.sym("c", end + signals.size)
-    call: dict[str, Any] = {**given, "c": both[:c_size], "chart": both[c_size:end]}
+    call: dict[str, Any] = {**given, "c": both[:c_size], "side": both[c_size:first], "chart": both[first:end]}
     if "u" in names and signals.inputs:
         call["u"] = signals.u(given.setdefault("t", ca.SX.sym("t")), both[end:])
     found = kernel.call({name: call[name] for name in names})

@@ -188,8 +188,8 @@ def _of_kernel(model: EmittedModel, name: str) -> JaxFunction:
     import jax
 
     model.kernel(name)  # refuses a function that was not generated
-    count, size = len(model.description.orientations), model.emitted_c_size
-    own, constants = (as_called(model.builders[key](), count, Signals([]), size) for key in (name, "constants"))
+    counts, size = (len(model.description.held), len(model.description.orientations)), model.emitted_c_size
+    own, constants = (as_called(model.builders[key](), *counts, Signals([]), size) for key in (name, "constants"))
     kernel = _Traced(name, own, _scalars(model, name))
     of_p = _Traced("constants", constants) if "c" in own.name_in() else None
     sizes = {key: length for key, length in zip(own.name_in(), kernel.tape.input_sizes, strict=True) if key != "c"}

@@ -20,6 +20,7 @@ from runtime.schemes.switching.event_search import NODES, ValuesInStep, first_br
 from runtime.schemes.switching.watched import (
     NEVER,
     are_kinks,
+    awake_sides,
     event_outputs,
     flagged,
     next_values,
@@ -38,9 +39,12 @@ MOST_BRACKETS = 100  # of one step, in which something may happen
 def look(scheme: AdaptiveScheme, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
     """Where z watches for events: their values after an accepted step; one that happens ends the loop."""
     motion = equations.close_well(z["q_to"], z["loop_to"], z["t_to"])
-    found = _events_at(scheme, equations, motion, z["v_to"])
+    seen = _events_at(scheme, equations, motion, z["v_to"])
+    found, held = seen["events"], {}
     flag = flagged(scheme, z, z["event_values"], found, z["t_to"])
-    return {"event_before": z["event_values"], **next_values(scheme, z, found), **_stopped(z, flag, NEVER)}
+    if "side" in z:
+        held = {"side_before": z["side"], "side": awake_sides(scheme, z, seen["sides"], z["t_to"])}
+    return {"event_before": z["event_values"], **next_values(scheme, z, found), **_stopped(z, flag, NEVER), **held}
 
 
 def look_inside(scheme: AdaptiveScheme, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
@@ -62,8 +66,10 @@ def _stopped(z: Fields, flag: ca.SX, otherwise: ca.SX | float) -> dict[str, ca.S
     return {"event_step": step, "remaining": remaining}
 
 
-def _events_at(scheme: AdaptiveScheme, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> ca.SX:
-    return event_outputs(scheme, equations, motion, v, equations.rates(motion, v))["events"]
+def _events_at(
+    scheme: AdaptiveScheme, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX
+) -> dict[str, ca.SX]:
+    return event_outputs(scheme, equations, motion, v, equations.rates(motion, v))
 
 
 def event_values_inside(scheme: AdaptiveScheme, z: Fields, equations: StageEquations, share: float | ca.SX) -> ca.SX:
@@ -72,7 +78,7 @@ def event_values_inside(scheme: AdaptiveScheme, z: Fields, equations: StageEquat
     q, v = scheme.method.between(z, equations, tau)
     guess = z["loop_from"] + share * (z["loop_to"] - z["loop_from"])
     motion = equations.close_well(q, guess, z["t_from"] + tau)
-    return _events_at(scheme, equations, motion, v)
+    return _events_at(scheme, equations, motion, v)["events"]
 
 
 def events_between(scheme: AdaptiveScheme) -> ca.Function:

@@ -231,6 +231,8 @@ class AdaptiveScheme(Scheme):
             z[own(f"{name}_to")] = z[own(f"{name}_from")]
         z[own("accepted_steps")] -= 1
         z[own("breakpoints")], z[own("event_values")] = end, z[own("event_before")]
+        if "side" in self.layout.sizes:
+            z[own("side")] = z[own("side_before")]
         kept = {name: z[own(name)].copy() for name in ("side_offset", "n")}
         z[own("side_offset")], z[own("n")] = 0.0, NEVER_SAMPLED  # no state on the way is seen
         for _ in range(MOST_PARTS):

@@ -17,7 +17,7 @@ from typing import Self
 import casadi as ca
 import numpy as np
 
-from runtime.contract.coordinates import charts_in
+from runtime.contract.coordinates import charts_in, sides_in
 from runtime.contract.model import EmittedModel
 from runtime.contract.status import StatusName
 from runtime.contract.tape import arithmetic, shared
@@ -30,6 +30,7 @@ from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations,
 from runtime.schemes.step_limit import StepLimit
 
 LARGEST = 1e300  # more than any number of a motion
+SIDES = ("side", "side_before")  # of jumps by the motion: of the step that begins here, and of the one that led here
 OBSERVED = ("t", "q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "q_d_ddot")
 Step = Callable[[np.ndarray], None]  # one application of the program to z (whole, flat), in place
 Body = Callable[[Fields, StageEquations], Mapping[str, ca.SX]]
@@ -201,9 +202,10 @@ class Scheme(ABC):
         """Of these, what each coordinate of q_i remembers of earlier steps."""
         return self.lasting(Lasting.HISTORY)
 
-    def keep_account(self, sizes: Mapping[str, int]) -> None:
-        """Further fields of z that no step reads. Before anything of the scheme is built."""
+    def keep_account(self, sizes: Mapping[str, int], read: Mapping[str, int] | None = None) -> None:
+        """Further fields of z that no step reads; read: that steps read, and leave. Before anything of it is built."""
         self._fields = {**self._fields, **{name: account(size) for name, size in sizes.items()}}
+        self._fields |= {name: given(size) for name, size in (read or {}).items()}
         self.layout = Layout({name: one.size for name, one in self._fields.items()})
 
     @property
@@ -272,12 +274,12 @@ class Scheme(ABC):
         return {"closure_error": error, "det_low": low, "det_high": high}
 
     def constants_at(self, z: Fields, c: ca.SX) -> ca.SX:
-        """c (of the model or of the stages) with the charts and the inputs as z holds them."""
-        if "inputs" not in z and "chart" not in z:
+        """c (of the model or of the stages) with the sides of jumps, the charts and the inputs as z holds them."""
+        if "inputs" not in z and "chart" not in z and "side" not in z:
             return c
-        charts, end = charts_in(self.model), self.model.c_size
-        chart, inputs = z.get("chart", c[charts]), z.get("inputs", c[charts.stop : end])
-        return ca.vertcat(c[: charts.start], chart, inputs, c[end:])
+        sides, charts, end = sides_in(self.model), charts_in(self.model), self.model.c_size
+        side, chart, inputs = z.get("side", c[sides]), z.get("chart", c[charts]), z.get("inputs", c[charts.stop : end])
+        return ca.vertcat(c[: sides.start], side, chart, inputs, c[end:])
 
     def arrived(self, equations: StageEquations, x: ca.SX, loop: ca.SX, t: ca.SX) -> ClosedConfiguration:
         """Where a step has led: closed where charts take turns from the loop unknowns as they are."""
@@ -349,6 +351,7 @@ class Scheme(ABC):
             fields = {**fields, "inputs": equations.c[self.model.c_size - self.model.signals.size :]}
         if "chart" in self.layout.sizes:
             fields = {**fields, "chart": equations.c[charts_in(self.model)]}
+        fields = {**fields, **{n: equations.c[sides_in(self.model)] for n in SIDES if n in self.layout.sizes}}
         zeros = {name: ca.SX.zeros(size) for name, size in self.layout.sizes.items()}
         z = self.layout.pack({**zeros, "t0": t0, "x": q_i_there, **fields})
         return ca.Function("start", [t0, q_i, q_i_dot, loop, c], [z])
@@ -357,6 +360,8 @@ class Scheme(ABC):
         """(z, c) -> OBSERVED between two major steps."""
         z, c = ca.SX.sym("z", self.layout.size), ca.SX.sym("c", self.c_size)
         fields = self.layout.unpack(z)
+        if "side" in fields:  # what a step led to is seen with what it held
+            fields["side"] = fields["side_before"]
         equations = self.equations(c, fields)
         motion, v, a = self.observed(fields, equations)
         v_d = equations.rates(motion, v)

@@ -77,6 +77,7 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
         + [part.record(row) for row, one in enumerate(eq.elements) for part in one.parts],
         switching=[item for item, _ in eq.switching],
         kinks=[item for item, _ in eq.kinks.values()],
+        held=[[*eq.kinks].index(name) for name in eq.sides],
         flexible=[LoadedBody(body, loads) for body in eq.flexible if (loads := eq.loads_on(body))],
         simulation=scene.simulation.model_dump(mode="json", exclude_none=True),
         orientations=[

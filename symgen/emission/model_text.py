@@ -265,6 +265,8 @@ class Labels:
         self.arguments["p"] = local_names((entry.name for entry in derived.parameters), moving)
         self.tables = {table.key: name for name, table in derived.scene.curves().items()}
         self.arguments["u"] = local_names(eq.u, [*moving, *self.arguments["p"]])
+        taken = [*moving, *self.arguments["p"], *self.arguments["u"]]
+        self.arguments["side"] = local_names((f"side_of_{name}" for name in eq.sides), taken)
         self.arguments["c"] = self._constants(derived.tapes["constants"])
         independent = [reduced.names[c] for c in choice.independent]
         self.rows: dict[str, list[str]] = {

@@ -221,7 +221,8 @@ def specification(name: str, tape: Tape, groups: Sequence[Group], redundant: boo
     """The record of an emitted function: with the arguments and outputs that it has, their sizes and operations."""
     substeps = [substep_name(level) for level in range(2, len(groups) + 1)]
     spec = FUNCTIONS["substep" if name in substeps else name]
-    known = {signal.name: signal for signal in (*spec.inputs, *spec.outputs)}
+    # loads that jump by the motion are in functions of every stage
+    known = {signal.name: signal for signal in (_signal("side"), *spec.inputs, *spec.outputs)}
     if name == "blocks":
         known |= dict(zip(tape.output_names, block_signals(groups), strict=True))
     inputs = [

@@ -46,6 +46,7 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation("q_d_ddot", "q_d''", "35", "n_d", "mixed", "accelerations of the dependent coordinates"),
     Notation("t", "t", "21", "1", "s", "time"),
     Notation("u", "", "", "n_u", "SI", "inputs: what comes from outside during a run, with rates where they have them"),
+    Notation("side", "", "", "n_side", "any", "added to what a load jumps by: 0, or -1e300 or 1e300 to hold its side"),
     Notation(
         "chart", "", "", "4 x orientations", "1", "unit quaternions from which the turns in q_i are rotation vectors"
     ),

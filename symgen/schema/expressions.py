@@ -13,7 +13,7 @@ import math
 import operator
 import re
 import warnings
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from itertools import pairwise
@@ -69,7 +69,10 @@ class Node:
             return ca.SX(float(self.value))
         if self.kind == "name":
             return ca.SX(env[str(self.value)])
-        given = [part.casadi(env) for part in self.parts]
+        return self.applied([part.casadi(env) for part in self.parts], env)
+
+    def applied(self, given: Sequence[ca.SX], env: Mapping[str, Any]) -> ca.SX:
+        """What it does with the values of its parts."""
         act = env[table_name(str(self.value), len(given))] if self.kind == "table" else OPERATIONS[self.kind]
         return ca.SX(act(*given))
 

@@ -211,7 +211,9 @@ class Equations:
     load_sizes: its `size`.
     events: by name what passes zero, and the values that inputs get then.
     switching: (load, joint or state, value) of what changes sign where an expression jumps or kinks in time; kinks: by
-    name (load, joint or state, value) of what does where it depends on the motion.
+    name (load, joint or state, value) of what does where it depends on the motion. sides: by the name of a kink a
+    symbol that is added to what jumps there: zero, or so large that it stays on one side; held: the names by the places
+    of comparisons in expressions (item, number).
     rotation_vectors: orientations with velocities of their own, whose columns follow those of all coordinates.
     """
 
@@ -244,6 +246,8 @@ class Equations:
     events: dict[str, tuple[ca.SX, dict[str, ca.SX]]] = field(default_factory=dict)
     switching: list[tuple[str, ca.SX]] = field(default_factory=list)
     kinks: dict[str, tuple[str, ca.SX]] = field(default_factory=dict)
+    sides: dict[str, ca.SX] = field(default_factory=dict)
+    held: dict[tuple[str, int], str] = field(default_factory=dict)
     picture: Picture = field(default_factory=lambda: Picture([], {}, {}))
     u: dict[str, ca.SX] = field(default_factory=dict)
     inputs: list[InputRecord] = field(default_factory=list)
@@ -323,9 +327,10 @@ class Equations:
 
     @property
     def signals(self) -> dict[str, ca.SX]:
-        """Arguments that come from outside: t, u where there are inputs, the charts of orientations."""
+        """Arguments that come from outside: t, u where there are inputs, sides of jumps, the charts of orientations."""
         given = {"t": self.t, "u": ca.vertcat(*self.u.values())} if self.u else {"t": self.t}
         charts = [entry for rotation in self.rotation_vectors for entry in rotation.chart]
+        given |= {"side": ca.vertcat(*self.sides.values())} if self.sides else {}
         return {**given, "chart": ca.vertcat(*charts)} if charts else given
 
     @property

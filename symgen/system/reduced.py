@@ -280,6 +280,8 @@ def reduced_equations(built: Mechanism[SpatialMarker], space: SpatialSpace, orie
         [ZERO] * size,
         [],
         u=whole.u,
+        sides=whole.sides,
+        held=whole.held,
         inputs=whole.inputs,
         beams=whole.beams,
         flexible=whole.flexible,

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import reduce
+from itertools import count
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -55,10 +56,31 @@ def knot_values(node: Node, env: Mapping[str, Any], tables: Mapping[str, AnyTabl
             yield from (x - place for place in places)
 
 
+ORDERED = ("<", "<=", ">", ">=")
+
+
+def held_value(node: Node, env: Mapping[str, Any], side: Callable[[ca.SX], ca.SX]) -> ca.SX:
+    """The value of an expression whose jumps stay on the sides that are held.
+
+    side(x): what is added to x where the expression jumps as x passes zero; see Equations.sides. What is continuous
+    there (`abs`, `min`, `max`) is left as it is: it may have no value beyond. Raises KeyError as switching_values does.
+    """
+    if not node.parts:
+        return node.casadi(env)
+    given = [held_value(part, env, side) for part in node.parts]
+    if node.kind in ORDERED:
+        left, right = (part.casadi(env) for part in node.parts)
+        given[0] = given[0] + side(left - right)
+    elif node.kind in ("step", "sign"):
+        given[0] = given[0] + side(node.parts[0].casadi(env))
+    return node.applied(given, env)
+
+
 Read = Callable[[float | str, str, Mapping[str, ca.SX]], ca.SX]  # an expression, its item, its local names
 
 
 SAME_DEPTH = 20  # down to which two expressions are compared
+UNHELD = 1e300  # what is larger, or no number, is no value of an expression
 
 
 @dataclass(frozen=True)
@@ -84,17 +106,37 @@ class ExpressionReader:
         for found in knot_values(node, environment, self.scene.tables):
             if not self._in_motion(found):  # there steps pass the points of a table
                 self.switch(owner, found)
-        return value
+        return self._held(expression.node, item, owner, environment, value)
 
-    def switch(self, owner: str, value: ca.SX) -> None:
-        """A step may end where this passes zero: by time alone, or by the motion."""
+    def _held(self, node: Node, item: str, owner: str, environment: Mapping[str, Any], value: ca.SX) -> ca.SX:
+        """An expression with its jumps by the motion held, and as it is where it has no value beyond one of them."""
+        eq, places = self.equations, count()
+
+        def side(found: ca.SX) -> ca.SX:
+            place = item, next(places)
+            if place not in eq.held and self._in_motion(found):
+                eq.held[place] = self.switch(owner, found)
+            name = eq.held.get(place)
+            return ca.SX(0) if not name else eq.sides.setdefault(name, ca.SX.sym(f"{name}.side"))
+
+        held, known = held_value(node, environment, side), len(eq.held)
+        if not known or not ca.depends_on(held, ca.vertcat(*eq.sides.values())):
+            return value
+        return ca.if_else(ca.fabs(held) < UNHELD, held, value)
+
+    def switch(self, owner: str, value: ca.SX) -> str:
+        """A step may end where this passes zero: by time alone, or by the motion. The name of the kink, if any."""
         eq = self.equations
         if self._in_motion(value):
-            if not _known(value, eq.kinks.values()):
-                number = sum(one == owner for one, _ in eq.kinks.values()) + 1
-                eq.kinks[f"{owner}.kink{number}"] = owner, value
-        elif ca.depends_on(value, ca.vertcat(eq.t, *eq.u.values())) and not _known(value, eq.switching):
+            known = (name for name, (_, other) in eq.kinks.items() if ca.is_equal(value, other, SAME_DEPTH))
+            if name := next(known, ""):
+                return name
+            number = sum(one == owner for one, _ in eq.kinks.values()) + 1
+            eq.kinks[f"{owner}.kink{number}"] = owner, value
+            return f"{owner}.kink{number}"
+        if ca.depends_on(value, ca.vertcat(eq.t, *eq.u.values())) and not _known(value, eq.switching):
             eq.switching.append((owner, value))
+        return ""
 
     def _in_motion(self, value: ca.SX) -> bool:
         return bool(ca.depends_on(value, ca.vertcat(*self.equations.q, *self.equations.q_dot)))

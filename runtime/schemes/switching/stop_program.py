@@ -14,13 +14,13 @@ from collections.abc import Callable, Mapping
 import casadi as ca
 import numpy as np
 
-from runtime.contract.coordinates import charts_in, joined
+from runtime.contract.coordinates import charts_in, joined, sides_in
 from runtime.engine.native import choose_engine
 from runtime.engine.prepare import Prepared
 from runtime.engine.program import Call, Fields, Layout, Program, Sequence, Until, make_stage
-from runtime.schemes.scheme import Lasting, Scheme
+from runtime.schemes.scheme import SIDES, Lasting, Scheme
 from runtime.schemes.switching.impulse import impulse_of
-from runtime.schemes.switching.watched import NEVER, flagged, values_at, watches
+from runtime.schemes.switching.watched import NEVER, awake_sides, flagged, holds_sides, values_at, watches
 
 KNOWN = 16  # parts
 # of a part: the step that it is in, its clock [s] and length [s], the same over a major step, is it the last one of the
@@ -169,6 +169,7 @@ class StopProgram:
             "event_change": ca.SX.ones(observed["events"].numel()) * NEVER,
             "event_slopes": observed["slopes"][: slopes.numel()] if slopes.numel() else slopes,
             "event_step": ca.if_else(sooner, ca.fmin(event_before, fields["n"]), event_before),
+            **({"side": awake_sides(self.scheme, fields, seen["sides"], seen["t"])} if "side" in fields else {}),
         }
 
 
@@ -219,8 +220,13 @@ def restarted(
     is added to positions, whose value is zero where its derivative is not.
     """
     found, own, end = ca.SX(state), scheme.layout.slice, scheme.model.c_size
+    side, fields = None, scheme.layout.unpack(state)
+    if holds_sides(scheme):
+        side = awake_sides(scheme, fields, fields["side"], clock)
     if scheme.multistep:
         before, after = (with_steps(scheme, state, c, one) for one in (dt_before, dt))
+        if side is not None:
+            after = ca.vertcat(after[: sides_in(scheme.model).start], side, after[sides_in(scheme.model).stop :])
         if inputs is not None:
             after = ca.vertcat(after[: end - inputs.numel()], inputs, after[end:])
         found = started_anew(scheme, state, clock, before, after, 0.0 if push is None else push, shift)
@@ -229,6 +235,8 @@ def restarted(
             found[own("v")], found[own("x")] = found[own("v")] + push, found[own("x")] + shift
         if inputs is not None:
             found[own("inputs")] = inputs
+        for name in SIDES if side is not None else ():
+            found[own(name)] = side
     found[own("t0")], found[own("n")] = clock, 0.0
     return ca.densify(found)
 

@@ -3,6 +3,10 @@
 An event with a cool-down is not looked for until `event_quiet`, the time at which that of its last happening is over.
 Where a load kinks by the motion is watched as events are, behind those that the scene declares: steps end there. Kinks
 are seen by the ends of steps alone; what events do between them is looked at, see event_search.py.
+
+The last stages of a step that ends where a load jumps lie on either side of it, by their errors; of the far side they
+would add the jump to the error. So a step holds the side on which it begins, for all its stages, as event-driven methods
+hold modes until an event (Hairer & Wanner II.6; Acary & Brogliato 8.3).
 """
 
 from __future__ import annotations
@@ -15,7 +19,7 @@ import numpy as np
 
 from runtime.contract.records import EventRecord
 from runtime.engine.program import Fields, Program, Sequence, Until
-from runtime.schemes.scheme import Scheme, direct
+from runtime.schemes.scheme import SIDES, Scheme, direct
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.switching.event_search import dips
 
@@ -44,12 +48,24 @@ def watch_events(scheme: Scheme) -> None:
     sizes |= {"event_before": len(events)} if scheme.adaptive else {"event_slopes": declared}
     if any(event.cool_down for event in events) or locates_kinks(scheme):
         sizes["event_quiet"] = len(events)
-    scheme.keep_account(sizes)
+    scheme.keep_account(sizes, dict.fromkeys(SIDES, len(scheme.model.description.held)) if holds_sides(scheme) else {})
 
 
 def locates_kinks(scheme: Scheme) -> bool:
     """Do steps end where a load kinks by the motion?"""
     return bool(scheme.model.description.kinks) and scheme.options.kinks == "located"
+
+
+def holds_sides(scheme: Scheme) -> bool:
+    """Do steps hold the sides of jumps by the motion until they end there?"""
+    return locates_kinks(scheme) and bool(scheme.model.description.held)
+
+
+def awake_sides(scheme: Scheme, z: Fields, side: ca.SX, t: ca.SX) -> ca.SX:
+    """(n_side,) of these sides zero where a kink is not looked for at t [s], so that steps cross it as it is."""
+    first = len(scheme.model.description.events)
+    quiet = z["event_quiet"][[first + k for k in scheme.model.description.held]]
+    return ca.if_else(quiet > t, 0, side)
 
 
 def watched_events(scheme: Scheme) -> list[EventRecord]:
@@ -114,6 +130,10 @@ def begin_events(scheme: Scheme, z: np.ndarray, c: np.ndarray, shown: np.ndarray
         if "event_slopes" in scheme.layout.sizes:
             slopes = scheme.layout.slice("event_slopes")
             z[slopes] = event_slopes(scheme, z, c)[: slopes.stop - slopes.start]
+        if holds_sides(scheme):
+            seen = z if shown is None else shown
+            for name in SIDES:
+                z[scheme.layout.slice(name)] = _seen(scheme, seen, c, "sides")
 
 
 def looking(scheme: Scheme, z: Fields, c: ca.SX) -> Fields:
@@ -130,6 +150,7 @@ def looking(scheme: Scheme, z: Fields, c: ca.SX) -> Fields:
         "event_step": ca.SX(NEVER),
     }
     begun |= {"event_change": NEVER * none, "event_quiet": -NEVER * none}
+    begun |= {name: seen["sides"] for name in SIDES if "sides" in seen}
     return z | {name: value for name, value in begun.items() if name in z}
 
 
@@ -155,12 +176,15 @@ def with_events(scheme: Scheme, program: Program) -> Program:
     declared = len(scheme.model.description.events)
 
     def looked(z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        observed = values_at(scheme, scheme.layout.pack(z), equations)
+        held = {"side_before": z["side"]} if "side" in z else {}
+        observed = values_at(scheme, scheme.layout.pack({**z, **held}), equations)
+        if held:
+            held["side"] = awake_sides(scheme, z, observed["sides"], observed["t"])
         flag = flagged(scheme, z, z["event_values"], observed["events"], observed["t"])
         step = ca.fmin(z["event_step"], ca.if_else(flag, z["n"], NEVER))
         looks = next_values(scheme, z, observed["events"])
         slopes = {"event_slopes": z["event_slopes"] * looks["event_near"]} if declared else {}
-        return {**looks, **slopes, "event_step": step}
+        return {**looks, **slopes, **held, "event_step": step}
 
     def bent(z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         observed, values = values_at(scheme, scheme.layout.pack(z), equations), z["event_values"]
@@ -212,7 +236,7 @@ def passed(scheme: Scheme, old: np.ndarray, new: np.ndarray, asleep: np.ndarray 
 
 
 def values_at(scheme: Scheme, z: ca.SX, equations: StageEquations) -> dict[str, ca.SX]:
-    """`events`, their `slopes` (n_e,), what `actions` set and its rates (`drifts`), at what z shows, at `t`."""
+    """`events`, their `slopes` (n_e,), what `actions` set and its rates (`drifts`), `sides`, at what z shows, at `t`."""
     observed = scheme.observer(z=z, c=ca.vertcat(equations.c, equations.h))
     names = [f"{part}{end}" for end in ("", "_dot", "_ddot") for part in ("q_i", "q_d")]
     here, along = (ca.vertcat(*(observed[name] for name in own)) for own in (names[:4], names[2:]))
@@ -229,7 +253,7 @@ def values_at(scheme: Scheme, z: ca.SX, equations: StageEquations) -> dict[str, 
 def event_outputs(
     scheme: Scheme, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX, v_d: ca.SX
 ) -> dict[str, ca.SX]:
-    """`events` (n_e,), and `actions` where there are any, at rates v (n_i,), v_d (n_d,).
+    """`events` (n_e,), `actions` and `sides` where there are any, at rates v (n_i,), v_d (n_d,).
 
     A kink without a value there, as that of a root beyond its end, is none.
     """
@@ -243,6 +267,10 @@ def event_outputs(
     values = ca.vertsplit(ca.densify(found["events"])) if found else []
     declared = len(model.description.events) - own.numel()
     kinks = [ca.if_else(ca.fabs(e) < NEVER, e, 1) for e in values[declared:]] if locates_kinks(scheme) else []
-    return {name: ca.densify(value) for name, value in found.items()} | {
+    found = {name: ca.densify(value) for name, value in found.items()} | {
         "events": ca.vertcat(*values[:declared], own, *kinks)
     }
+    if holds_sides(scheme):
+        held = [values[declared + k] for k in model.description.held]
+        found["sides"] = ca.vertcat(*(ca.if_else(ca.fabs(e) < NEVER, NEVER * ca.sign(e), 0) for e in held))
+    return found
