@@ -18,14 +18,14 @@ from runtime.engine.c_source import Code, Style, named, number, stage_code, tape
 from runtime.engine.prepare import Prepared
 from runtime.running.stepping import may_break, may_jump
 from runtime.running.time_functions import refuse_position_jumps
-from runtime.schemes.scheme import Scheme
+from runtime.schemes.scheme import SIDES, Scheme
 from runtime.schemes.switching.consistency import with_modes
 from runtime.schemes.switching.enclosure import EXACT
 from runtime.schemes.switching.impulse import may_give_impulses
 from runtime.schemes.switching.settle import weights
 from runtime.schemes.switching.stop_program import StopProgram
 from runtime.schemes.switching.times import switching_times
-from runtime.schemes.switching.watched import observed_function, watched_events, watches
+from runtime.schemes.switching.watched import holds_sides, observed_function, watched_events, watches
 
 ENDS = {"BY_EVENT": 1, "CHATTERING": 2, "NO_MODE": 3, "NOT_FINITE": 4, "TOO_MANY": 5, "BEYOND_A_STOP": 6}
 KEPT_OF_A_KINK = 22
@@ -124,6 +124,7 @@ def stop_functions(scheme: Scheme, prepared: Prepared, prefix: str, library: Sty
     found = {name: stage_code(f"{prefix}{name}", named(stages[name], "z", "c"), own) for name in ("set_out", "to_grid")}
     if watches(scheme):
         names = ["events", "slopes", *(["actions"] if sets_of(scheme) else [])]
+        names += ["sides"] if holds_sides(scheme) else []
         for name in names:
             tape = named(observed_function(scheme, name), "z", "c")
             found[name] = tape_code(f"{prefix}{name}", tape, ["y"], library)
@@ -184,6 +185,8 @@ def stop_text(scheme: Scheme, prepared: Prepared, prefix: str) -> tuple[str, int
     fields = {"VALUES_AT": "event_values", "STEP_AT": "event_step", "CHANGE_AT": "event_change"}
     numbers |= {key: own(name).start for key, name in fields.items() if n_e}
     numbers |= {"SLOPES_AT": own("event_slopes").start} if n_d else {"SLOPES_AT": 0}
+    held = len(model.description.held) if holds_sides(scheme) else 0
+    numbers |= {"NSIDES": held} | ({key: own(n).start for key, n in zip(("SIDE", "BEFORE"), SIDES)} if held else {})
     numbers["QUIET_AT"] = own("event_quiet").start if "event_quiet" in scheme.layout.sizes else -1
     names = {"NUMBER": "number", "SEEN": "dt_seen", "START": "start", "LENGTH": "length", "SHARE": "share"}
     numbers |= {key: place(name).start for key, name in names.items()}

@@ -249,6 +249,11 @@ static void look_at_events(Run *r) {
   z[STEP_AT] = NEVER;
   for (k = 0; k < NE; ++k) z[VALUES_AT + k] = values[k], z[CHANGE_AT + k] = NEVER;
   for (k = 0; k < ND; ++k) z[SLOPES_AT + k] = slopes[k];
+#if NSIDES > 0
+  double sides[NSIDES];
+  M(sides)(sides, z, r->c, r->w);
+  for (k = 0; k < NSIDES; ++k) z[SIDE + k] = z[BEFORE + k] = sides[k];
+#endif
 }
 
 #if NM > 0

@@ -71,7 +71,8 @@ def short_loads(run: Run, steps: float) -> list[ShortLoad]:
     forces = ManyPoints(function)(np.column_stack([_path(t, moved, times), times])).T
     if not (np.abs(forces) < LARGEST_LOAD).all():
         return []
-    ends = np.array([one.time for one in run.segment.switches])
+    kinks = (event.time for event in run.events if event.kind == "kink")
+    ends = np.array([*(one.time for one in run.segment.switches), *kinks])
     found = [
         ShortLoad(model.q_i[k], float(times[first]), float(times[last]))
         for k, row in enumerate(forces)

