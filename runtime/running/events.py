@@ -159,6 +159,12 @@ class EventHandler:
         """From `memory`."""
         self._recent = {name: list(times) for name, times in memory.items()}
 
+    def forget(self, memory: Mapping[str, Sequence[float]]) -> None:
+        """Go back to before a step: what it told is not told, and `memory` holds again."""
+        self.reported.clear()
+        self.status = None
+        self.resume(memory)
+
     def _once(self, z: np.ndarray) -> None:
         self.own.stepper.run(z, self.own.ready, 1)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -21,9 +21,10 @@ from runtime.running.record import ComparisonTimes, Record
 from runtime.running.recording import record_of
 from runtime.running.run_options import RunOptions
 from runtime.running.singular.singularity_monitor import SingularityMonitor
-from runtime.running.stepped_model import SteppedModel
+from runtime.running.stepped_model import MOST_HALVINGS, SteppedModel
 from runtime.running.time_functions import check_time_functions
 from runtime.schemes.options import SchemeError
+from runtime.schemes.scheme import verdict
 from runtime.solutions.solution import Solution
 
 if TYPE_CHECKING:
@@ -183,8 +184,10 @@ class Run:
             self._make_again(chunk, finer=max(1, chunk.steps // FINER))
         elif near_singular:
             self._pass_by(chunk)
+        elif status is not None and status.name == "iteration_failed" and self.segment.divide_step(chunk.before):
+            self._make_again(chunk)
         elif status is not None:
-            self.status = status
+            self.status = self._in_parts(status)
         else:
             self._accept(chunk, rows)
         self.chunk_length.took(time.perf_counter() - clock)
@@ -309,11 +312,31 @@ class Run:
         if at > first:
             return self.segment.run_and_save(self.z, self.steps_to_sample(at - first))
         self.segment.forget_determinants(self.z)
-        w = handler.step(self.z)
+        w = self._step_with_events()
         if not handler.reported and handler.status is None:
             return self.z[None]
         self._event_has_happened(w)
         return None
+
+    def _step_with_events(self) -> np.ndarray | None:
+        """A step in which an event was flagged, in parts that converge; (n_w,) the inputs if they changed."""
+        handler, segment, before = self.event_handler, self.segment, self.z.copy()
+        memory, changes = handler.memory(), len(segment.changes)
+        while True:
+            w = handler.step(self.z)
+            failed = verdict(self.plan.scheme, segment.state(self.z)) == "iteration_failed"
+            if not failed or not segment.divide_step(before):
+                return w
+            handler.forget(memory)
+            del segment.changes[changes:]
+            self.z[:] = before
+
+    def _in_parts(self, status: Status | None) -> Status | None:
+        """The same; of a step that converged in no parts, with how short they were."""
+        halvings = self.segment.divided[1]
+        if status is None or status.name != "iteration_failed" or halvings < MOST_HALVINGS:
+            return status
+        return replace(status, cause=f"{status.cause}, nor in parts of {self.plan.grid.dt_L / 2**halvings:.3g} s")
 
     def _ends_at_event(self, rows: np.ndarray) -> bool:
         """Does the last step of a tolerance end at an event? Then what lies before it is seen first."""
@@ -343,7 +366,7 @@ class Run:
         self.note_impulses()
         own = self.event_handler.status
         failed = own is not None and not own.ok  # it knows the time
-        self.status = own if failed else self.checked() or own
+        self.status = own if failed else self._in_parts(self.checked()) or own
 
     def note_impulses(self) -> None:
         """Tell those of prescribed motions until here."""

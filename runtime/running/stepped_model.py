@@ -22,11 +22,12 @@ from runtime.running.problem import Plan
 from runtime.running.time_functions import all_stops
 from runtime.schemes.stepper import Stepper, kept_stepper
 from runtime.schemes.switching.impulse import Impulse
-from runtime.schemes.switching.times import SwitchTime, switches_by_inputs, switching_times
+from runtime.schemes.switching.times import MARGIN, SwitchTime, switches_by_inputs, switching_times
 from runtime.schemes.switching.watched import NEVER, begin_events, watches
 from runtime.solutions.observe import observe_samples
 from runtime.solutions.solution import Solution
 
+MOST_HALVINGS = 10  # of a step whose iteration does not converge
 LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
 
 
@@ -37,7 +38,8 @@ class SteppedModel:
     The arrays stay where they are and change in place: compiled code that was bound to them sees it. States z (flat)
     belong to whoever steps. start_state: where a run starts; None: as the model does. switches: times at which loads or
     motions jump or kink, where they were looked for; broken: who steps across them. given: impulses of steps of a
-    tolerance so far, by time. changes: of inputs and rates so far, see powers.py.
+    tolerance so far, by time. changes: of inputs and rates so far, see powers.py. divided: the step that is made in parts as
+    its iteration does not converge, and how often it is halved; divisions: of how many steps that was so.
     """
 
     model: EmittedModel
@@ -51,6 +53,8 @@ class SteppedModel:
     switches: list[SwitchTime] = field(default_factory=list, init=False)
     broken: Any = field(default=None, init=False)
     changes: list[Change] = field(default_factory=list, init=False)
+    divided: tuple[int, int] = field(default=(-1, 0), init=False)
+    divisions: int = field(default=0, init=False)
 
     @classmethod
     def prepared(cls, model: EmittedModel, plan: Plan, p: np.ndarray, engine: str, wait: bool = False) -> Self:
@@ -148,13 +152,35 @@ class SteppedModel:
             step = np.inf if scheme.adaptive else self.plan.grid.h[-1]
             self.switches = all_stops(self.model, self.c, t0, t_end, self.start_state, step)
         self.broken = None
-        end = self.plan.end
-        broken = self.switches or self.watches_events or end is not None
+        broken = self.switches or self.watches_events or self.plan.end is not None
         if broken and not scheme.adaptive:  # who chooses ends of steps puts them there
-            from runtime.schemes.switching.steps_with_stops import StepsWithStops
+            self._break(self.switches, t0, t_end)
 
-            known = round((t_end - t0) / length) if end is None else self.plan.steps
-            self.broken = StepsWithStops(self.stepper, t0, length, self.switches, self.c, known, end)
+    def _break(self, stops: Sequence[SwitchTime], t0: float, t_end: float) -> None:
+        """Steps from t0 to t_end [s] end at these times, too."""
+        from runtime.schemes.switching.steps_with_stops import StepsWithStops
+
+        end, length = self.plan.end, self.plan.grid.dt_L
+        known = round((t_end - t0) / length) if end is None else self.plan.steps
+        self.broken = StepsWithStops(self.stepper, t0, length, stops, self.c, known, end)
+
+    def divide_step(self, z: np.ndarray) -> bool:
+        """Make the step from z (flat) in parts half as long as before: its iteration has not converged.
+
+        False where its parts are as short as they may be.
+        """
+        plan, step = self.plan, int(z[1])
+        halvings = self.divided[1] + 1 if self.divided[0] == step else 1
+        if plan.scheme.iteration_limit is None or halvings > MOST_HALVINGS:
+            return False
+        self.divisions += halvings == 1
+        self.divided, given = (step, halvings), self.impulses
+        times = np.linspace(plan.time(step), plan.time(step + 1), 2**halvings + 1)[1:-1]
+        margin = MARGIN * max(abs(plan.t0), abs(plan.t_end))
+        parts = [SwitchTime(float(t), float(t) - margin, float(t) + margin, ()) for t in times]
+        self._break(sorted([*self.switches, *parts], key=lambda one: one.time), plan.t0, plan.t_end)
+        self.broken.impulses.update(given)
+        return True
 
     def begin_events(self, z: np.ndarray) -> None:
         """Look for events from a state z (n_z,) on as if none had happened yet."""
