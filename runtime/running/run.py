@@ -21,7 +21,7 @@ from runtime.running.record import ComparisonTimes, Record
 from runtime.running.recording import record_of
 from runtime.running.run_options import RunOptions
 from runtime.running.singular.singularity_monitor import SingularityMonitor
-from runtime.running.stepped_model import MOST_HALVINGS, SteppedModel
+from runtime.running.stepped_model import MOST_HALVINGS, MOST_IN_A_ROW, SteppedModel
 from runtime.running.time_functions import check_time_functions
 from runtime.schemes.options import SchemeError
 from runtime.schemes.scheme import verdict
@@ -175,6 +175,7 @@ class Run:
             rows, near_singular = self.to_event(at, chunk.before, seen), self.near_singular()
             if not self.plan.scheme.adaptive:
                 chunk = chunk._replace(steps=max(1, at - 1 - int(chunk.before[1])))
+        unconverged = self._unconverged()
         status = None if rows is None or near_singular else self.checked(samples=len(rows))
         if rows is None:
             self.keep(self.z[None])  # an event has happened: what it leads to is checked
@@ -184,7 +185,7 @@ class Run:
             self._make_again(chunk, finer=max(1, chunk.steps // FINER))
         elif near_singular:
             self._pass_by(chunk)
-        elif status is not None and status.name == "iteration_failed" and self.segment.divide_step(chunk.before):
+        elif status is not None and unconverged and self.segment.divide_step(chunk.before):
             self._make_again(chunk)
         elif status is not None:
             self.status = self._in_parts(status)
@@ -324,19 +325,26 @@ class Run:
         memory, changes = handler.memory(), len(segment.changes)
         while True:
             w = handler.step(self.z)
-            failed = verdict(self.plan.scheme, segment.state(self.z)) == "iteration_failed"
-            if not failed or not segment.divide_step(before):
+            if not self._unconverged() or not segment.divide_step(before):
                 return w
             handler.forget(memory)
             del segment.changes[changes:]
             self.z[:] = before
 
     def _in_parts(self, status: Status | None) -> Status | None:
-        """The same; of a step that converged in no parts, with how short they were."""
-        halvings = self.segment.divided[1]
-        if status is None or status.name != "iteration_failed" or halvings < MOST_HALVINGS:
+        """The same; of a step that does not converge, with what its parts, or those of steps before it, have shown."""
+        segment = self.segment
+        if status is None or status.name != "iteration_failed":
             return status
-        return replace(status, cause=f"{status.cause}, nor in parts of {self.plan.grid.dt_L / 2**halvings:.3g} s")
+        if segment.in_a_row > MOST_IN_A_ROW:
+            return replace(status, cause=f"{status.cause}; {MOST_IN_A_ROW} steps before it did in shorter parts only")
+        if segment.divided[1] < MOST_HALVINGS:
+            return status
+        return replace(status, cause=f"{status.cause}, nor in parts of {self.plan.grid.dt_L / 2**MOST_HALVINGS:.3g} s")
+
+    def _unconverged(self) -> bool:
+        """Did the iteration of a step that led here not converge?"""
+        return verdict(self.plan.scheme, self.segment.state(self.z)) == "iteration_failed"
 
     def _ends_at_event(self, rows: np.ndarray) -> bool:
         """Does the last step of a tolerance end at an event? Then what lies before it is seen first."""

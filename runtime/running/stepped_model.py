@@ -28,6 +28,7 @@ from runtime.solutions.observe import observe_samples
 from runtime.solutions.solution import Solution
 
 MOST_HALVINGS = 10  # of a step whose iteration does not converge
+MOST_IN_A_ROW = 100  # steps that are halved for that: then dt is too long for the motion, not for a place in it
 LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
 
 
@@ -39,7 +40,7 @@ class SteppedModel:
     belong to whoever steps. start_state: where a run starts; None: as the model does. switches: times at which loads or
     motions jump or kink, where they were looked for; broken: who steps across them. given: impulses of steps of a
     tolerance so far, by time. changes: of inputs and rates so far, see powers.py. divided: the step that is made in parts as
-    its iteration does not converge, and how often it is halved; divisions: of how many steps that was so.
+    its iteration does not converge, and how often it is halved; divisions, in_a_row: of how many steps that was so.
     """
 
     model: EmittedModel
@@ -55,6 +56,7 @@ class SteppedModel:
     changes: list[Change] = field(default_factory=list, init=False)
     divided: tuple[int, int] = field(default=(-1, 0), init=False)
     divisions: int = field(default=0, init=False)
+    in_a_row: int = field(default=0, init=False)
 
     @classmethod
     def prepared(cls, model: EmittedModel, plan: Plan, p: np.ndarray, engine: str, wait: bool = False) -> Self:
@@ -167,11 +169,13 @@ class SteppedModel:
     def divide_step(self, z: np.ndarray) -> bool:
         """Make the step from z (flat) in parts half as long as before: its iteration has not converged.
 
-        False where its parts are as short as they may be.
+        False where its parts are as short as they may be, or too many steps in a row had to be made so.
         """
         plan, step = self.plan, int(z[1])
         halvings = self.divided[1] + 1 if self.divided[0] == step else 1
-        if plan.scheme.iteration_limit is None or halvings > MOST_HALVINGS:
+        if halvings == 1:
+            self.in_a_row = self.in_a_row + 1 if self.divided[0] == step - 1 else 1
+        if plan.scheme.iteration_limit is None or halvings > MOST_HALVINGS or self.in_a_row > MOST_IN_A_ROW:
             return False
         self.divisions += halvings == 1
         self.divided, given = (step, halvings), self.impulses

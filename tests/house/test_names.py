@@ -93,7 +93,8 @@ def test_blocks_of_the_mass_matrix_are_symbols() -> None:
 def test_fields_of_z_are_the_table(built_in: Load, model_of: Callable[[SceneRecord], Model]) -> None:
     """Both ways: every field of every scheme is in the table, and every entry is a field of some scheme."""
     pushed = Scene("pushed").input("push").rigid("block", mass=1.0, inertia=1.0, free=True)
-    pushed.force("force", "block.origin", "push", 0.0).event("late", "t - 1", action={"push": 1.0}, cool_down=1.0)
+    pushed.measure("x", "x", of="block.origin").force("force", "block.origin", "push + step(x - 1)", 0.0)
+    pushed.event("late", "t - 1", action={"push": 1.0}, cool_down=1.0)
     models = [*(built_in(name) for name in MODELS), model_of(pushed.build()), model_of(arm(10))]
     found = set().union(*map(fields_of_z, models))
     assert not emitted_names(models[-1]) - codes(SYMBOLS)

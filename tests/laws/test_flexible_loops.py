@@ -135,12 +135,12 @@ def test_orders(
     assert np.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.25), errors
 
 
-def test_a_sweep_that_is_too_slow_ends_by_name(model: Model) -> None:
+def test_a_sweep_that_is_too_slow_is_made_in_parts(model: Model) -> None:
     """A soft rod bends so far that its spin and its modes are nearly the same motion: a sweep leaves 0.96 of its error.
     The state before is a mark of the error's growth, at which the run looks twice."""
     settings: dict[str, Any] = {"parameters": {"E": 7e8}, "scheme": "printed", "m": [1], "dt": 5e-3, "t_end": 0.25}
-    failed = simulate(model, **settings, engine="interpreted")
-    assert failed.status.name == "iteration_failed" and "direct" in failed.status.advice
+    run = simulate(model, **settings, engine="interpreted")
+    assert run.status.whole and run.t[-1] == 0.25 and run.stats["divided_steps"] >= 1
     direct = simulate(model, **settings, options={"common_update": "direct"}, engine="interpreted")
     assert direct.status.whole and direct.t[-1] == 0.25
 

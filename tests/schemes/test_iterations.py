@@ -60,17 +60,17 @@ def test_stages_are_continued_by_their_polynomial() -> None:
 
 def test_rigid_bodies_are_not_bent(model_of: Build) -> None:
     """A ball on an arm falls on a floor with friction: radau's iterations fail where that reverses, and M_hat, which
-    the pose of the arm brings to 0.04 of that at the start, has no part in it. Shorter steps find the motion of rk4.
+    the pose of the arm brings to 0.04 of that at the start, has no part in it. A few steps are made in shorter parts,
+    which the run counts, and the motion is that of rk4.
     """
     model = model_of(ball_on_an_arm())
     right = simulate(model, scheme="rk4", dt=5e-6, t_end=0.6, error="off", samples=1)
-    run = simulate(model, scheme="radau", dt=1e-3, t_end=0.6)
-    assert run.status.name == "iteration_failed" and "dt=0.0001" in run.status.advice
-    assert "A tolerance finds how short" in run.status.advice  # which steps of 0.1 ms are not yet
-    for call in ({"tolerance": 1e-4}, {"dt": 1e-5}):
-        run = simulate(model, scheme="radau", t_end=0.6, **call)
+    for call, most in (({"dt": 1e-3}, 2e-5), ({"dt": 1e-4}, 1e-6), ({"tolerance": 1e-4}, 1e-4), ({"dt": 1e-5}, 1e-6)):
+        run = simulate(model, scheme="radau", t_end=0.6, error="off", **call)
         assert run.status.name == "completed", run.status
-        assert np.abs(run.q[-1] - right.q[-1]).max() < 1e-4
+        assert np.abs(run.q[-1] - right.q[-1]).max() < most
+        if call.get("dt", 0) >= 1e-4:
+            assert 1 <= run.stats["divided_steps"] < 10
 
 
 @pytest.mark.parametrize("seed", range(4))

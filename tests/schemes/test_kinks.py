@@ -191,3 +191,96 @@ def test_kinks_stand_beside_friction_and_events(model_of: Build) -> None:
     assert [event.kind for event in located.events if event.name != "rail.friction"] == ["event"]
     assert [event.name for event in crossed.events if event.kind == "kink_crossed"] == ["rail"]
     assert crossed["m.x"][-1] == pytest.approx(located["m.x"][-1], abs=1e-3)
+
+
+# ---- loads that jump where the motion comes to a place: all stages of a step see its near side
+
+
+def pushed_by_place(law: str, x: float, v: float) -> SceneRecord:
+    """1 kg on a rail under a force by its place x."""
+    mass = on_rail("by_place", "m", "rail", mass=1.0, inertia=0.1).measure("x", "coordinate", "m.x")
+    mass.force("f", "m.origin", law, 0.0).initial({"m.x": x}).rates({"m.x": v})
+    return mass.simulation(t_end=1.0, dt=0.01, scheme="rk4").build()
+
+
+def spring_and_push(t: float) -> tuple[float, float]:
+    """(x, v) of x'' = -4 x, and + 10 beyond x = 0.5, from x = 0 with 2 m/s: sines about 0, then about 2.5."""
+    there = np.arcsin(0.5) / 2
+    v, s = 2 * np.cos(2 * there), t - there
+    return 2.5 - 2 * np.cos(2 * s) + v / 2 * np.sin(2 * s), 4 * np.sin(2 * s) + v * np.cos(2 * s)
+
+
+def relay_to_the_middle(t: float) -> tuple[float, float]:
+    """(x, v) of x'' = -sign(x) from rest at x = 1, while x < 0 for the first time: parabolas."""
+    s = t - np.sqrt(2)
+    return -np.sqrt(2) * s + s**2 / 2, -np.sqrt(2) + s
+
+
+EVERY_SCHEME = ["rk4", "dopri5", "dop853", "exponential", "exponential_rk4", "exponential_adams", "radau", "single_rate",
+                "printed"]  # fmt: skip
+ORDERS = {"rk4": (4, 2e-7), "dopri5": (5, 6e-10), "exponential_rk4": (4, 5e-8), "exponential_adams": (4, 7e-8),
+          "radau": (5, 3e-10), "single_rate": (2, 2e-3), "printed": (2, 2e-3)}  # fmt: skip
+
+
+@pytest.mark.every_push("rk4", "radau")
+@pytest.mark.parametrize("scheme", ORDERS)
+def test_schemes_keep_their_order_across_a_jump_by_place(model_of: Build, scheme: str) -> None:
+    order, most = ORDERS[scheme]
+    model, errors = model_of(pushed_by_place("-4*x + where(x > 0.5, 10, 0)", 0.0, 2.0)), []
+    for dt in (0.051, 0.0255, 0.01275):
+        run = simulate(model, scheme=scheme, dt=dt, error="off")
+        assert run.status.ok and run.stats["kinks"] == 1 and not run.events
+        errors.append(float(np.abs(np.array([run["m.x"][-1], run["m.x_dot"][-1]]) - spring_and_push(1.0)).max()))
+    assert errors[1] < 1.3 * most, errors
+    for coarse, fine in zip(errors, errors[1:], strict=False):
+        assert np.log2(coarse / fine) == pytest.approx(order, abs=0.15), errors
+
+
+@pytest.mark.every_push("rk4")
+@pytest.mark.parametrize("scheme", EVERY_SCHEME)
+def test_a_constant_force_that_jumps_costs_nothing(model_of: Build, scheme: str) -> None:
+    """On both sides of -sign(x) every scheme is exact, so all that is left is how well x = 0 is located."""
+    run = simulate(model_of(pushed_by_place("-sign(x)", 1.0, 0.0)), scheme=scheme, dt=0.051, t_end=2.0, error="off")
+    assert [run["m.x"][-1], run["m.x_dot"][-1]] == pytest.approx(relay_to_the_middle(2.0), abs=2e-11)
+
+
+@pytest.mark.parametrize("scheme", ["dopri5", "exponential_rk4", "radau"])
+def test_a_tolerance_holds_across_a_jump_by_place(model_of: Build, scheme: str) -> None:
+    """Few steps do: an error of first order took 130,000 of radau's, and 2e-5 was left of 1e-8."""
+    model = model_of(pushed_by_place("-sign(x)", 1.0, 0.0))
+    run = simulate(model, scheme=scheme, tolerance=1e-8, t_end=2.0)
+    assert run["m.x_dot"][-1] == pytest.approx(relay_to_the_middle(2.0)[1], abs=1e-8)
+    assert run.status.name == "completed" and run.stats["steps"] < 500
+
+
+@pytest.mark.parametrize("scheme", ["rk4", "radau"])
+def test_a_jump_back_and_forth_by_rate(model_of: Build, scheme: str) -> None:
+    """A brake of 3 N at positive rates only, under -2 N: stops after 0.2 m, and goes back under -2 N, exactly."""
+    run = simulate(
+        model_of(pushed_by_place("-2 + where(x_dot > 0, -3, 0)", 0.0, 2.0)), scheme=scheme, dt=0.03, error="off"
+    )
+    assert run["m.x_dot"][-1] == pytest.approx(-2 * 0.6, abs=1e-10)
+    assert run["m.x"][-1] == pytest.approx(0.4 - 0.36, abs=1e-10)
+
+
+@pytest.mark.parametrize("law", ["-10*sqrt(where(x > 0.5, x - 0.5, 0))", "where(x > 0.5, -10*(x-0.5)**1.5, 0)"])
+def test_a_law_without_a_value_beyond_is_not_held(model_of: Build, law: str) -> None:
+    """A root ends where the load begins to act: stages that lie before it see what the law says there."""
+    model = model_of(pushed_by_place(law, 0.0, 1.0))
+    run = simulate(model, dt=0.03, error="off")
+    power = 0.5 if "sqrt" in law else 1.5
+    assert run.status.ok and run.stats["kinks"] >= 1
+    stored = 10 * np.maximum(run["m.x"] - 0.5, 0) ** (power + 1) / (power + 1)
+    assert np.abs(run["m.x_dot"] ** 2 / 2 + stored - 0.5).max() < (2e-3 if power == 0.5 else 2e-6)
+
+
+def test_a_stepper_has_the_bits_of_a_run_across_a_jump_by_place(model_of: Build) -> None:
+    model = model_of(pushed_by_place("-4*x + where(x > 0.5, 10, 0)", 0.0, 2.0))
+    run, stepper = simulate(model, error="off"), model.stepper()
+    stepper.step(20)
+    kept = stepper.save()
+    stepper.step(80)
+    assert stepper.sample.q[0, 0] == run.q[-1, 0]
+    stepper.restore(kept)
+    stepper.step(80)
+    assert stepper.sample.q[0, 0] == run.q[-1, 0]
