@@ -52,6 +52,11 @@ def kinks() -> Scene:
     return cart("kinks", "max(0, -way) * 1e4 - 9.81", 0.05).event("top", "way_dot", direction="falling")
 
 
+def by_place() -> Scene:
+    """A spring beside a force that acts beyond a place, and with a rate only: each is passed there and back."""
+    return cart("by_place", "-100 * way + where(way > 0.02, -3, where(way_dot > 0, 1, -1))", 0.05)
+
+
 def between() -> Scene:
     """What passes zero and comes back within one long step."""
     builder = cart("between", "-100 * way - 0.1 * n").input("n", 0.0).input("m", 0.0)
@@ -108,6 +113,8 @@ CASES = [  # scene, scheme, step, steps, how it ends
     (between, "single_rate", 0.05, 60, 0),
     (chattering, "rk4", 0.01, 100, 2),
     (humming, "single_rate", 0.01, 500, 0),
+    (by_place, "rk4", 0.01, 300, 0),
+    (by_place, "single_rate", 0.01, 300, 0),
 ]
 
 
