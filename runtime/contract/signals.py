@@ -1,8 +1,8 @@
 """Inputs u as functions of time: held values, values with rates, values behind a filter, functions.
 
 A kernel of the emitted code takes u, charts of orientations, and sides of jumps by the motion. What the runtime calls
-takes [c, sides, charts, w] instead of c, where w are the numbers that u(t) is made of; so whatever evaluates a model has
-them as well. Sides are zero where nobody holds them.
+takes [c, sides, charts, w] instead of c, where w are the numbers that u(t) is made of; so whatever evaluates a model
+has them as well. Sides are zero where nobody holds them.
 
     an input             its numbers in w                     u(t), s = t - since
     plain                value                                value

@@ -186,7 +186,9 @@ def stop_text(scheme: Scheme, prepared: Prepared, prefix: str) -> tuple[str, int
     numbers |= {key: own(name).start for key, name in fields.items() if n_e}
     numbers |= {"SLOPES_AT": own("event_slopes").start} if n_d else {"SLOPES_AT": 0}
     held = len(model.description.held) if holds_sides(scheme) else 0
-    numbers |= {"NSIDES": held} | ({key: own(n).start for key, n in zip(("SIDE", "BEFORE"), SIDES)} if held else {})
+    numbers |= {"NSIDES": held} | (
+        {key: own(n).start for key, n in zip(("SIDE", "BEFORE"), SIDES, strict=True)} if held else {}
+    )
     numbers["QUIET_AT"] = own("event_quiet").start if "event_quiet" in scheme.layout.sizes else -1
     names = {"NUMBER": "number", "SEEN": "dt_seen", "START": "start", "LENGTH": "length", "SHARE": "share"}
     numbers |= {key: place(name).start for key, name in names.items()}

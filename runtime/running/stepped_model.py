@@ -39,8 +39,8 @@ class SteppedModel:
     The arrays stay where they are and change in place: compiled code that was bound to them sees it. States z (flat)
     belong to whoever steps. start_state: where a run starts; None: as the model does. switches: times at which loads or
     motions jump or kink, where they were looked for; broken: who steps across them. given: impulses of steps of a
-    tolerance so far, by time. changes: of inputs and rates so far, see powers.py. divided: the step that is made in parts as
-    its iteration does not converge, and how often it is halved; divisions, in_a_row: of how many steps that was so.
+    tolerance so far, by time. changes: of inputs and rates so far, see powers.py. divided: the step that is made in
+    parts as its iteration does not converge, and how often it is halved; divisions, in_a_row: how many steps were.
     """
 
     model: EmittedModel
@@ -147,7 +147,7 @@ class SteppedModel:
 
     def find_switches(self, t0: float, t_end: float) -> None:
         """Look where something jumps on the grid of steps from t0 on, for the inputs as they are. Raises ModelError."""
-        scheme, length = self.plan.scheme, self.plan.grid.dt_L
+        scheme = self.plan.scheme
         if self.start_state is None:
             self.switches = switching_times(self.model, self.c, t0, t_end)
         else:  # of a run: places within short pulses of loads, too

@@ -79,7 +79,7 @@ FIELDS: tuple[Notation, ...] = (
     Notation("event_change", "", "", "events", "any", "by what values changed in the last step"),
     Notation("event_near", "", "", "1", "-", "may a value come to zero soon?"),
     Notation("event_slopes", "", "", "events", "any/s", "their rates where one may, of steps of one length"),
-    Notation("side", "", "", "n_side", "-", "sides of jumps by the motion that the step from here holds, 0 where none is"),
+    Notation("side", "", "", "n_side", "-", "sides of jumps by the motion that the step from here holds, or 0"),
     Notation("side_before", "", "", "n_side", "-", "those that the step held which led here"),
     Notation("event_quiet", "", "", "events", "s", "until when an event is not looked for: its cool-down"),
     Notation("det_low", "", "", "loop blocks", "SI", "smallest det_loop since whoever runs the scheme reset it"),

@@ -216,8 +216,8 @@ def relay_to_the_middle(t: float) -> tuple[float, float]:
     return -np.sqrt(2) * s + s**2 / 2, -np.sqrt(2) + s
 
 
-EVERY_SCHEME = ["rk4", "dopri5", "dop853", "exponential", "exponential_rk4", "exponential_adams", "radau", "single_rate",
-                "printed"]  # fmt: skip
+EVERY_SCHEME = ["rk4", "dopri5", "dop853", "exponential", "exponential_rk4", "exponential_adams", "radau",
+                "single_rate", "printed"]  # fmt: skip
 ORDERS = {"rk4": (4, 2e-7), "dopri5": (5, 6e-10), "exponential_rk4": (4, 5e-8), "exponential_adams": (4, 7e-8),
           "radau": (5, 3e-10), "single_rate": (2, 2e-3), "printed": (2, 2e-3)}  # fmt: skip
 

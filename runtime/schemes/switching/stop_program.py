@@ -169,7 +169,9 @@ class StopProgram:
             "event_change": ca.SX.ones(observed["events"].numel()) * NEVER,
             "event_slopes": observed["slopes"][: slopes.numel()] if slopes.numel() else slopes,
             "event_step": ca.if_else(sooner, ca.fmin(event_before, fields["n"]), event_before),
-            **({"side": awake_sides(self.scheme, fields, seen["sides"], seen["t"])} if "side" in fields else {}),
+            **(
+                {"side": awake_sides(self.scheme, fields, observed["sides"], observed["t"])} if "side" in fields else {}
+            ),
         }
 
 
@@ -235,8 +237,9 @@ def restarted(
             found[own("v")], found[own("x")] = found[own("v")] + push, found[own("x")] + shift
         if inputs is not None:
             found[own("inputs")] = inputs
-        for name in SIDES if side is not None else ():
-            found[own(name)] = side
+        if side is not None:
+            for name in SIDES:
+                found[own(name)] = side
     found[own("t0")], found[own("n")] = clock, 0.0
     return ca.densify(found)
 

@@ -5,8 +5,9 @@ Where a load kinks by the motion is watched as events are, behind those that the
 are seen by the ends of steps alone; what events do between them is looked at, see event_search.py.
 
 The last stages of a step that ends where a load jumps lie on either side of it, by their errors; of the far side they
-would add the jump to the error. So a step holds the side on which it begins, for all its stages, as event-driven methods
-hold modes until an event (Hairer & Wanner II.6; Acary & Brogliato 8.3).
+would add the jump to the error. So a step holds the side on which it begins, for all its stages, as event-driven
+methods hold modes until an event (Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, II.6; Acary &
+Brogliato, Numerical Methods for Nonsmooth Dynamical Systems, 8.3).
 """
 
 from __future__ import annotations
@@ -131,7 +132,8 @@ def begin_events(scheme: Scheme, z: np.ndarray, c: np.ndarray, shown: np.ndarray
             slopes = scheme.layout.slice("event_slopes")
             z[slopes] = event_slopes(scheme, z, c)[: slopes.stop - slopes.start]
         if holds_sides(scheme):
-            sides, first = _seen(scheme, z if shown is None else shown, c, "sides"), len(scheme.model.description.events)
+            first = len(scheme.model.description.events)
+            sides = _observed(scheme, z if shown is None else shown, c, "sides")
             quiet = quiet_until(scheme, z)[[first + k for k in scheme.model.description.held]]
             for name in SIDES:
                 z[scheme.layout.slice(name)] = np.where(quiet > scheme.reached(z), 0.0, sides)
@@ -151,7 +153,7 @@ def looking(scheme: Scheme, z: Fields, c: ca.SX) -> Fields:
         "event_step": ca.SX(NEVER),
     }
     begun |= {"event_change": NEVER * none, "event_quiet": -NEVER * none}
-    begun |= {name: seen["sides"] for name in SIDES if "sides" in seen}
+    begun |= {name: observed["sides"] for name in SIDES if "sides" in observed}
     return z | {name: value for name, value in begun.items() if name in z}
 
 
@@ -237,7 +239,7 @@ def passed(scheme: Scheme, old: np.ndarray, new: np.ndarray, asleep: np.ndarray 
 
 
 def values_at(scheme: Scheme, z: ca.SX, equations: StageEquations) -> dict[str, ca.SX]:
-    """`events`, their `slopes` (n_e,), what `actions` set and its rates (`drifts`), `sides`, at what z shows, at `t`."""
+    """`events`, their `slopes` (n_e,), what `actions` set, its rates (`drifts`), `sides`, at what z shows, at `t`."""
     observed = scheme.observer(z=z, c=ca.vertcat(equations.c, equations.h))
     names = [f"{part}{end}" for end in ("", "_dot", "_ddot") for part in ("q_i", "q_d")]
     here, along = (ca.vertcat(*(observed[name] for name in own)) for own in (names[:4], names[2:]))
