@@ -41,7 +41,7 @@ def returned(v: float) -> float:
 
 
 def main(picture: Path | None = None) -> None:
-    """Compare the height of the first bounce with Hunt and Crossley's law, and the last speed with that of rolling."""
+    """The first bounce is as high as Hunt and Crossley's law says, and the ball ends at the speed of rolling."""
     run = build().model().simulate()
     height = run["ball.y"] - RADIUS
     summit = np.flatnonzero(np.diff(np.sign(run["ball.y_dot"])) < 0)[1]

@@ -32,7 +32,7 @@ def build():
 
 
 def main(picture: Path | None = None) -> None:
-    """Compare the sag at the end, when the trolley stands in the middle, with P L^3 / 48 E I + 5 w L^4 / 384 E I."""
+    """With the trolley in the middle the girder sags by P L^3 / 48 E I + 5 w L^4 / 384 E I."""
     run = build().model().simulate(tolerance=1e-3, samples=1000)
     last, middle = run.t > 12.0, -run.deflections("girder", at=0.5).y[:, 0]
     sag = (middle[last].max() + middle[last].min()) / 2

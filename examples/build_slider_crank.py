@@ -33,7 +33,7 @@ def build():
 
 
 def main(picture: Path | None = None) -> None:
-    """Simulate with the settings of the scene, print the end."""
+    """The method and its steps are those of the scene."""
     model = build().model()
     solution = model.simulate()
     print(solution.status)

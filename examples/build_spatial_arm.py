@@ -32,7 +32,7 @@ def arm() -> SceneRecord:
 
 
 def main(picture: Path | None = None) -> None:
-    """Simulate it and say where the load ends and how well the energy balances."""
+    """It prints where the load ends and the error of the energy balance."""
     solution = arm().model().simulate()
     print(solution.status)
     print(f"base turned {solution['swivel.angle'][-1]:.4f} rad, elbow {solution['elbow.angle'][-1]:.4f} rad, "

@@ -29,7 +29,7 @@ def build():
 
 
 def main(picture: Path | None = None) -> None:
-    """Compare the unstable root with its closed form, and say where the controlled pole is after five seconds."""
+    """The unstable root is that of the closed form; after five seconds the pole stands."""
     model = build().model()
     system = model.linearise({"pole.theta": 0.0}, inputs=["push"])
     A, B = system.A_state, system.B_state

@@ -32,7 +32,7 @@ def build():
 
 
 def main(picture: Path | None = None) -> None:
-    """Minimise s with |deflection| <= s at every saved time, by SciPy and the derivatives of the run."""
+    """Minimises s with |deflection| <= s at every saved time, by SciPy and the derivatives of the run."""
     model = build().model()
     run = DifferentiableRun(model, [f"{k}_y" for k in PARTS], [f"{k}_height" for k in PARTS])
 

@@ -47,7 +47,7 @@ def build():
 
 
 def main(picture: Path | None = None) -> None:
-    """Compare the force of the tyre at rest with the weight, and say how much the wheel leans."""
+    """At rest the force of the tyre is the weight; on the bump the wheel leans by its camber."""
     run = build().model().simulate()
     camber = -np.degrees(2 * (run["upright.e0"] * run["upright.e1"] + run["upright.e2"] * run["upright.e3"]))
     print(f"{run.status}, energy and work agree to {np.abs(run.energy_balance()).max():.1e} J")

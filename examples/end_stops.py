@@ -33,7 +33,7 @@ def build():
 
 
 def main(picture: Path | None = None) -> None:
-    """Compare the time of a whole swing with 4 a / w + 2 pi sqrt(J / k), and the energy with that of the start."""
+    """A whole swing takes 4 a / w + 2 pi sqrt(J / k), and the energy stays that of the start."""
     run = build().model().simulate()
     upper = [event.time for event in run.events if event.name == "upper"]
     period, closed_form = np.diff(upper).mean(), 4 * REACH / SPEED + 2 * pi * sqrt(INERTIA / STIFFNESS)

@@ -35,7 +35,7 @@ def build(body: FlexibleBody):
 
 
 def main(picture: Path | None = None) -> None:
-    """Compare the frequency of the ringing with that of a clamped beam, 1.875^2 sqrt(E I / rho A L^4)."""
+    """It rings at the frequency of a clamped beam, 1.875^2 sqrt(E I / rho A L^4)."""
     body = bar()
     run = build(body).model().simulate()
     late, q = run.t > TURN, run["bar.q1"]

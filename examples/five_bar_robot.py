@@ -32,7 +32,7 @@ def build():
 
 
 def main(picture: Path | None = None) -> None:
-    """Compare the tool with the intersection of two circles, and the motors' power with the change of energy."""
+    """The tool is where two circles intersect, and the motors' power is the rate of the energy."""
     run = build().model().simulate()
     elbows = [np.array([x + CRANK * np.cos(run[f"crank{k}.theta"]), CRANK * np.sin(run[f"crank{k}.theta"])])
               for k, x in ((1, -BASE), (2, BASE))]

@@ -22,7 +22,7 @@ def mass_matrix(model, run, sample: int) -> np.ndarray:
 
 
 def main(picture: Path | None = None) -> None:
-    """Compare the coupling M_LS = rho A L^2 / b^2 and the modal masses rho A L / 4 with those of the exact beam."""
+    """The coupling M_LS = rho A L^2 / b^2 and the modal masses rho A L / 4 are those of the exact beam."""
     model = SCENES["hub_beam"]().model()
     run = model.simulate(t_end=2.0, parameters={"torque": 30.0})
     M, line, length = mass_matrix(model, run, 0), 2766.7 * 7.2968e-5, 8.0

@@ -45,7 +45,7 @@ def by_hand(angle):
 
 
 def main(picture: Path | None = None) -> None:
-    """Compare the motor's torque with dT/dphi of the loop by hand: at constant speed that is all that it does."""
+    """The motor's torque is dT/dphi of the loop by hand: at constant speed it does nothing else."""
     run = build().model().simulate(t_end=2 * np.pi / SPEED, samples=720)
     torque, angle = run.motor("motor"), SPEED * run.t
     hand = slope(by_hand(angle[:-1]))

@@ -25,7 +25,7 @@ def build():
 
 
 def main(picture: Path | None = None, repetitions: int = 1, seed: int = 7) -> None:
-    """Fit with the derivatives of the run; measured again and again, how often does the 95 % region hold the truth?"""
+    """How often the 95 % region holds the truth is counted over repeated measurements."""
     model = build().model()
     true = DifferentiableRun(model, ["tip_y"], list(TRUTH))
     path, noise, inside = true.values(TRUTH)[:, 0], np.random.default_rng(seed), 0

@@ -20,7 +20,7 @@ def write(rod: FlexibleBody, path: Path) -> None:
 
 
 def main(picture: Path | None = None, out: Path | None = None) -> None:
-    """Say what the reduction keeps and loses, and write the data where `out` says."""
+    """It prints what the reduction keeps and loses, and writes the data where `out` says."""
     rod = connecting_rod(modes=6)
     print(rod.report())
     if out:

@@ -19,7 +19,7 @@ CENTRE, SPREAD = np.array([150.0, 0.0, 0.075552]), np.array([1.5, 0.01, 0.002])
 
 
 def main(picture: Path | None = None, cases: int = 2000) -> None:
-    """Report the scatter of the deflection, and the share of its variance that a linear fit gives to each cause."""
+    """The scatter of the deflection, and the share of its variance that a linear fit gives to each cause."""
     model = SCENES["flexible_slider_crank_free"]().model()
     scatter = norm.ppf(qmc.LatinHypercube(3, rng=1).random(cases))
     points = CENTRE + SPREAD * scatter

@@ -35,7 +35,7 @@ def residual(model: Model, q: ca.MX, v: ca.MX, a: ca.MX, torque: ca.MX) -> ca.MX
 
 
 def main(picture: Path | None = None, intervals: int = 60) -> None:
-    """Solve with IPOPT (exact second derivatives), print the torque."""
+    """IPOPT solves it with exact second derivatives."""
     model = build().model()
     n, h, opti = len(model.q_i), T_END / intervals, ca.Opti()
     q, v, a, u = (opti.variable(rows, intervals + 1) for rows in (n, n, n, 1))

@@ -34,7 +34,7 @@ def by_hand(speed):
 
 
 def main(picture: Path | None = None) -> None:
-    """Compare whirl with the roots of a quartic, and the speed of the largest whirl with the critical speed."""
+    """Whirl frequencies are the roots of a quartic, and whirl is largest near the critical speed."""
     model, speeds = build().model(), np.linspace(0, 200, 21)
     diagram = model.campbell("spin.omega", speeds)
     lowest = np.sort(np.abs([by_hand(speed) for speed in speeds]), axis=1)

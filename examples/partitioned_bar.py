@@ -29,7 +29,7 @@ def build():
 
 
 def main(picture: Path | None = None) -> None:
-    """Compare with d'Alembert: f(t - 1 + x) - f(t - 1 - x), f the impulse of the force, after the echo at the wall."""
+    """The motion is d'Alembert's f(t - 1 + x) - f(t - 1 - x), f the impulse of the force, with its echo."""
     model = build().model()
     x, run = np.cumsum(SIZES), model.simulate()
     better, single = model.simulate(scheme="exponential"), model.simulate(scheme="single_rate")

@@ -42,7 +42,7 @@ def by_hand(t_end, times):
 
 
 def main(picture: Path | None = None) -> None:
-    """Compare with the two equations written by hand, and say how far the body rises and whether the tyre lifts."""
+    """The motion is that of two equations by hand; it prints how far the body rises and whether the tyre lifts."""
     run = build().model().simulate(t_end=3.0, tolerance=1e-5, samples=600)
     body, wheel = by_hand(3.0, run.t)[:2]
     off = max(np.abs(run["body.y"] - body).max(), np.abs(run["wheel.y"] - wheel).max())

@@ -30,7 +30,7 @@ def build():
 
 
 def main(picture: Path | None = None) -> None:
-    """Compare the torque with the closed form J w^2 g g', where g is the rate of the rocker per rate of the crank."""
+    """The torque is J w^2 g g', where g is the rate of the rocker per rate of the crank."""
     run = build().model().simulate()
     phi, square = run["crank.theta"], CRANK**2 + PIVOT**2 + 2 * CRANK * PIVOT * np.sin(run["crank.theta"])
     g = (CRANK**2 + CRANK * PIVOT * np.sin(phi)) / square

@@ -34,7 +34,7 @@ def sampled_law():
 
 
 def main(picture: Path | None = None) -> None:
-    """Compare the loop with what it was designed for, and the sampled one with its difference equation."""
+    """The loop is as designed, and the sampled one follows its difference equation."""
     inside = build(f"{KP} * (wanted - angle_dot) + {KI} * total").model()
     outside = build("command").model()
     loop, run = inside.modes({"total": 0.0}), inside.simulate()

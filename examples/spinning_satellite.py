@@ -33,7 +33,7 @@ def build():
 
 
 def main(picture: Path | None = None) -> None:
-    """Compare spin and direction at the end with what conservation of the angular momentum says."""
+    """Spin and direction at the end follow from the conservation of angular momentum."""
     run = build().model().simulate()
     panels = 2 * LINE * ((ROOT + REACH) ** 3 - ROOT**3) / 3  # kg m^2 about an axis across them
     along_x, along_z = (HUB[0] + panels) * WOBBLE, (HUB[2] + panels) * SPIN  # the angular momentum, in world axes

@@ -47,7 +47,7 @@ def closed_form() -> float:
 
 
 def main(picture: Path | None = None) -> None:
-    """Compare how high the light ball is thrown, and where the block sticks, with closed forms; in the end all rest."""
+    """How high the light ball is thrown and where the block sticks have closed forms; in the end all rest."""
     run = simulate(build().model())
     print(run.status)
     summit = run["light.y"][run.t > 0.5].max()

@@ -326,7 +326,7 @@ def test_all_that_ends_or_begins_markup_is_text_in_the_page_of_a_run(tmp_path: P
 @NO_GLYPH
 @pytest.mark.long
 @given(GOOD)
-@settings(max_examples=20, deadline=None, suppress_health_check=SLOW)
+@settings(max_examples=8, deadline=None, suppress_health_check=SLOW)
 def test_texts_are_data_in_the_page_of_a_run(tmp_path_factory: Any, texts: dict[str, str]) -> None:
     _check_page(texts, tmp_path_factory.mktemp("texts"))
 
