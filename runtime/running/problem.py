@@ -157,6 +157,7 @@ AUTO = "auto"
 DEFAULT = 1e-3  # of `auto`
 LEAST_TOLERANCE = 1e-13
 MAX_SAMPLES = 10_000_000
+MOST_KEPT = 20_000  # samples of a run for which no time between them is asked
 MAX_STEPS = 1e15
 DISTINCT_TIMES = 2.0**-49  # dt over a time, at least
 STEP_ROUNDING = 1e-6  # of a step: t_end / dt is a whole number up to this
@@ -265,7 +266,8 @@ def checked_plan(
     t0: float,
     bounded: bool = False,
 ) -> Plan:
-    """Check every number of a run. seen_every [s]: time from sample to sample, 0: every step.
+    """Check every number of a run. seen_every [s]: time from sample to sample, 0: every step; None: what the scene
+    says, else every step, of long runs every so many.
 
     bounded: samples do not stay in memory. Raises SchemeError.
     """
@@ -280,6 +282,8 @@ def checked_plan(
     if (end - t0) / grid.dt_L > MAX_STEPS:
         raise SchemeError(f"dt = {grid.dt_L:g} s needs more than {MAX_STEPS:.0e} steps; raise dt or lower t_end")
     refuse_alike(t0, end, grid.dt_L)
+    if seen_every is None and not spacing and not bounded:
+        every = max(1, ceil((end - t0) / grid.dt_L / MOST_KEPT - STEP_ROUNDING))
     found = Plan(scheme, built, dict(options or {}), 1, every, float(t0)).until(end)
     if found.steps / every > MAX_SAMPLES and not bounded:
         raise SchemeError(

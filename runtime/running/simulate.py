@@ -111,7 +111,8 @@ def simulate(
     error : {"measured", "off"}, optional
         "measured" computes the motion twice for `Solution.error`.
     seen_every : float, optional
-        Time between stored samples [s]; 0: every step.
+        Time between stored samples [s]; 0: every step. None: what the scene says, else every step of steps of one
+        length, of more than 20,000 as many as leave no more samples than that.
     samples : int, optional
         Number of stored samples besides the first, in place of `seen_every`.
     engine : {"auto", "compiled", "interpreted"}, optional

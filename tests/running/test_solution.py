@@ -33,6 +33,7 @@ from runtime.operating.linearise import linearise
 from runtime.results.export import as_json
 from runtime.solutions.solution import Solution
 from runtime.views.report import run_report
+from symgen import Scene
 from symgen.scenes import generated_folder
 
 
@@ -380,3 +381,20 @@ def test_rates_have_units_of_rates(built_in: Load) -> None:
     name = model.q_i[0]
     units = linearise(model, outputs=[name, f"{name}_dot"]).units
     assert units[name] == "rad" and units[f"{name}_dot"] == "rad/s"
+
+
+def swing() -> Scene:
+    """A pendulum whose scene says nothing of samples."""
+    scene = Scene("swing").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0.0))
+    return scene.revolute("hinge", "ground.origin", "rod.origin").initial({"rod.theta": 0.3})
+
+
+def test_long_runs_keep_no_more_samples_than_they_need() -> None:
+    """30,000 steps: every second one, the same states as where each is asked for."""
+    pendulum = swing().model()
+    asked = {"scheme": "rk4", "dt": 1e-4, "error": "off"}
+    run, every = pendulum.simulate(t_end=3.0, **asked), pendulum.simulate(t_end=3.0, seen_every=0.0, **asked)
+    assert len(run.t) == 15_001 and len(every.t) == 30_001
+    np.testing.assert_array_equal(run.t, every.t[::2])
+    np.testing.assert_array_equal(run.q, every.q[::2])
+    assert len(pendulum.simulate(t_end=2.0, **asked).t) == 20_001
