@@ -209,7 +209,8 @@ class DifferentiableRun:
         saved = self.plan.seen_steps if steps is None else every or count
         other.plan = replace(self.plan, scheme=scheme, t0=t0, steps=count, seen_steps=saved, end=None)
         other.program = replace(self.program, scheme=scheme)
-        other.course = course(other.plan, self._holds if steps is None else ())
+        other._holds = self._holds if steps is None else []
+        other.course = course(other.plan, other._holds)
         other.t = t0 + np.array(other.course.times) * dt
         other._crossings = self._crossings.over(t0, dt, count)
         other._start = self._start.on(other.program, other.plan, parameters)
@@ -413,8 +414,9 @@ class DifferentiableRun:
 
     def _across(self, started: StartedRun) -> Course:
         """The course with its steps in parts where something jumps or happens."""
-        crossings = self._crossings.found(started)
-        return self._jumps.broken(self.course, self.plan, started.x[: len(self.model.parameters)], crossings)
+        crossings, modes = self._crossings.found(started, self._holds)
+        path = course(self.plan, (*self._holds, *modes)) if modes else self.course
+        return self._jumps.broken(path, self.plan, started.x[: len(self.model.parameters)], crossings)
 
     def _started(self, x: Values, slopes: bool = True) -> StartedRun:
         return self._start.started(self.variables.checked(x), slopes)

@@ -49,19 +49,26 @@ class EventCrossings:
                 "end the run at a time that moves, of which the derivative of a run does not know",
                 "take a scene without them, or let them not be terminal",
             )
-        sets = any(event.sets or event.mode for event in events)
-        if sets and (samples or SINCE in self._model.signals.names):
+        sets, modes = any(event.sets for event in events), any(event.mode for event in events)
+        filtered = SINCE in self._model.signals.names
+        if (sets and samples) or ((sets or modes) and filtered):
+            others = "rates or filters change" if filtered else "samples change"
             raise ArgumentError(
                 f"events of model {self._model.name}",
-                "set inputs, and samples, rates or filters change inputs too: that is not differentiated together",
-                "give constants",
+                f"set inputs, and {others} inputs too: that is not differentiated together",
+                "give constants, or functions of time",
             )
 
-    def found(self, started: StartedRun) -> dict[int, list[EventCrossing]]:
-        """By the step in which they happen. Raises NoResult for a run that they end."""
-        plan = self._plan
+    def found(
+        self, started: StartedRun, holds: Sequence[Hold] = ()
+    ) -> tuple[dict[int, list[EventCrossing]], list[Hold]]:
+        """By the step in which they happen; and the modes of elements that change where samples do.
+
+        holds: what inputs are set to, at ends of steps. Raises NoResult for a run that they end.
+        """
+        plan, modes = self._plan, list[Hold]()
         if not watches(plan.scheme):
-            return {}
+            return {}, []
         own = SteppedModel.prepared(self._model, plan, started.x[: len(self._model.parameters)], "auto")
         own.find_switches(plan.t0, plan.t_end)
         assert own.broken is not None
@@ -69,8 +76,12 @@ class EventCrossings:
         own.begin_events(z)
         made, crossings, kinks = list[LocatedEvents](), dict[int, list[EventCrossing]](), list[float]()
         event_handler = EventHandler(own, made)
+        changes = {step: [one for one in holds if one.step == step] for step in sorted({one.step for one in holds})}
         while int(z[1]) < plan.steps:
-            event_handler.advance(z, min(BATCH, plan.steps - int(z[1])))
+            if (now := changes.pop(int(z[1]), None)) is not None:
+                modes += self._sampled(own, event_handler, z, [(one, one.number(started.values)) for one in now])
+            until = min([plan.steps, *changes]) - int(z[1])
+            event_handler.advance(z, min(BATCH, until))
             if event_handler.status is not None:
                 raise NoResult(
                     f"model {self._model.name}", f"the run has no derivative, it ends: {event_handler.status}"
@@ -80,7 +91,37 @@ class EventCrossings:
                 kinks += [one.t for one in made if are_kinks(plan.scheme)[one.events].any()]
                 made.clear()
                 event_handler.reported.clear()
-        return self._approached(crossings, kinks)
+        return self._approached(crossings, kinks), modes
+
+    def _sampled(
+        self, own: SteppedModel, event_handler: EventHandler, z: np.ndarray, values: Sequence[tuple[Hold, float]]
+    ) -> list[Hold]:
+        """Inputs take these values at z (n_z,), in place, as a run does it; what sticks or opens from there on.
+
+        The time of a sample stands still, and rates go on: nothing but the modes has to be known. Raises NoResult for
+        an impact there.
+        """
+        inputs = own.plan.scheme.layout.slice("inputs")
+        w, elements = z[inputs].copy(), self._model.element_modes
+        for hold, value in values:
+            w[hold.row - inputs.start] = value
+        own.hold(z, w)
+        own.look_anew(z)
+        before = len(event_handler.reported)
+        settled = event_handler.settle(z)
+        struck = [event.name for event in event_handler.reported[before:] if event.kind == "impact"]
+        del event_handler.reported[before:]
+        if struck:
+            raise NoResult(
+                f"sample of an input at t = {z[0] + z[1] * own.plan.grid.dt_L:.6g} s",
+                f"comes just where {struck[0]} is struck",
+                "move it a little",
+            )
+        if settled is None:
+            return []
+        step = int(z[1])
+        changed = np.flatnonzero(settled[elements] != w[elements])
+        return [Hold(step, inputs.start + int(elements[k]), float(settled[elements[k]])) for k in changed]
 
     def _approached(
         self, crossings: dict[int, list[EventCrossing]], kinks: Sequence[float]
