@@ -9,8 +9,9 @@ from typing import Any
 import casadi as ca
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
-from runtime import Model, gradient, output_jacobian, simulate
+from runtime import DifferentiableRun, Model, fit, gradient, output_jacobian, simulate
 from runtime.contract.errors import ArgumentError, NoResult
 from runtime.gradients.objectives import End
 from runtime.schemes.catalogue import SCHEMES
@@ -214,8 +215,10 @@ def test_what_has_no_derivative_is_refused_by_name(model_of: Build) -> None:
     with pytest.raises(NoResult, match=r"by block.x_dot: is another to each side: rail.friction is at rest"):
         gradient(model, End("block.x"), ["block.mass", "block.x_dot"])
     assert gradient(model, End("block.x"), ["block.mass"]).derivatives == pytest.approx([-1.0], rel=1e-9)
-    with pytest.raises(ArgumentError, match="samples, rates or filters change inputs too"):
-        gradient(model, End("block.x"), ["block.mass"], inputs={"u": ([0.0, 0.5], [0.0, 1.0])})
+    smooth = Scene("smooth").ground().rigid("block", mass=1.0, inertia=0.1).input("u", 1.0, filter=5.0)
+    smooth.prismatic("rail", "ground.origin", "block.origin", friction={"coulomb": 3.0}).effort("f", "rail.travel", "u")
+    with pytest.raises(ArgumentError, match="rates or filters change inputs too"):
+        gradient(model_of(smooth.build()), End("block.x"), ["block.mass"])
     struck = {"initial": {"ball.y": 0.0, "ball.y_dot": -1.0}}
     with pytest.raises(NoResult, match="a stop is struck there"):
         gradient(model_of(ball(1.0)), End("ball.y"), ["g"], **struck)
@@ -224,3 +227,91 @@ def test_what_has_no_derivative_is_refused_by_name(model_of: Build) -> None:
     graze.measure("x", "x", "m.origin").initial({"m.x": 1 + 1e-11})
     with pytest.raises(NoResult, match=r"rail.limits.lower.*grazes zero at t = 3.14"):
         gradient(model_of(graze.simulation(t_end=4.0, dt=0.1, scheme="dop853").build()), End("m.x"), ["m.x"])
+
+
+# ---- samples of inputs beside friction ---------------------------------------------------------------------------
+
+TORQUES = (0.1 * np.arange(40), 9.0 * np.sin(0.2 * np.arange(40)) + 5 * np.sin(0.53 * np.arange(40) + 1) + 3)
+
+
+def geared(**friction: Any) -> SceneRecord:
+    """A joint with friction that holds an arm with a payload; its motor is told a torque by samples."""
+    scene = Scene("payload").parameter("J", 0.4).parameter("load", 0.5).parameter("F", 1.2).input("torque", 0.0, "N m")
+    tip = {"tip": {"position": [0.5, 0.0]}}
+    scene.rigid("arm", mass=2.0, inertia="J", center_of_mass=(0.2, 0.0), markers=tip).gravity(0.0, -9.81)
+    scene.rigid("load", mass="load", inertia=0.01).weld("grip", "arm.tip", "load.origin")
+    scene.revolute("joint", "ground.origin", "arm.origin", friction={"coulomb": "F", **friction})
+    scene.effort("motor", "joint.angle", "torque").initial({"arm.theta": -1.2})
+    return scene.simulation(t_end=2.0, dt=0.01, scheme="rk4", seen_every=0.02).build()
+
+
+@pytest.mark.every_push("rk4")
+@pytest.mark.parametrize("scheme", ["rk4", "radau", "exponential"])
+def test_samples_beside_friction_against_differences(model_of: Build, scheme: str) -> None:
+    """It starts and lets go at samples, turns back between them, and sticks; by parameters and by each sample."""
+    times, sizes = TORQUES[0], np.where(TORQUES[0] % 1 < 0.4, 2.36 + 2.6 * np.sign(np.sin(3 * TORQUES[0])), 0.0)
+    model, inputs = model_of(geared(breakaway=1.8, stribeck_velocity=0.1, viscous=0.3)), {"torque": (times, sizes)}
+    call: dict[str, Any] = {"scheme": scheme, "dt": 0.005, "inputs": inputs}
+    run = DifferentiableRun(model, ["arm.theta", "arm.theta_dot"], ["J", "F", "load", "torque"], **call)
+    made = simulate(model, **call)
+    changes = [(event.time, event.text.split(" ", 1)[1]) for event in made.events if event.kind == "mode"]
+    assert changes[0] == (pytest.approx(0.1), "slides forwards") and "sticks" in [text for _, text in changes]
+    assert any(min(abs(time - times)) > 1e-3 for time, _ in changes)
+    np.testing.assert_allclose(run.values(run.x0)[:, 0], made["arm.theta"], atol=1e-12)
+    slopes = run.jacobian(run.x0)
+    for k in range(len(run.by)):
+        ends = [run.values(run.x0 + sign * 1e-6 * np.eye(len(run.by))[k]) for sign in (1, -1)]
+        change = (ends[0] - ends[1]) / 2e-6
+        np.testing.assert_allclose(slopes.derivatives[:, :, k], change, atol=2e-5 * max(1, np.abs(change).max()))
+    reverse = run.gradient(End("arm.theta"), run.x0, "reverse")
+    np.testing.assert_allclose(reverse.derivatives, slopes.derivatives[-1, 0], rtol=1e-9, atol=1e-13)
+
+
+def test_a_payload_is_identified_from_a_log_with_friction(model_of: Build) -> None:
+    """Inertia, payload and friction from a log of another program's run: their truth, and within what noise allows."""
+    model, truth = model_of(geared(viscous=0.3)), {"J": 0.4, "load": 0.5, "F": 1.2}
+    log = logged(truth)
+    settings: dict[str, Any] = {"inputs": {"torque": TORQUES}, "bounds": {"load": (0.0, 3.0)}}
+    data = {"t": 0.02 * np.arange(101), "arm.theta": log[:, 0], "arm.theta_dot": log[:, 1]}
+    guess, deviation = {"J": 0.55, "load": 0.9, "F": 0.7}, {"arm.theta": 1e-3, "arm.theta_dot": 1e-2}
+    exact = fit(model, data, list(truth), guess=guess, deviation=deviation, **settings)
+    np.testing.assert_allclose(exact.x, list(truth.values()), rtol=2e-6)
+    noise = np.random.default_rng(3)
+    for name, spread in deviation.items():
+        data[name] = data[name] + noise.normal(0.0, spread, 101)
+    found = fit(model, data, list(truth), guess=guess, deviation=deviation, **settings)
+    assert found.converged and found.contains(truth, 0.99) and (found.standard_errors < 0.02).all()
+
+
+def logged(truth: dict[str, float]) -> np.ndarray:
+    """Angle and rate (101, 2) of the joint by hand and SciPy: (J + m l^2) w' = torque - weight - friction.
+
+    Integrated from sample to sample, and from reversal to reversal; it never sticks, as the torque beyond them shows.
+    """
+    inertia = truth["J"] + 0.01 + 2.0 * 0.2**2 + truth["load"] * 0.5**2
+    weight = 9.81 * (2.0 * 0.2 + truth["load"] * 0.5)
+    grid, state, side = 0.02 * np.arange(101), np.array([-1.2, 0.0]), 0.0
+    rows = [state]
+    for k, t in enumerate(grid[:-1]):
+        torque = TORQUES[1][int(np.floor(t / 0.1 + 1e-9))]
+        end = grid[k + 1]
+        while t < end:
+            drive = torque - weight * np.cos(state[0])
+            if state[1] == 0:
+                assert abs(drive) > truth["F"]
+                side = np.sign(drive)
+
+            def rate(_: float, y: np.ndarray, torque: float = torque, side: float = side) -> list[float]:
+                friction = truth["F"] * side + 0.3 * y[1]
+                return [y[1], (torque - weight * np.cos(y[0]) - friction) / inertia]
+
+            def still(time: float, y: np.ndarray, start: float = t, side: float = side) -> float:
+                return float(y[1] * side if time > start + 1e-9 else 1.0)
+
+            still.terminal, still.direction = True, -1  # type: ignore[attr-defined]
+            part = solve_ivp(rate, (t, end), state, "DOP853", rtol=1e-12, atol=1e-13, events=still)
+            t, state = part.t[-1], part.y[:, -1]
+            if part.status == 1:
+                state = np.array([state[0], 0.0])
+        rows.append(state)
+    return np.array(rows)
