@@ -26,9 +26,23 @@ SECTIONS = {
         "bouncing_ball",
         "stacked_balls",
     ],
-    "Driven mechanisms and robots": ["five_bar_robot", "quick_return", "four_bar_300rpm", "geared_arm", "urdf_arm"],
+    "Driven mechanisms and robots": [
+        "five_bar_robot",
+        "quick_return",
+        "four_bar_300rpm",
+        "geared_arm",
+        "urdf_arm",
+        "faulty_robot",
+    ],
     "In space": ["double_wishbone", "build_spatial_arm", "gyroscope", "tumbling_body", "spinning_satellite"],
-    "Flexible bodies": ["overhung_rotor", "rotor_blades", "spin_up", "finite_element_bar", "mesh_connecting_rod"],
+    "Flexible bodies": [
+        "overhung_rotor",
+        "rotor_blades",
+        "spin_up",
+        "finite_element_bar",
+        "mesh_connecting_rod",
+        "rod_over_speed",
+    ],
     "Control, optimisation, studies": [
         "cart_pole",
         "speed_loop",
@@ -41,6 +55,7 @@ SECTIONS = {
         "design_rod",
         "thin_coupler",
         "identify_hub_beam",
+        "identify_payload",
     ],
     "The paper: its figures and its schemes": [
         "partitioned_bar",

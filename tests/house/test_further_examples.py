@@ -186,3 +186,27 @@ def test_geared_arm(said) -> None:
     assert len(errors) == 2 and max(map(abs, errors)) < 0.1 and first == second == 0
     shoulder, elbow, *holds = line(text, "torques beyond the weights")
     assert abs(shoulder) <= holds[0] and abs(elbow) <= holds[1] and len(holds) == 2
+
+
+def test_faulty_robot(said) -> None:
+    """Refused by name; taken with what was assumed; the mass matrix by hand, limits and friction of the file."""
+    text = said("faulty_robot")
+    assert "refused: head.urdf: link 'camera': no body has its moments" in text and "pan turns back" in text
+    assert len(text.partition("taken, with\n")[2].partition("limits:")[0].splitlines()) == 6
+    assert "'pan': (-2.0, 2.0, 8.0, 3.0)" in text and line(text, "mass matrix off by hand by")[0] < 1e-15
+
+
+def test_identify_payload(said) -> None:
+    """The log sticks and turns back; the truth is in the region that is said, which is small."""
+    text = said("identify_payload")
+    assert "the truth lies in the 95 % region of all" in text and int(line(text, "changes its mode")[0]) > 5
+    low, high, truth = numbers(next(one for one in text.splitlines() if one.startswith("payload")).partition("%")[2])
+    assert low < truth < high and high - low < 0.01
+
+
+def test_rod_over_speed(said) -> None:
+    """By the square of the speed while it is slow; beyond it as the rod's own vibration comes nearer."""
+    text = said("rod_over_speed", speeds=3)
+    assert numbers(text.splitlines()[1])[-1] == pytest.approx(4.0, rel=1e-3)
+    shares = [numbers(row)[-1] for row in text.splitlines()[2:]]
+    assert len(shares) == 3 and 1 < shares[0] < shares[1] < shares[2] < 1.1
