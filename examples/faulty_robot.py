@@ -1,4 +1,4 @@
-"""A pan-tilt head from a URDF file with seven faults: what is refused, what is assumed, and the robot that comes out."""
+"""A pan-tilt head from a URDF file with seven faults: what is refused, what is assumed, and the robot made right."""
 
 import sys
 import tempfile

@@ -15,7 +15,7 @@ NOISE = {"shoulder_angle": 2e-4, "elbow_angle": 2e-4}  # rad
 
 
 def build():
-    """Two links in a level plane with a payload; motors that are told a torque every EVERY seconds, friction in both joints."""
+    """Two links in a level plane with a payload; motors told a torque every EVERY seconds, friction in both joints."""
     scene = Scene("carrying_arm")
     for name, value in GUESS.items():
         scene.parameter(name, value)

@@ -1,4 +1,4 @@
-"""A connecting rod with fillets, reduced from a mesh of solids: the stress in a fillet over the speed of the machine."""
+"""A connecting rod with fillets, reduced from a mesh of solids: the stress in a fillet over the speed."""
 
 import sys
 from pathlib import Path
@@ -26,8 +26,8 @@ def rod():
     """Quadratic hexahedra with curved edges, fine along the arcs; four modes of the free body, gauges in a fillet."""
     import skfem
 
-    third = np.concatenate([np.linspace(0, FLAT, 4), FLAT + ARC * np.linspace(0, 1, 7)[1:]])
-    along = np.unique(np.concatenate([third, np.linspace(FLAT + ARC, LENGTH - FLAT - ARC, 13), LENGTH - third]).round(12))
+    end = np.concatenate([np.linspace(0, FLAT, 4), FLAT + ARC * np.linspace(0, 1, 7)[1:]])
+    along = np.concatenate([end, np.linspace(end[-1], LENGTH - end[-1], 13)[1:-1], LENGTH - end[::-1]])
     cube = skfem.MeshHex2.from_mesh(skfem.MeshHex.init_tensor(along, np.linspace(-1, 1, 5), np.linspace(0, THICK, 3)))
     places = cube.doflocs.copy()
     places[1] *= half_width(places[0])

@@ -199,7 +199,7 @@ def test_faulty_robot(said) -> None:
 def test_identify_payload(said) -> None:
     """The log sticks and turns back; the truth is in the region that is said, which is small."""
     text = said("identify_payload")
-    assert "the truth lies in the 95 % region of all" in text and int(line(text, "changes its mode")[0]) > 5
+    assert "the truth lies in the 95 % region of all" in text and line(text, "the log")[1] > 5
     low, high, truth = numbers(next(one for one in text.splitlines() if one.startswith("payload")).partition("%")[2])
     assert low < truth < high and high - low < 0.01
 
