@@ -145,6 +145,7 @@ def test_simulate_and_animate(capsys, folder, tmp_path) -> None:
     assert solution["rod.theta"][0] == pytest.approx(-0.5) and len(solution.t) == 101
     assert json.loads((tmp_path / "run" / "report.json").read_text()) == data["report"]
     assert (tmp_path / "run" / "energy.png").is_file()
+    assert ">completed<" in (tmp_path / "run" / "page.html").read_text(encoding="utf-8")
     code, data = run(capsys, "animate", tmp_path / "run", "--frames", 5, "--exaggeration", 2)
     assert code == 0 and Path(data["file"]) == tmp_path / "run" / "motion.gif" and data["exaggeration"] == 2.0
     assert run(capsys, "animate", folder / "code", "--t-end", 0.02, "--frames", 3, "--out", tmp_path / "a.gif")[0] == 0

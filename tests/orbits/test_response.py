@@ -25,7 +25,7 @@ def pushed(name: str, force: str) -> SceneRecord:
 def test_a_damped_mathieu_oscillator_answers_as_hills_matrix_says(model_of: Build) -> None:
     """(a - s^2 + i c s) X_m - q (X_{m-1} + X_{m+1}) = 1 for m = 0, else 0; s = w + 2 m, with 20 harmonics each way."""
     model = model_of(pushed("parametric", f"1 - {C}*x_dot - ({A} - 2*{Q}*cos(2*t))*x"))
-    found = periodic(model, period=np.pi, steps=400, scheme="dop853")
+    found = periodic(model, period=np.pi, steps=200, scheme="dop853")
     w = np.array([0.3, 1.1, 1.7, 2.9])
     answer = found.response("u", w, ["x"], harmonics=2)
     assert answer.harmonics.tolist() == [-2, -1, 0, 1, 2]
