@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from runtime.running.step_refinement import FIRST, Method, StepRefinement
+from runtime.running.step_refinement import FIRST_LEVEL_STEPS, Method, StepRefinement
 from runtime.studies.advice.reference import Reference, Trial, trial_of
 
 REFINEMENTS = 4  # halvings of the interval (in logarithm) between too few steps and enough
@@ -32,7 +32,7 @@ class Timed:
 
 def fewest(timed: Timed, error: float, most: int = 10**8, seconds_to_beat: float = np.inf) -> Trial | None:
     """The run; None where the steps would be too many, or take far longer than what is to be beaten [s]."""
-    low, best, steps = 0, None, FIRST
+    low, best, steps = 0, None, FIRST_LEVEL_STEPS
     while best is None:
         found = timed.run(steps)
         if found.error <= error:
@@ -43,7 +43,7 @@ def fewest(timed: Timed, error: float, most: int = 10**8, seconds_to_beat: float
             low, steps = steps, min(most, 2 * steps)
     for _ in range(REFINEMENTS):
         middle = round((low * best.steps) ** 0.5)
-        if middle in (low, best.steps) or middle < FIRST:
+        if middle in (low, best.steps) or middle < FIRST_LEVEL_STEPS:
             break
         found = timed.run(middle)
         low, best = (low, found) if found.error <= error else (middle, best)

@@ -17,7 +17,7 @@ from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import floored
 from runtime.running.problem import Plan, Problem
 from runtime.running.run_options import RunOptions
-from runtime.running.step_refinement import FIRST, Method, RefinementLevel, StepRefinement
+from runtime.running.step_refinement import FIRST_LEVEL_STEPS, Method, RefinementLevel, StepRefinement
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 from runtime.schemes.stepper import Stepper
@@ -132,7 +132,7 @@ def runs_of_an_oracle(case: Case, tolerances: Iterable[float], methods: Iterable
         np.inf,
     )
     for method in methods:
-        steps = FIRST
+        steps = FIRST_LEVEL_STEPS
         while steps < MOST_STEPS:
             try:
                 one = case.made(refinement.level(refinement.plan(method, steps)))
@@ -143,7 +143,7 @@ def runs_of_an_oracle(case: Case, tolerances: Iterable[float], methods: Iterable
                 best = min(best, one.operations)
             if one.error <= least or one.operations > 10 * best:
                 break
-            steps = FIRST * max(steps // FIRST + 1, round(steps / FIRST * FINER))
+            steps = FIRST_LEVEL_STEPS * max(steps // FIRST_LEVEL_STEPS + 1, round(steps / FIRST_LEVEL_STEPS * FINER))
     return found
 
 

@@ -70,9 +70,9 @@ class Impulses:
         return np.concatenate([y[:n], y[n : 2 * n] + found[0], y[2 * n :]])
 
 
-EXPLICIT = ("RK23", "RK45", "DOP853")
-IMPLICIT = ("Radau", "BDF", "LSODA")
-MOST_EVALUATIONS = 5_000_000  # minutes of work: at a singular position steps would shrink for ever
+EXPLICIT_SCIPY = ("RK23", "RK45", "DOP853")
+IMPLICIT_SCIPY = ("Radau", "BDF", "LSODA")
+MOST_SLOPE_EVALUATIONS = 5_000_000  # minutes of work: at a singular position steps would shrink for ever
 
 
 def reference_solution(
@@ -89,17 +89,17 @@ def reference_solution(
 ) -> Solution:
     """A tight path to judge schemes by: the condensed equations from 0 to t_end by SciPy, loops closed to rounding.
 
-    method: one of EXPLICIT or IMPLICIT (exact Jacobian); times: where to report (the end only by default). Raises
-    ArgumentError for an unknown method, ModelError or InitialStateError for bad arguments, NoResult after
-    MOST_EVALUATIONS.
+    method: one of EXPLICIT_SCIPY or IMPLICIT_SCIPY (exact Jacobian); times: where to report (the end only by
+    default). Raises ArgumentError for an unknown method, ModelError or InitialStateError for bad arguments,
+    NoResult after MOST_SLOPE_EVALUATIONS.
     """
-    if method not in EXPLICIT + IMPLICIT:
-        raise ArgumentError(f"method must be one of {', '.join(EXPLICIT + IMPLICIT)}, not {method!r}")
+    if method not in EXPLICIT_SCIPY + IMPLICIT_SCIPY:
+        raise ArgumentError(f"method must be one of {', '.join(EXPLICIT_SCIPY + IMPLICIT_SCIPY)}, not {method!r}")
     given = start_of(model, parameters, initial, start)
     ode = CondensedOde(model, TO_ROUNDING)
     slope, size = evaluator(ode.right_hand_side(), given.c, compiled=False), len(given.y)
     more: dict[str, Any] = {}
-    if method in IMPLICIT:
+    if method in IMPLICIT_SCIPY:
         jacobian = evaluator(ode.jacobian(), given.c, compiled=False)
         more["jac"] = lambda t, y: jacobian(t, y).reshape(size, size).T.copy()
     t = np.array([t_end]) if times is None else np.asarray(times, dtype=float)
@@ -154,15 +154,15 @@ def in_pieces(
 
 
 def counted(slope: Slope, method: str) -> Slope:
-    """The slope as a fresh array, up to MOST_EVALUATIONS times. Raises NoResult."""
+    """The slope as a fresh array, up to MOST_SLOPE_EVALUATIONS times. Raises NoResult."""
     done = 0
 
     def evaluated(t: float, y: np.ndarray) -> np.ndarray:
         nonlocal done
         done += 1
-        if done > MOST_EVALUATIONS:
+        if done > MOST_SLOPE_EVALUATIONS:
             raise NoResult(
-                f"{method} needs more than {MOST_EVALUATIONS:.0e} evaluations to get beyond t = {t:.9g} s: "
+                f"{method} needs more than {MOST_SLOPE_EVALUATIONS:.0e} evaluations to get beyond t = {t:.9g} s: "
                 "its steps shrink, as at a singular position of q_i or of Euler angles"
             )
         return slope(t, y).copy()

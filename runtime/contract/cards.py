@@ -13,7 +13,7 @@ import numpy as np
 
 GREEN, ORANGE, GREY = "#15803d", "#c2410c", "#6b7280"
 CELL = "text-align:left;padding:1px 10px 1px 0;border:none;vertical-align:top"
-MOST = 40  # rows of a table; further ones are counted
+MOST_ROWS_OF_CARD = 40  # rows of a table; further ones are counted
 SPARK = (170, 22)  # pixels
 
 
@@ -53,9 +53,10 @@ def table(rows: Iterable[Sequence[str]], header: Sequence[str] = ()) -> Html:
     listed = list(rows)
     head = "".join(f'<th style="{CELL};color:{GREY}">{html(cell)}</th>' for cell in header)
     body = "".join(
-        "<tr>" + "".join(f'<td style="{CELL}">{html(cell)}</td>' for cell in row) + "</tr>" for row in listed[:MOST]
+        "<tr>" + "".join(f'<td style="{CELL}">{html(cell)}</td>' for cell in row) + "</tr>"
+        for row in listed[:MOST_ROWS_OF_CARD]
     )
-    more = f"<tr><td>... {len(listed) - MOST} more</td></tr>" if len(listed) > MOST else ""
+    more = f"<tr><td>... {len(listed) - MOST_ROWS_OF_CARD} more</td></tr>" if len(listed) > MOST_ROWS_OF_CARD else ""
     style = "border-collapse:collapse;margin:4px 0;font:inherit"
     return Html(f'<table style="{style}">{f"<tr>{head}</tr>" if head else ""}{body}{more}</table>')
 

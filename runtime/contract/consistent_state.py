@@ -34,7 +34,7 @@ from runtime.contract.status import Event, EventKind
 # On two cores that other work shares, eigenvalues of a 600 x 600 matrix take 0.18 s of CPU by one thread, 2.7 s by
 # two.
 
-SMALL = 64  # rows up to which BLAS takes one thread anyway
+ROWS_OF_ONE_THREAD = 64  # rows up to which BLAS takes one thread anyway
 
 
 class _OneThread:
@@ -62,7 +62,7 @@ _LIMITED = _OneThread()
 
 def one_thread(rows: int) -> AbstractContextManager[None]:
     """While it lasts, BLAS takes one thread for matrices of so many rows; small ones are left alone."""
-    return nullcontext() if rows <= SMALL else _LIMITED
+    return nullcontext() if rows <= ROWS_OF_ONE_THREAD else _LIMITED
 
 
 def dense_eigenvalues(A: np.ndarray) -> np.ndarray:
@@ -84,14 +84,14 @@ def _libraries() -> Any:
 # cannot do given values move, as little as possible in the least-squares sense (case F1 violates one by 2e-10).
 # Elastic coordinates move last, being small; those left open count as given zeros.
 
-MAX_ITERATIONS = 100
+MAX_ASSEMBLY_ITERATIONS = 100
 LARGEST_STEP = 0.5  # rad or m per iteration: keeps Newton on the branch the user started
 POSITION_TOLERANCE = 1e-13  # m or rad, times the largest coordinate if above 1
 VELOCITY_TOLERANCE = 1e-12
 JACOBIAN_ROUNDING = 1e-13  # of the largest entry of C_q
 OTHER_STARTS, TURN_OPEN = 6, 0.6  # rad or m
 AS_NEAR = 1.25  # times as far away is another branch that may have been meant
-SAME_PLACE = 1e-6  # rad or m between places that are one
+ONE_PLACE = 1e-6  # rad or m between places that are one
 REMEDY = {
     "position": "free one of the fixed values, correct lengths and axes, take a joint that leaves more free, or start "
     "closer to an assembled position",
@@ -228,13 +228,13 @@ def _first_closed(
 
 def _other_branch(start: np.ndarray, q: np.ndarray, moving: np.ndarray, position: Residual) -> np.ndarray | None:
     """The branch on the other side of the start, if it lies about as near as q."""
-    if np.abs(q - start).max(initial=0.0) <= SAME_PLACE:
+    if np.abs(q - start).max(initial=0.0) <= ONE_PLACE:
         return None
     slope = position(q)[1][:, moving]
     if np.array_equal(slope, position(start)[1][:, moving]) or not _is_isolated(slope):  # a plane has one side
         return None
     found = _positions(2 * start - q, moving, position)
-    if found is None or np.abs(less_turns(found - q)).max() <= SAME_PLACE:
+    if found is None or np.abs(less_turns(found - q)).max() <= ONE_PLACE:
         return None
     return (
         found if np.linalg.norm(less_turns(found - start)) <= AS_NEAR * np.linalg.norm(less_turns(q - start)) else None
@@ -243,7 +243,7 @@ def _other_branch(start: np.ndarray, q: np.ndarray, moving: np.ndarray, position
 
 def _is_isolated(slope: np.ndarray) -> bool:
     """Do the constraints leave nothing open of what moves (columns)?"""
-    return bool(np.linalg.matrix_rank(slope, tol=SAME_PLACE) == slope.shape[1])
+    return bool(np.linalg.matrix_rank(slope, tol=ONE_PLACE) == slope.shape[1])
 
 
 def less_turns(change: np.ndarray) -> np.ndarray:
@@ -267,7 +267,7 @@ def _positions(q0: np.ndarray, free: np.ndarray, position: Residual) -> np.ndarr
 
 def _nearest(q0: np.ndarray, free: np.ndarray, position: Residual) -> np.ndarray:
     q, best, best_error = q0.copy(), q0.copy(), np.inf
-    for _ in range(MAX_ITERATIONS):
+    for _ in range(MAX_ASSEMBLY_ITERATIONS):
         C, C_q = position(q)
         if not (np.all(np.isfinite(C)) and np.all(np.isfinite(C_q))):
             raise InitialStateError("the constraints are not finite at the initial state; check motions and parameters")
@@ -455,7 +455,7 @@ def angle_bodies(names: Mapping[str, object], sequences: Mapping[str, str]) -> d
 
 ASSEMBLED: EventKind = "assembled"
 QUARTER = np.pi / 2
-SHOWN = 4  # coordinates that a text names
+SHOWN_COORDINATES = 4  # coordinates that a text names
 
 
 def with_words(state: ConsistentState, coordinates: Sequence[Coordinate], given: Collection[str]) -> ConsistentState:
@@ -470,7 +470,7 @@ def with_words(state: ConsistentState, coordinates: Sequence[Coordinate], given:
             )
     if state.other is not None:
         other = state.other
-        apart = [k for k in _left_open(coordinates, given) if abs(less_turns(other[k] - state.q[k])) > SAME_PLACE]
+        apart = [k for k in _left_open(coordinates, given) if abs(less_turns(other[k] - state.q[k])) > ONE_PLACE]
         places = [f"{coordinates[k].name} = {other[k]:.4g}, not {state.q[k]:.4g}" for k in apart]
         if places:
             reported.append(f"another branch lies about as near: {_shown(places)}. Give one of them to choose it")
@@ -480,7 +480,7 @@ def with_words(state: ConsistentState, coordinates: Sequence[Coordinate], given:
 # What assembly did to what somebody gave: told where it is more than the digits that were given.
 
 LEAST_CHANGE = 1e-9  # of a value, and m, rad or their rates: less is what assemblies round
-DIGITS = 1e-3  # of a value: no more is laid to digits that were left out
+ROUNDED_DIGITS = 1e-3  # of a value: no more is laid to digits that were left out
 
 
 def start_events(state: ConsistentState, t0: float) -> list[Event]:
@@ -497,7 +497,7 @@ def rounds_to(given: float, used: float) -> bool:
     """Is a value the given one but for digits that were left out there?"""
     change, exponent = abs(used - given), Decimal(repr(float(given))).normalize().as_tuple().exponent
     digits = 0.5 * 10.0**exponent if isinstance(exponent, int) else 0.0
-    return change <= max(LEAST_CHANGE * max(1.0, abs(given)), min(digits, DIGITS * abs(given)))
+    return change <= max(LEAST_CHANGE * max(1.0, abs(given)), min(digits, ROUNDED_DIGITS * abs(given)))
 
 
 def _left_open(coordinates: Sequence[Coordinate], given: Collection[str]) -> list[int]:
@@ -521,4 +521,4 @@ def _is_far(coordinates: Sequence[Coordinate], k: int, placed: np.ndarray, q: np
 
 
 def _shown(parts: list[str]) -> str:
-    return ", ".join(parts[:SHOWN]) + (", ..." if len(parts) > SHOWN else "")
+    return ", ".join(parts[:SHOWN_COORDINATES]) + (", ..." if len(parts) > SHOWN_COORDINATES else "")

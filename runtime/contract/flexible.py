@@ -208,7 +208,7 @@ def stretching_functions(start: str, end: str, count: int) -> ShapeFunctions:
 # Shapes of a beam's mode set in closed form, orthogonal in mass and stiffness, by the names of its ends (Eq. 19).
 
 FEWEST_PANELS = 8
-GRID = 16  # points a panel among which the largest value of a shape is sought
+POINTS_OF_PANEL = 16  # points a panel among which the largest value of a shape is sought
 POLISHING = 4  # Newton steps to it
 SIGN_THRESHOLD = 1e-6
 
@@ -286,7 +286,7 @@ def _orthogonal(choice: EndShapes, own: ShapeFunctions, values: Array, panels: i
 
 
 def _grid(panels: int) -> Array:
-    return np.linspace(0.0, 1.0, GRID * panels + 1)
+    return np.linspace(0.0, 1.0, POINTS_OF_PANEL * panels + 1)
 
 
 def _scales(functions: ShapeFunctions, panels: int) -> Array:
@@ -365,7 +365,7 @@ def cross_matrix(v: np.ndarray) -> np.ndarray:
 # All of it is linear in 9 fields x_i e_j (i slowest), 9 nf fields phi_a,i e_j (a slowest, then i), and the forces and
 # moments (6) of each interface. Weight and a_o are rigid: they load nothing.
 
-SAME_PLACE = 1e-9  # of the size of the body: a marker of another name there stands for the interface
+INTERFACE_PLACE = 1e-9  # of the size of the body: a marker of another name there stands for the interface
 
 
 class UnknownInterface(Exception):
@@ -396,6 +396,6 @@ def _interface(marker: str, position: np.ndarray, interfaces: Mapping[str, np.nd
     if marker in interfaces:
         return marker
     for name, place in interfaces.items():
-        if np.abs(place - position).max() <= SAME_PLACE * size:
+        if np.abs(place - position).max() <= INTERFACE_PLACE * size:
             return name
     raise UnknownInterface(marker)

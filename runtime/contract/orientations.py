@@ -76,8 +76,8 @@ def rotation(theta: np.ndarray) -> np.ndarray:
 # first and the third angle are not determined. Only what is read off is ill-defined there.
 
 NAMES = ("theta1", "theta2", "theta3")
-NEAR_SINGULAR = 0.02  # cosine or sine of the middle angle: two angles turn fifty times as fast as the body
-SMALLEST = 1e-150  # beside zero: arctan2(0, 0) has no derivative
+NEAR_GIMBAL_LOCK = 0.02  # cosine or sine of the middle angle: two angles turn fifty times as fast as the body
+BESIDE_ZERO = 1e-150  # beside zero: arctan2(0, 0) has no derivative
 EULER_PARAMETERS = "euler_parameters"
 
 
@@ -105,7 +105,7 @@ def angles_of(kind: str, e: Sequence[Any], arctan2: Operation, cos: Operation, s
     k, s = 3 - i - j, 1 if (j - i) % 3 == 1 else -1
     last = "xyz".index(kind[2])
     side, level = (A[j][i], -s * A[k][i]) if last == i else (-s * A[j][k], A[k][k])
-    first = arctan2(side, level + SMALLEST)
+    first = arctan2(side, level + BESIDE_ZERO)
     c, sine = cos(first), sin(first)
     row = [c * A[j][m] + s * sine * A[k][m] for m in range(3)]  # of B: the turn about the middle axis leaves it
     if last == i:

@@ -1,8 +1,8 @@
 """C source of straight-line code: one function a tape, split into chunks when long; and of a step program.
 
 One function with tens of thousands of locals makes a compiler slow and greedy (20,000 statements: 13 s); chunks of
-CHUNK statements that pass values through a work array compile in linear time and cost nothing at run time. A
-compiler's passes take quadratic time in the loads and stores of a function, hence small chunks.
+STATEMENTS_OF_CHUNK statements that pass values through a work array compile in linear time and cost nothing at run
+time. A compiler's passes take quadratic time in the loads and stores of a function, hence small chunks.
 
 A value that is used once stands where it is used: C evaluates what is in parentheses as it is written, so the bits are
 those of one statement an operation, in half the text.
@@ -26,7 +26,7 @@ from runtime.engine.program import Program, Repeat, Until
 from runtime.engine.table_code import numbers_of, table_name
 
 MAX_CODE_OPERATIONS = 12_000  # operations of one function; a third as many statements
-CHUNK = 100
+STATEMENTS_OF_CHUNK = 100
 WIDEST = 160  # characters of a value that stands where it is used
 
 # the library's fmax and fmin are calls; these give the same values, NaN included (but either zero of +0 and -0)
@@ -323,11 +323,13 @@ class _Writer:
         return self._function(self.name, lines, self.kept)
 
     def _chunked(self) -> tuple[str, int]:
-        """Functions of CHUNK operations; values that outlive their chunk live in the work array, stores come last."""
+        """Functions of STATEMENTS_OF_CHUNK operations; values that outlive their chunk live in the work array,
+        stores come last.
+        """
         stored = [k for _, k in self.stores]
-        chunk_of, members, slots = divided(self.tape.nodes, self.order, self.partner, stored, CHUNK)
+        chunk_of, members, slots = divided(self.tape.nodes, self.order, self.partner, stored, STATEMENTS_OF_CHUNK)
         parts = [self._chunk(n, own, chunk_of, slots) for n, own in enumerate(members)]
-        stores = [self.stores[k : k + CHUNK] for k in range(0, len(self.stores), CHUNK)]
+        stores = [self.stores[k : k + STATEMENTS_OF_CHUNK] for k in range(0, len(self.stores), STATEMENTS_OF_CHUNK)]
         parts += [self._store_chunk(n, part, slots) for n, part in enumerate(stores)]
         called = [f"{self.name}_{n}" for n in range(len(members))]
         called += [f"{self.name}_store_{n}" for n in range(len(stores))]

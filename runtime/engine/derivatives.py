@@ -18,7 +18,7 @@ import numpy as np
 from runtime.contract.tape import read_tape, shared
 from runtime.engine.llvm_code import (
     BEST,
-    FIRST,
+    FIRST_EFFORT,
     INLINED,
     OPTIMISED,
     Code,
@@ -449,7 +449,7 @@ class Recorder:
         size = ADJOINT * program_length(program)
         chunk, inline = (300, False) if size > OPTIMISED else (0, written_out(program) <= INLINED)
         best = Tier(Form(1, "own", chunk, inline), BEST)
-        first = Tier(Form(1, "own", MAX_CODE_STATEMENTS, False), FIRST)
+        first = Tier(Form(1, "own", MAX_CODE_STATEMENTS, False), FIRST_EFFORT)
         self.tiers = Tiers(_ReversalCompiler(program, active), first, best, size, wait)
         self.records = self.tiers.code.records
         self._work = np.zeros(1)

@@ -35,7 +35,7 @@ from runtime.engine.table_code import ARRAYS, COUNT, MARKS, numbers_of
 TRIPLE = "nvptx64-nvidia-cuda"
 LEAST = "sm_70"  # the oldest that today's compilers know
 THREADS = 64  # of a block: cases need many registers
-MOST_BYTES = 1 << 30  # of rows that are on the device at a time
+MOST_DEVICE_BYTES = 1 << 30  # of rows that are on the device at a time
 EXTRA = "pip install 'symgen[gpu]'"
 
 # One case: the program, n times, on z and c of its row. Compiled for the host, the same text is tested there.
@@ -228,7 +228,7 @@ class GpuCode:
     def run(self, blocks: np.ndarray, z: int, c: int, n: int) -> None:
         """Apply the program n times to each row, whose z and c begin at these entries. Raises NoGpu."""
         count, size, _ = blocks.shape
-        most = max(1, MOST_BYTES // (8 * (size + self._work)))
+        most = max(1, MOST_DEVICE_BYTES // (8 * (size + self._work)))
         with self._lock:
             self._gpu.enter()
             for first in range(0, count, most):

@@ -216,10 +216,10 @@ def program_digest(program: Program) -> bytes:
 # any time.
 
 INLINED = 10_000  # operations with every call written out: below, stages are inlined and z is local
-WHOLE = 70_000  # below, each stage is one function when it is optimised
-LONG = 50_000  # above, the first code is fetched faster in short functions
+WHOLE_STAGE_OPERATIONS = 70_000  # below, each stage is one function when it is optimised
+LONG_CODE_OPERATIONS = 50_000  # above, the first code is fetched faster in short functions
 OPTIMISED = 200_000  # above, no passes
-FIRST = Effort(passes=False, level=0)
+FIRST_EFFORT = Effort(passes=False, level=0)
 BEST = Effort(passes=True, level=2)
 SECONDS_PER_OPERATION = 6e-5  # of better code, about
 
@@ -233,7 +233,9 @@ class Tier(NamedTuple):
 
 def first_tier(program: Program, mathematics: str) -> Tier:
     """How a program is compiled at once."""
-    return Tier(Form(1, mathematics, 100 if program_length(program) > LONG else 1000, False), FIRST)
+    return Tier(
+        Form(1, mathematics, 100 if program_length(program) > LONG_CODE_OPERATIONS else 1000, False), FIRST_EFFORT
+    )
 
 
 def best_tier(program: Program, mathematics: str) -> Tier:
@@ -241,7 +243,7 @@ def best_tier(program: Program, mathematics: str) -> Tier:
     if written_out(program) <= INLINED:
         return Tier(Form(1, mathematics, 0, True), BEST)
     length = program_length(program)
-    if length <= WHOLE:
+    if length <= WHOLE_STAGE_OPERATIONS:
         return Tier(Form(1, mathematics, 0, False), BEST)
     return Tier(Form(1, mathematics, 300, False), BEST if length <= OPTIMISED else Effort(passes=False, level=2))
 

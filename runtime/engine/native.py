@@ -13,7 +13,7 @@ from runtime.contract.errors import ArgumentError
 from runtime.contract.tape import arithmetic
 from runtime.engine.llvm_code import (
     BEST,
-    FIRST,
+    FIRST_EFFORT,
     INLINED,
     Code,
     Effort,
@@ -139,7 +139,7 @@ def choose_engine(requested: str, program: Program, z_size: int, c_size: int, wa
 # A block is an array (size, width): entry e of lane l at [e, l]. z and c of a program are ranges of its rows.
 
 SHORT = 2_000  # operations: below, two vector registers a value hide the latency of one
-LONG = 20_000  # operations: above, passes over code in lanes cost more than they save
+LONG_STEP_OPERATIONS = 20_000  # operations: above, passes over code in lanes cost more than they save
 LONG_CHUNK = 100
 ALIGNMENT = 128  # bytes, of 16 lanes
 
@@ -162,14 +162,16 @@ def lane_form(program: Program, width: int) -> tuple[Form, Effort]:
     written_out = program.fold(arithmetic, lambda parts: sum(parts), lambda body, node: body)
     if written_out <= INLINED:
         return Form(width, "own", 0, True), BEST
-    if program_size(program) <= LONG:
+    if program_size(program) <= LONG_STEP_OPERATIONS:
         return Form(width, "own", 0, False), BEST
-    return Form(width, "own", LONG_CHUNK, False), FIRST
+    return Form(width, "own", LONG_CHUNK, False), FIRST_EFFORT
 
 
 def once_form(program: Program, width: int) -> tuple[Form, Effort]:
     """For what is done once a run, with the library's mathematics: the virtual machine's bits."""
-    return Form(width, "library", LONG_CHUNK if program_size(program) > LONG else 1000, False), FIRST
+    return Form(
+        width, "library", LONG_CHUNK if program_size(program) > LONG_STEP_OPERATIONS else 1000, False
+    ), FIRST_EFFORT
 
 
 def blocks_of(count: int, size: int, width: int) -> np.ndarray:

@@ -16,14 +16,15 @@ from runtime.contract.cache import cache_folder, leftovers, read_own, refused_fo
 from runtime.contract.files import OutputError, replacing
 from runtime.contract.log import CACHE
 
-MOST_BYTES = 256 * 2**20
+MOST_CACHE_BYTES = 256 * 2**20
 _HEAD = 32 + 8
 
 
 class ObjectCache:
     """Objects in a folder, `objects` of the cache folder by default.
 
-    written: bytes by this process since it last saw how many there are; a sixteenth of MOST_BYTES may be too many.
+    written: bytes by this process since it last saw how many there are; a sixteenth of MOST_CACHE_BYTES may be too
+    many.
     """
 
     written = inf
@@ -66,17 +67,17 @@ class ObjectCache:
             CACHE.warning("a compiled program was not kept: %s", error)
             return
         ObjectCache.written += len(payload)
-        if ObjectCache.written > MOST_BYTES / 16:
+        if ObjectCache.written > MOST_CACHE_BYTES / 16:
             self._bound()
 
     def _bound(self) -> None:
-        """Remove what was left under way, and the least recently used until MOST_BYTES are left."""
+        """Remove what was left under way, and the least recently used until MOST_CACHE_BYTES are left."""
         for path in leftovers(self.folder):
             _remove(path)
         total, ObjectCache.written = 0, 0
         for path, size, _ in sorted(self.entries(), key=lambda entry: -entry[2]):
             total += size
-            if total > MOST_BYTES:
+            if total > MOST_CACHE_BYTES:
                 _remove(path)
 
     def entries(self) -> list[tuple[Path, int, float]]:

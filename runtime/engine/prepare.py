@@ -26,7 +26,7 @@ from runtime.contract.tape import (
     split,
     without_repetitions,
 )
-from runtime.engine.program import LONG, Call, Program, Repeat, Sequence, Until
+from runtime.engine.program import LONG_STAGE_NODES, Call, Program, Repeat, Sequence, Until
 from runtime.engine.rows import Direct
 
 # ---- Loop-invariant values of a repeated part are computed once before it: sub-steps keep only what changes in
@@ -152,7 +152,7 @@ def _input_time(name: str, entry: int) -> Time:
 
 def _shared(tape: Tape) -> Tape:
     """What stands twice in a long stage once; short ones share it already (see make_stage)."""
-    return tape if len(tape.nodes) <= LONG else without_repetitions(tape)
+    return tape if len(tape.nodes) <= LONG_STAGE_NODES else without_repetitions(tape)
 
 
 def _with_reciprocals(tape: Tape) -> Tape:

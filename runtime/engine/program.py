@@ -16,7 +16,7 @@ import numpy as np
 from runtime.contract.tape import code_length, shared
 
 T = TypeVar("T")
-LONG = 30_000  # nodes of a stage
+LONG_STAGE_NODES = 30_000  # nodes of a stage
 
 
 class Program:
@@ -132,7 +132,7 @@ def make_stage(name: str, layout: Layout, c_size: int, body: Callable[[Fields, c
     z, c = ca.SX.sym("z", layout.size), ca.SX.sym("c", c_size)
     fields = layout.unpack(z)
     z_next = layout.pack({**fields, **body(fields, c)})
-    if ca.n_nodes(z_next) <= LONG:
+    if ca.n_nodes(z_next) <= LONG_STAGE_NODES:
         (z_next,) = shared([z_next])
     return Call(ca.Function(name, [z, c], [z_next], ["z", "c"], ["z_next"]))
 

@@ -64,7 +64,7 @@ class Direct:
         return found
 
 
-FEW = 4000  # points: until then making native code takes longer than the virtual machine, whatever the length
+FEW_POINTS = 4000  # points: until then making native code takes longer than the virtual machine, whatever the length
 CONSTANTS = "c"
 
 
@@ -79,7 +79,7 @@ class RowFunction:
         self._names = function.name_in()
         self._sizes = [int(function.numel_in(k)) for k in range(function.n_in())]
         self._outputs = {name: int(function.numel_out(name)) for name in function.name_out()}
-        self._left = FEW if function.is_a("SXFunction") else np.inf
+        self._left = FEW_POINTS if function.is_a("SXFunction") else np.inf
         self._native: NativeProgram | None = None
         self._lock = Lock()
 

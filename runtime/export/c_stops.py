@@ -20,7 +20,7 @@ from runtime.running.stepping import may_break, may_jump
 from runtime.running.time_functions import refuse_position_jumps
 from runtime.schemes.scheme import SIDES, Scheme
 from runtime.schemes.switching.consistency import with_modes
-from runtime.schemes.switching.enclosure import EXACT
+from runtime.schemes.switching.enclosure import EXACT_OPERATIONS
 from runtime.schemes.switching.impulse import may_give_impulses
 from runtime.schemes.switching.settle import weights
 from runtime.schemes.switching.stop_program import StopProgram
@@ -248,7 +248,7 @@ def _bounds(model: EmittedModel, prefix: str) -> str:
             text = f"I_of({number(node.value)}, {number(node.value)})"
         else:
             text = _BOUNDS[node.op].format(a=f"v{node.a}", b=f"v{node.b}" if node.b != UNUSED else "")
-            text = text if node.op in EXACT else f"I_wide({text})"
+            text = text if node.op in EXACT_OPERATIONS else f"I_wide({text})"
         lines.append(f"  const I v{k} = {text};")
     lines += [f"  found[{k}] = v{node};" for k, node in enumerate(tape.outputs[0])]
     return "\n".join([*lines, "}", ""])

@@ -12,7 +12,7 @@ import numpy as np
 from runtime.contract.errors import NoResult
 from runtime.contract.model import EmittedModel
 from runtime.running.problem import Plan
-from runtime.schemes.switching.times import ON_THE_GRID, Breaks, SwitchTime, switching_times, within
+from runtime.schemes.switching.times import JUMP_AT_STEP, Breaks, SwitchTime, switching_times, within
 
 JUMPS, EVENT = "jumps", "event"  # of turns whose time moves, as that of a jump or of an event
 Moves = Callable[[Sequence[SwitchTime]], np.ndarray]  # of jumps at one time: its derivative by p (n_p,)
@@ -191,7 +191,7 @@ def _parts(
             left = end - crossing.clock
             if crossing.clock < start:
                 _refuse(crossing)
-            if left > ON_THE_GRID * grid.dt:
+            if left > JUMP_AT_STEP * grid.dt:
                 yield start, crossing.clock - start, None, crossing
                 start, length = crossing.clock, left
             elif jump is None:
@@ -212,7 +212,7 @@ def _refuse(crossing: EventCrossing) -> NoReturn:
 # How the times of jumps move with parameters: g(t, c(p)) = 0 gives dt/dp = -g_p / g_t.
 
 NEAR_JUMP = 1e-9  # of a run: a condition whose zero is that near to a jump is of it
-ALIKE = 1e-9  # of the largest entry: derivatives of the times of two conditions
+ALIKE_SLOPES = 1e-9  # of the largest entry: derivatives of the times of two conditions
 
 
 class MovingJumps:
@@ -255,7 +255,7 @@ class MovingJumps:
         if not found:
             return none
         scale = max(float(np.abs(one).max()) for one in found)
-        if any(np.abs(one - found[0]).max() > ALIKE * scale for one in found[1:]):
+        if any(np.abs(one - found[0]).max() > ALIKE_SLOPES * scale for one in found[1:]):
             raise NoResult(
                 f"model {self._model.name}",
                 f"two conditions change at t = {there[0].time:.6g} s and move apart with what is differentiated by "

@@ -12,13 +12,13 @@ import numpy as np
 from runtime.contract.errors import ArgumentError, NoResult
 from runtime.contract.model import EmittedModel
 from runtime.contract.signals import SINCE
-from runtime.gradients.course import ALIKE, EventCrossing, Hold
+from runtime.gradients.course import ALIKE_SLOPES, EventCrossing, Hold
 from runtime.gradients.impacts import rows_of
 from runtime.gradients.start_of_run import StartedRun
 from runtime.running.events import EventHandler, LocatedEvents, state_of
 from runtime.running.problem import Plan
 from runtime.running.stepped_model import SteppedModel
-from runtime.schemes.switching.times import ON_THE_GRID
+from runtime.schemes.switching.times import JUMP_AT_STEP
 from runtime.schemes.switching.watched import are_kinks, values_at, watched_events, watches
 
 BATCH = 64  # steps after which events are looked at
@@ -138,7 +138,7 @@ class EventCrossings:
                 for near in (clock - dt * NEARER**-k, clock + dt * NEARER**-k):
                     step = int(np.floor((near - t0) / dt))
                     share = (near - t0) / dt - step
-                    if 0 <= step < self._plan.steps and ON_THE_GRID < share < 1 - ON_THE_GRID:
+                    if 0 <= step < self._plan.steps and JUMP_AT_STEP < share < 1 - JUMP_AT_STEP:
                         crossings.setdefault(step, []).append(EventCrossing(near))
         return {step: sorted(found, key=lambda one: one.clock) for step, found in crossings.items()}
 
@@ -184,4 +184,4 @@ class EventCrossings:
         by = ca.jacobian(observed["events"][list(acting)], ca.vertcat(z[moving.tolist()], c[: self._model.c_size]))
         moves = ca.Function("moves", [z, c], [ca.densify(ca.diag(1 / observed["slopes"][list(acting)]) @ by)])
         found = np.asarray(moves(one.observed.z[: scheme.layout.size], one.observed.c))
-        return bool(np.abs(found - found[0]).max() <= ALIKE * np.abs(found).max())
+        return bool(np.abs(found - found[0]).max() <= ALIKE_SLOPES * np.abs(found).max())

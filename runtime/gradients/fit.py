@@ -21,9 +21,9 @@ from runtime.contract.errors import ArgumentError, NoResult, is_finite_number
 from runtime.contract.model import EmittedModel
 from runtime.gradients.differentiable_run import DifferentiableRun, OutputJacobian
 
-TOLERANCE = 1e-10
+FIT_TOLERANCE = 1e-10
 UNTOLD = 1e-9  # of the largest singular value of the scaled Jacobian: a direction that the data do not see
-FAR = 1e3  # times the largest residual of the guess: what a run that fails on the way counts as
+FAILED_RESIDUAL = 1e3  # times the largest residual of the guess: what a run that fails on the way counts as
 
 Bounds = Mapping[str, tuple[float, float]]
 
@@ -111,9 +111,9 @@ def fit_prepared(
         x / search.scale,
         search.jacobian,
         (low / search.scale, high / search.scale),
-        xtol=TOLERANCE,
-        ftol=TOLERANCE,
-        gtol=TOLERANCE,
+        xtol=FIT_TOLERANCE,
+        ftol=FIT_TOLERANCE,
+        gtol=FIT_TOLERANCE,
     )
     at = run.jacobian(found.x * search.scale)
     freedom = measurements.count - len(x)
@@ -148,7 +148,7 @@ class _Search:
         if at is None:
             return np.full(self._measurements.values.size, self._far)
         found = self._measurements.residuals(at.values)
-        self._far = self._far or FAR * max(float(np.abs(found).max()), 1e-300)
+        self._far = self._far or FAILED_RESIDUAL * max(float(np.abs(found).max()), 1e-300)
         return found
 
     def jacobian(self, x: np.ndarray) -> np.ndarray:
@@ -316,7 +316,7 @@ def _share(confidence: float) -> float:
 
 # Measured outputs at the saved times of a run, checked, with their standard deviations.
 
-SAME_TIME = 1e-6  # of a step
+TIME_OF_STEP = 1e-6  # of a step
 
 
 @dataclass(frozen=True)
@@ -346,7 +346,7 @@ def measured(run: DifferentiableRun, data: Mapping[str, Any], deviation: float |
     if "t" in data:
         times = _column(data["t"], "t", samples)
         off = float(np.abs(times - run.t).max())
-        if not off <= SAME_TIME * run.plan.grid.dt_L:
+        if not off <= TIME_OF_STEP * run.plan.grid.dt_L:
             raise ArgumentError(
                 "data of t",
                 f"differ from the saved times by up to {off:.3g} s",

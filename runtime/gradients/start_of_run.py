@@ -25,8 +25,8 @@ from runtime.running.time_functions import check_time_functions
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.stepper import start_vector
 from runtime.start.quasi_static import (
-    CLOSURE_ITERATIONS,
-    PASSES,
+    SETTLING_PASSES,
+    STATIC_CLOSURE_ITERATIONS,
     ElasticEquilibrium,
     elastic_residual,
     small_motion,
@@ -329,7 +329,7 @@ def settled_slopes(
     still = np.zeros(found.shape[1])
     later, before = (float(side) for side in smooth_sides(model)(t, step, c))
     span = (later + before) * step
-    for _ in range(PASSES):
+    for _ in range(SETTLING_PASSES):
         q, dq[:] = settled(t, q, dq, still)
         if not span:
             continue
@@ -360,14 +360,14 @@ def _rate_slopes(model: EmittedModel) -> ca.Function:
     t, q, v = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n)
     loop, p = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("p", len(model.parameters))
     equations = StageEquations(model, model.kernel("constants")(p))
-    rates = equations.rates(equations.close(q, loop, t, CLOSURE_ITERATIONS), v)
+    rates = equations.rates(equations.close(q, loop, t, STATIC_CLOSURE_ITERATIONS), v)
     slopes = ca.jacobian(joined(model, v, rates), ca.vertcat(q, v, p))
     return ca.Function("rate_slopes", [t, q, v, loop, p], [ca.densify(slopes)])
 
 
 # A run that is differentiated must be one that a simulation would complete: the same checks, by name.
 
-LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all
+NO_LOWEST, NO_HIGHEST = 1e300, -1e300  # of no determinant at all
 
 
 class RunChecks:
@@ -381,7 +381,7 @@ class RunChecks:
         """Judge the start, and let the determinants of the loops begin. Raises NoResult."""
         layout = self._scheme.layout
         self._refuse(self._monitor.first(z[: layout.size].copy()))
-        z[layout.slice("det_low")], z[layout.slice("det_high")] = LOWEST, HIGHEST
+        z[layout.slice("det_low")], z[layout.slice("det_high")] = NO_LOWEST, NO_HIGHEST
 
     def end(self, z: np.ndarray) -> None:
         """Judge the run by its last state. Raises NoResult."""

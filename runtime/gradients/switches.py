@@ -27,7 +27,7 @@ from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.switching.times import has_switching_times
 
 SWITCHING = (ca.OP_LT, ca.OP_LE, ca.OP_EQ, ca.OP_NE, ca.OP_SIGN, ca.OP_FLOOR, ca.OP_CEIL, ca.OP_FMOD)
-HALVINGS = 60
+SWITCH_HALVINGS = 60
 MEETING = 1e-6  # of the force: branches that differ by less meet
 
 
@@ -89,7 +89,7 @@ class Switches:
         """The forces of both branches where condition k changes between two states."""
         assert self._switch_conditions is not None
         low, high = 0.0, 1.0
-        for _ in range(HALVINGS):
+        for _ in range(SWITCH_HALVINGS):
             middle = (low + high) / 2
             at = before + middle * (after - before)
             low, high = (middle, high) if self._conditions(at, c)[k] == held[k] else (low, middle)

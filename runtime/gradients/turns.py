@@ -31,8 +31,15 @@ from runtime.gradients.start_of_run import StartedRun
 from runtime.schemes.switching.stop_program import loop_guess, restarted, with_steps
 from runtime.schemes.switching.watched import values_at, watched_events
 
-OFF = 1e-6  # of the largest rate: impacts at one time that are none after another
-DATA = ("dt_before", "dt", "share", "clock", "before", "after")  # of a turn, see there; share: dt over that of the grid
+IMPACT_MISMATCH = 1e-6  # of the largest rate: impacts at one time that are none after another
+TURN_DATA = (
+    "dt_before",
+    "dt",
+    "share",
+    "clock",
+    "before",
+    "after",
+)  # of a turn, see there; share: dt over that of the grid
 
 
 class TurnProgram:
@@ -57,7 +64,7 @@ class TurnProgram:
         n_i, acts = len(scheme.model.q_i), len(watched_events(scheme)) if kind == EVENT else 0
         self._struck = kind == EVENT and bool(scheme.model.element_modes.size)
         rows, stops = sizes(scheme.model) if self._struck else (0, 0)
-        own = {"state": scheme.layout.size, **dict.fromkeys(DATA, 1), "moved": 1, "holds": n_w, "held": n_w}
+        own = {"state": scheme.layout.size, **dict.fromkeys(TURN_DATA, 1), "moved": 1, "holds": n_w, "held": n_w}
         own |= {"acts": acts, "push": n_i if self._struck else 0, "rows": rows, "struck": stops, "value": 1, "rate": 1}
         own |= {"ends": n_i, "begins": n_i, "thrown": n_i if self._struck else 0, "ready": active.c_size}
         self.layout = Layout(own)
@@ -135,7 +142,7 @@ class TurnProgram:
         sides = (turn.jump.before, turn.jump.after) if turn.jump is not None else (0.0, 0.0)
         share = turn.dt / started.ready[self._scheme.model.c_size]
         given[:steps] = z[:steps]
-        given[steps : steps + len(DATA)] = turn.dt_before, turn.dt, share, turn.clock, *sides
+        given[steps : steps + len(TURN_DATA)] = turn.dt_before, turn.dt, share, turn.clock, *sides
         for hold in turn.holds:
             row = hold.row - self._scheme.layout.slice("inputs").start
             given[at("holds")][row], given[at("held")][row] = 1.0, hold.number(started.values)
@@ -168,7 +175,7 @@ class TurnProgram:
                 f"grazes zero at t = {crossing.clock:.6g} s (rate {rate:.3g} 1/s): its time has no derivative",
                 "let it pass zero faster, or leave out of `by` what moves it",
             )
-        if np.abs(own[at("thrown")] - own[at("push")]).max(initial=0.0) > OFF * (
+        if np.abs(own[at("thrown")] - own[at("push")]).max(initial=0.0) > IMPACT_MISMATCH * (
             1 + np.abs(crossing.push).max(initial=0)
         ):
             raise NoResult(

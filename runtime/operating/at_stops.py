@@ -12,7 +12,7 @@ from runtime.contract.coordinates import parts, rate_parts
 from runtime.contract.model import EmittedModel
 
 ON_IT = 1e-9  # m or rad: so far beyond a stop is on it
-MOST = 20  # corrections
+MOST_CORRECTIONS = 20  # corrections
 Assemble = Callable[[Mapping[str, float]], ConsistentState]
 
 
@@ -24,7 +24,7 @@ def within_stops(
     assemble: coordinates by name that are kept -> a state. Raises InitialStateError by the name of a stop.
     """
     stops, given, moved = [one for one in model.mode_events if one.side], state, set[str]()
-    for _ in range(MOST):
+    for _ in range(MOST_CORRECTIONS):
         gap, G = gaps(model, c, t, state.q, state.q_dot)
         beyond = np.flatnonzero(gap < -ON_IT)
         if not len(beyond):

@@ -22,16 +22,16 @@ from runtime.schemes.stage_equations import StageEquations
 # values (the saddle-free Newton method, Dauphin et al. 2014), so that it ends in a valley unless it starts on a
 # summit. Near the solution the step is Newton's own. Directions without stiffness are left alone.
 
-MAX_ITERATIONS = 200
+MAX_BALANCE_ITERATIONS = 200
 LARGEST_STEP = 0.5  # rad or m
 NEWTON_TOLERANCE = 1e-12  # of the largest correction, times the largest unknown
-STAGNANT = 1e-9  # a correction that small, but no longer shrinking, is rounding
+STAGNANT_CORRECTION = 1e-9  # a correction that small, but no longer shrinking, is rounding
 LEAST_SCALE = 1e-6  # rad or m
 UNBALANCED = 1e-9  # force in directions without stiffness, relative to the largest one met
-NO_STIFFNESS = 1e-12  # relative singular value below which a direction has none
+NO_SINGULAR_VALUE = 1e-12  # relative singular value below which a direction has none
 HIDDEN = 1e-9  # relative singular value of H itself above which masses of very different size only hide a stiffness
 OVERSHOT = 0.9  # force along the step, reversed, relative to that at its start
-HALVINGS = 25
+STEP_HALVINGS = 25
 
 Balance = tuple[np.ndarray, np.ndarray, np.ndarray]  # r (k), H (k x k), M (k x k)
 Evaluate = Callable[[np.ndarray], Balance | None]
@@ -66,7 +66,7 @@ def balanced(balance: Evaluate, x: np.ndarray, advance: Advance = added, states:
     if at is None or not _is_definite(at[2]):
         return Found(x, False, np.zeros(0), 0)
     largest, before = 0.0, np.inf
-    for iteration in range(MAX_ITERATIONS):
+    for iteration in range(MAX_BALANCE_ITERATIONS):
         r, H, M = at
         if not len(r):
             return Found(x, True, r, iteration)
@@ -78,7 +78,7 @@ def balanced(balance: Evaluate, x: np.ndarray, advance: Advance = added, states:
         step = np.linalg.solve(L.T, newton)
         size, scale = float(np.abs(step).max()), max(LEAST_SCALE, float(np.abs(x).max()))
         rounding = 1e-14 * float(np.linalg.norm(A, 2)) * max(1.0, float(np.linalg.norm(L)) * scale)
-        near = size <= STAGNANT * scale and left <= UNBALANCED * largest + rounding
+        near = size <= STAGNANT_CORRECTION * scale and left <= UNBALANCED * largest + rounding
         if near and (size <= NEWTON_TOLERANCE * scale or size >= 0.5 * before):
             polished = advance(x, step) if size <= NEWTON_TOLERANCE * scale else None
             return Found(x if polished is None else polished, True, r, iteration)
@@ -104,7 +104,7 @@ def _metric(H: np.ndarray, M: np.ndarray) -> np.ndarray:
     """L with L L^T the metric: M; the unit matrix where M makes directions look slack that are not."""
     L = np.linalg.cholesky(M)
     s = np.linalg.svd(np.linalg.solve(L, np.linalg.solve(L, H.T).T), compute_uv=False)
-    if s[-1] > NO_STIFFNESS * s[0] or not np.linalg.cond(H) * HIDDEN <= 1:
+    if s[-1] > NO_SINGULAR_VALUE * s[0] or not np.linalg.cond(H) * HIDDEN <= 1:
         return np.asarray(L)
     return np.eye(len(H))
 
@@ -112,7 +112,7 @@ def _metric(H: np.ndarray, M: np.ndarray) -> np.ndarray:
 def _newton(A: np.ndarray, g: np.ndarray) -> tuple[np.ndarray, float]:
     """(d of least norm with A d = -g, norm of the part of g that no d balances)."""
     U, s, V = np.linalg.svd(A)
-    kept = s > NO_STIFFNESS * max(float(s[0]), 1e-300)
+    kept = s > NO_SINGULAR_VALUE * max(float(s[0]), 1e-300)
     d = -V[kept].T @ ((U[:, kept].T @ g) / s[kept])
     return d, float(np.linalg.norm(U[:, ~kept].T @ g))
 
@@ -121,7 +121,7 @@ def _downhill(A: np.ndarray, g: np.ndarray) -> np.ndarray:
     """Newton's step in a valley, else the step with the curvatures' absolute values, whatever is flat going on."""
     values, vectors = np.linalg.eigh(0.5 * (A + A.T))
     size = np.abs(values)
-    floor = NO_STIFFNESS * float(size.max())
+    floor = NO_SINGULAR_VALUE * float(size.max())
     parts = vectors.T @ g
     flat = (size <= floor) & (np.abs(parts) > UNBALANCED * np.linalg.norm(g))
     if values.max() <= floor and not flat.any():
@@ -137,7 +137,7 @@ def _searched(
     """The step, at most LARGEST_STEP, halved while the force along it reverses by more than OVERSHOT of its start."""
     long = float(np.abs(step[: len(step) - states]).max(initial=0.0))
     step = step * min(1.0, LARGEST_STEP / max(long, 1e-300))
-    for _ in range(HALVINGS):
+    for _ in range(STEP_HALVINGS):
         there = advance(x, step)
         found = None if there is None else balance(there)
         if there is not None and found is not None and _is_definite(found[2]):
@@ -148,7 +148,7 @@ def _searched(
     return None
 
 
-PLACED = 1e-13  # rad or m: how well clamped dependent coordinates meet their values
+PLACED_ERROR = 1e-13  # rad or m: how well clamped dependent coordinates meet their values
 MOST_PLACINGS = 60
 
 
@@ -263,7 +263,7 @@ class Clamped:
             if at is None:
                 return None
             off = at.places[self.rows] - self.goal
-            if np.abs(off).max() <= PLACED * max(1.0, float(np.abs(self.goal).max())):
+            if np.abs(off).max() <= PLACED_ERROR * max(1.0, float(np.abs(self.goal).max())):
                 return q_i
             step = np.linalg.lstsq(at.directions[self.rows], off, rcond=1e-12)[0]
             share = min(1.0, LARGEST_STEP / max(float(np.abs(step).max()), 1e-300))

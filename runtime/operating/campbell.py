@@ -22,7 +22,7 @@ from runtime.results.samples import Samples
 # ---- Which mode is which after a parameter has changed: by the likeness of shapes, not by order.
 
 SURE = 0.7  # modal assurance from which two shapes are the same mode
-MOST_HALVINGS = 6  # of an interval in which shapes change too much to tell
+MOST_INTERVAL_HALVINGS = 6  # of an interval in which shapes change too much to tell
 DISTANCE = 0.1  # weight of the eigenvalues' distance beside the assurance: decides between equal shapes
 
 
@@ -102,7 +102,7 @@ def tracked(
     first: float,
     last: float,
     at: Callable[[float], ModeState],
-    left: int = MOST_HALVINGS,
+    left: int = MOST_INTERVAL_HALVINGS,
 ) -> ModeState:
     """The modes `after` (at value `last`) in the order of those `before` (at `first`).
 
@@ -139,7 +139,7 @@ def _matched(before: ModeState, after: ModeState) -> tuple[np.ndarray, bool]:
     return np.r_[order, new[len(empty) :]].astype(int), bool(likeness[rows, columns].min(initial=1.0) >= SURE)
 
 
-POINTS = 25
+CAMPBELL_POINTS = 25
 
 
 @dataclass(frozen=True, eq=False, repr=False)

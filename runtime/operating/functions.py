@@ -13,8 +13,10 @@ from runtime.contract.model import EmittedModel
 from runtime.operating.mode_solver import State, axes_turning, in_moving_axes
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, along_rotations
 
-CLOSURE_ITERATIONS = 4
-CLOSURE_TOLERANCE = 1e-9  # rad or m: a larger error before the last Newton step means that the loops did not close
+POINT_CLOSURE_ITERATIONS = 4
+POINT_CLOSURE_TOLERANCE = (
+    1e-9  # rad or m: a larger error before the last Newton step means that the loops did not close
+)
 ALREADY_CLOSED = 2  # Newton steps from a closed state, through which derivatives are exact to second order
 
 
@@ -58,7 +60,7 @@ class PointValues:
     def usable(self) -> bool:
         """Are all values finite and the loops closed?"""
         finite = all(np.isfinite(values).all() for values in (self.M, self.Q, self.J_q, self.J_v, self.q, self.S))
-        return finite and self.open_by < CLOSURE_TOLERANCE
+        return finite and self.open_by < POINT_CLOSURE_TOLERANCE
 
 
 class PointFunctions:
@@ -179,7 +181,7 @@ def _built(model: EmittedModel, drives_move: bool) -> ca.Function:
     t, q, v, a = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n), ca.SX.sym("a", n)
     loop, c = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
     equations = StageEquations(model, c)
-    motion = equations.close(q, loop, t, CLOSURE_ITERATIONS)
+    motion = equations.close(q, loop, t, POINT_CLOSURE_ITERATIONS)
     q_d_dot, M, Q = rates_and_forces(equations, motion, v, drives_move)
     arguments = {"q_i": q, "q_d": motion.q_d, "q_i_dot": v, "q_d_dot": q_d_dot, "q_i_ddot": a, "t": t}
     found = equations.call("residual_jacobian", **arguments)

@@ -11,7 +11,7 @@ import numpy as np
 from runtime.contract.consistent_state import (
     ASSEMBLED,
     LARGEST_STEP,
-    MAX_ITERATIONS,
+    MAX_ASSEMBLY_ITERATIONS,
     POSITION_TOLERANCE,
     VELOCITY_TOLERANCE,
     AngleForm,
@@ -101,7 +101,7 @@ def closable(model: EmittedModel) -> bool:
 def closed(model: EmittedModel, c: np.ndarray, t: float, q_i: np.ndarray, q_d: np.ndarray) -> tuple[np.ndarray, bool]:
     """(q_d (n_d,) at q_i (n_i,) from a guess of it, do the loops close?)."""
     step, open_ = closing(model), True
-    for _ in range(MAX_ITERATIONS):
+    for _ in range(MAX_ASSEMBLY_ITERATIONS):
         found = step(q_i, q_d, t, c)
         q_d, open_ = np.asarray(found[0]).ravel(), bool(float(found[1]) > 0)
         if not open_:

@@ -261,9 +261,9 @@ def _basis_change(system: Linearisation) -> np.ndarray:
 # With M = L L^T and x = L^-T y, y'' + (L^-1 D L^-T) y' + (L^-1 K L^-T) y = 0. Without D and with K symmetric the modes
 # are real and come from a symmetric eigenvalue problem; else from the first-order form of twice the size.
 
-NO_STIFFNESS = 1e-13  # relative eigenvalue of K below which a direction has no stiffness
+NO_EIGENVALUE = 1e-13  # relative eigenvalue of K below which a direction has no stiffness
 NO_RATE = 3e-6  # relative size up to which an eigenvalue of a direction without stiffness is a zero split by rounding
-SYMMETRIC = 1e-11  # relative asymmetry that is rounding
+ASYMMETRY_ROUNDING = 1e-11  # relative asymmetry that is rounding
 NO_DAMPING = 1e-13  # D against twice the critical one of the fastest mode
 GROWING = 1e-9  # real part, relative to the largest eigenvalue, that is more than rounding
 
@@ -310,8 +310,8 @@ def modal_analysis(M: np.ndarray, D: np.ndarray, K: np.ndarray, states: int = 0)
     D_L = np.linalg.solve(L, np.linalg.solve(L, D.T).T)
     size = float(np.linalg.norm(K_L, 2))
     singular = np.linalg.svd(K_L, compute_uv=False)
-    free = int(np.sum(singular <= NO_STIFFNESS * size)) if size > 0 else n
-    symmetric = float(np.abs(K_L - K_L.T).max()) <= SYMMETRIC * size
+    free = int(np.sum(singular <= NO_EIGENVALUE * size)) if size > 0 else n
+    symmetric = float(np.abs(K_L - K_L.T).max()) <= ASYMMETRY_ROUNDING * size
     if symmetric and float(np.abs(D_L).max()) <= NO_DAMPING * np.sqrt(size):
         found = _undamped(0.5 * (K_L + K_L.T), free)
     else:

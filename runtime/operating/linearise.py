@@ -285,7 +285,7 @@ def _units(model: EmittedModel, names: Sequence[str], inputs: Sequence[str]) -> 
 
 # ---- Measures, coordinates and rates as outputs of a linear system: their derivatives along the constraints.
 
-SHOWN = 30  # names that an error lists
+SHOWN_NAMES = 30  # names that an error lists
 
 
 def output_slopes(
@@ -311,7 +311,7 @@ def output_slopes(
         known |= {name: found[k] for k, name in enumerate(model.measures)}
     for name in names:
         if name not in known:
-            listed = ", ".join([*model.measures, *model.coordinates][:SHOWN])
+            listed = ", ".join([*model.measures, *model.coordinates][:SHOWN_NAMES])
             raise ModelError(f"model {model.name} has no output {name!r}; it has {listed} (rates end in _dot)")
     y = ca.vertcat(*(known[name] for name in names))
     index = [parameter.name for parameter in model.parameters]

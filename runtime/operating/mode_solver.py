@@ -49,11 +49,11 @@ def _built(model: EmittedModel) -> ca.Function:
     t, q, v, a = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n), ca.SX.sym("a", n)
     loop, c = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
     equations = StageEquations(model, c)
-    found = turning_and_rate(equations, equations.close(q, loop, t, CLOSURE_ITERATIONS), v, a)
+    found = turning_and_rate(equations, equations.close(q, loop, t, MODE_CLOSURE_ITERATIONS), v, a)
     return ca.Function("axes_turning", [t, q, v, a, loop, c], [ca.densify(one) for one in found])
 
 
-CLOSURE_ITERATIONS = 3
+MODE_CLOSURE_ITERATIONS = 3
 
 
 @dataclass(frozen=True)
@@ -84,7 +84,7 @@ class ModeSolver:
         t, q, v = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n)
         loop, constants = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
         equations = StageEquations(model, constants)
-        motion = equations.close(q, loop, t, CLOSURE_ITERATIONS)
+        motion = equations.close(q, loop, t, MODE_CLOSURE_ITERATIONS)
         found = equations.along_rotations(motion, v)
         matrices = [ca.densify(matrix) for matrix in (found.M_hat, found.J_q, found.J_v, found.a)]
         return ca.Function("modes", [t, q, v, loop, constants], matrices)
@@ -133,7 +133,7 @@ class ModeSolver:
         t, q, v, along = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n), ca.SX.sym("along", n)
         loop, constants = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
         equations = StageEquations(model, constants)
-        motion = equations.close(q, loop, t, CLOSURE_ITERATIONS)
+        motion = equations.close(q, loop, t, MODE_CLOSURE_ITERATIONS)
         a, rates = equations.accelerations(motion, v), equations.turning(motion, along)
         slopes = [*(ca.densify(ca.jtimes(a, by, to)) for by, to in ((q, rates), (v, along))), ca.densify(a)]
         return ca.Function("slopes", [t, q, v, loop, constants, along], slopes)

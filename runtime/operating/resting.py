@@ -10,8 +10,8 @@ import numpy as np
 from runtime.contract.coordinates import at_home, dependent_part, rate_parts
 from runtime.contract.errors import ModelError
 from runtime.contract.model import EmittedModel, refuse_reactions
-from runtime.operating.at_stops import MOST, ON_IT, gaps
-from runtime.operating.balance import HALVINGS, LARGEST_STEP, MOST_PLACINGS, Clamped, Found
+from runtime.operating.at_stops import MOST_CORRECTIONS, ON_IT, gaps
+from runtime.operating.balance import LARGEST_STEP, MOST_PLACINGS, STEP_HALVINGS, Clamped, Found
 from runtime.operating.functions import PointValues, independent_turns
 from runtime.schemes.switching.complementarity import balancing, complementary
 from runtime.schemes.switching.settle import elements
@@ -20,7 +20,7 @@ from runtime.schemes.switching.stops import AT_REST
 BEYOND = 1e-9  # of what holds: how far a force may be beyond it
 
 
-MOST_TURNS, SETTLED = 100, 1e-14  # of forces of joints that follow from the friction they cause
+MOST_TURNS, SETTLED_FORCES = 100, 1e-14  # of forces of joints that follow from the friction they cause
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ class Unlocked:
         for _ in range(MOST_TURNS):
             before = R
             R = np.linalg.norm((own["F_0"] + own["F_a"] @ a + own["F_R"] @ R).reshape(len(R), -1), axis=1)
-            if (np.abs(R - before) <= SETTLED * np.abs(R).max(initial=0.0)).all():
+            if (np.abs(R - before) <= SETTLED_FORCES * np.abs(R).max(initial=0.0)).all():
                 return np.asarray(self.Q + own["Q_hat_R"] @ R)
         raise ModelError(
             f"friction of model {self.model.name}", "its forces of joints by mu have no solution at this state",
@@ -161,7 +161,7 @@ def on_stops(clamped: Clamped, found: Found, p: np.ndarray) -> tuple[Found, np.n
     model, iterations = clamped.model, found.iterations
     stops = np.array([bool(one.side) for one in model.mode_events])
     names = np.array([one.name for one in model.mode_events])
-    for _ in range(MOST):
+    for _ in range(MOST_CORRECTIONS):
         at = clamped.values(found.x)
         if not found.converged or at is None:
             break
@@ -202,7 +202,7 @@ def _placed(clamped: Clamped, q_i: np.ndarray, closed: np.ndarray) -> np.ndarray
             return q_i
         step = np.linalg.lstsq(slopes[closed] @ clamped.free(at), -gap[closed], rcond=1e-12)[0]
         step *= min(1.0, LARGEST_STEP / max(float(np.abs(step).max(initial=0.0)), 1e-300))
-        for _ in range(HALVINGS):  # until the loops close from where they were
+        for _ in range(STEP_HALVINGS):  # until the loops close from where they were
             there = clamped.advance(q_i, step)
             if there is not None and clamped.values(there) is not None:
                 break

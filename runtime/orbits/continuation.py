@@ -29,16 +29,16 @@ from runtime.orbits.controllers import period_map, refuse_samples, samples_in
 from runtime.orbits.floquet import FLIP, FOLD, NEIMARK_SACKER, REAL, UNSTABLE, floquet
 from runtime.orbits.motion import PeriodicMotion
 from runtime.orbits.periodic import companion_steps, doubted, periodic, speed_period
-from runtime.orbits.shooting import CLOSED_MOTION, ROUNDED, Conditions, NoPeriodicMotion, Setting, Shot
+from runtime.orbits.shooting import CLOSED_MOTION, SHOOTING_ROUNDING, Conditions, NoPeriodicMotion, Setting, Shot
 from runtime.running.inputs import bound
 
-FIRST, LONGEST, SHORTEST = 0.02, 0.08, 1e-6  # steps along the curve, in parts of the range
-ITERATIONS, QUICK = 8, 3  # of Newton's method: at most, and so few that steps grow
+FIRST_ARC_STEP, LONGEST_ARC_STEP, SHORTEST = 0.02, 0.08, 1e-6  # steps along the curve, in parts of the range
+ARC_NEWTON_ITERATIONS, QUICK = 8, 3  # of Newton's method: at most, and so few that steps grow
 PASSED = 1e-4  # what is located is that near to zero; else it jumped there
 BENT = 0.9  # cosine between two tangents, at least
 BRANCH = "branch point"
 BETWEEN = "stability changes hereabouts"  # where the place cannot be located: a branch of motions at one value
-INTERRUPTED = "interrupted"
+INTERRUPTED_BRANCH = "interrupted"
 
 Progress = Callable[[float, float], None]
 
@@ -113,7 +113,7 @@ def periodic_over(
         parameters = {**own, **how.pop("parameters", {}), over: low}
         first, done = periodic(model, parameters=parameters, start=start, **how), []
     folder = None if resume is None else Path(resume)
-    walk = _Walk(model, over, (low, high), first, LONGEST if step is None else float(step), folder)
+    walk = _Walk(model, over, (low, high), first, LONGEST_ARC_STEP if step is None else float(step), folder)
     branch = walk.walked(done, points, progress, list(start.specials) if isinstance(start, PeriodicBranch) else [])
     return _with_doublings(branch, walk, flips, points, progress)
 
@@ -122,7 +122,7 @@ def _with_doublings(
     branch: PeriodicBranch, walk: _Walk, flips: int, points: int, progress: Progress | None
 ) -> PeriodicBranch:
     """And the branches of twice the period that leave it at its flips, `flips` generations of them."""
-    if not flips or branch.stopped == INTERRUPTED:
+    if not flips or branch.stopped == INTERRUPTED_BRANCH:
         return branch
     found: list[PeriodicBranch] = []
     for k, special in enumerate(branch.specials):
@@ -131,8 +131,8 @@ def _with_doublings(
             own = walk.beside(first, k)
             piece = own.walked([own.anew(start)], points, progress, [])
             found.append(_with_doublings(piece, own, flips - 1, points, progress))
-            if found[-1].stopped == INTERRUPTED:
-                return replace(branch, branches=tuple(found), stopped=INTERRUPTED)
+            if found[-1].stopped == INTERRUPTED_BRANCH:
+                return replace(branch, branches=tuple(found), stopped=INTERRUPTED_BRANCH)
     return replace(branch, branches=tuple(found))
 
 
@@ -207,7 +207,7 @@ class _Walk:
                 stopped = self._walked(done, most, progress, specials)
                 self._keep(done, specials, not stopped)
         except KeyboardInterrupt:
-            stopped = INTERRUPTED
+            stopped = INTERRUPTED_BRANCH
         if not done:
             raise KeyboardInterrupt
         return PeriodicBranch(self._model, self._over, self._span, tuple(done), tuple(specials), self._first, stopped)
@@ -218,7 +218,7 @@ class _Walk:
 
     def _walked(self, done: list[Point], most: int, progress: Progress | None, specials: list[Special]) -> str:
         """Append points and what passes between them; why it ends before the range does, "" otherwise."""
-        s = min(FIRST, self._longest)
+        s = min(FIRST_ARC_STEP, self._longest)
         while True:
             at = done[-1]
             self._keep(done, specials)
@@ -345,7 +345,7 @@ class _Walk:
             row[-1] = 1.0
             y += at.tangent * (s / at.tangent[-1])
         size = np.inf
-        for iteration in range(ITERATIONS):
+        for iteration in range(ARC_NEWTON_ITERATIONS):
             x = at.x + y[:count].reshape(at.x.shape) * conditions.scale
             value = at.value + y[-1] * self._width
             period = at.period + y[-2] * self._first.period if self._first.free else self._period(value, at.period)
@@ -355,7 +355,7 @@ class _Walk:
                 return None
             residual = np.append(conditions.residual(x, shot.ends), row @ y - s)
             before, size = size, float(np.abs(residual).max())
-            if size <= CLOSED_MOTION or (size <= ROUNDED and size > before / 4):
+            if size <= CLOSED_MOTION or (size <= SHOOTING_ROUNDING and size > before / 4):
                 own = self._conditions(shot, period, conditions.turn)
                 return self._point(value, period, shot, own, self._rescaled(at, own)), iteration
             if not np.isfinite(size) or size > 1e3:

@@ -20,7 +20,7 @@ from runtime.contract.model import EmittedModel
 from runtime.gradients.differentiable_run import DifferentiableRun
 from runtime.orbits.shooting import PeriodMap, Setting, Shot, result_of
 from runtime.orbits.states import States
-from runtime.running.inputs import ON_THE_GRID, InputValue, Sampled
+from runtime.running.inputs import SAMPLE_AT_STEP, InputValue, Sampled
 
 Inputs = Mapping[str, InputValue]
 
@@ -61,7 +61,7 @@ def samples_in(period: float, inputs: Inputs) -> int:
 
 def _times(period: float, name: str, controller: Sampled) -> int:
     count = round(period / controller.every)
-    if count < 1 or abs(period / controller.every - count) > ON_THE_GRID * count:
+    if count < 1 or abs(period / controller.every - count) > SAMPLE_AT_STEP * count:
         raise ArgumentError(
             f"input {name!r}",
             f"is decided every {controller.every:.6g} s, and the period of {period:.9g} s is no whole multiple of that",

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-MARGIN = 1e-6  # at least: multipliers nearer to the unit circle are on it
+UNIT_CIRCLE_MARGIN = 1e-6  # at least: multipliers nearer to the unit circle are on it
 REAL = 1e-7  # of |mu|: an imaginary part below that is rounding
 
 STABLE, UNSTABLE, NEUTRAL = "stable", "unstable", "neutral"
@@ -34,7 +34,7 @@ class Floquet:
     vectors: np.ndarray
     exponents: np.ndarray
     trivial: int
-    margin: float = MARGIN
+    margin: float = UNIT_CIRCLE_MARGIN
 
     @property
     def largest(self) -> float:
@@ -57,7 +57,7 @@ class Floquet:
         return "" if self.stability != UNSTABLE else kind_of(complex(self.counted[int(np.abs(self.counted).argmax())]))
 
 
-def floquet(monodromy: np.ndarray, period: float, free: bool, margin: float = MARGIN) -> Floquet:
+def floquet(monodromy: np.ndarray, period: float, free: bool, margin: float = UNIT_CIRCLE_MARGIN) -> Floquet:
     """Of a monodromy matrix (n, n) and a period [s]; margin: see Floquet."""
     multipliers, vectors = np.linalg.eig(monodromy)
     order = np.argsort(-np.abs(multipliers), kind="stable")

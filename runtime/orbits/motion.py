@@ -39,8 +39,8 @@ from runtime.solutions.solution import Solution
 if TYPE_CHECKING:
     from runtime.orbits.response import harmonic_response as _harmonic_response
 
-LONGER = 1e-5  # of the period: of a central difference by it
-SINGULAR = 1e-10  # of the largest singular value of I - M
+PERIOD_DIFFERENCE = 1e-5  # of the period: of a central difference by it
+SINGULAR_SENSITIVITY = 1e-10  # of the largest singular value of I - M
 
 
 @dataclass(frozen=True, repr=False)
@@ -235,7 +235,7 @@ def _adjoint(
         matrix = np.block([[matrix, -rates[:, None]], [rates[None, :] / np.linalg.norm(rates), np.zeros((1, 1))]])
         right = np.append(J_x, J_T)
     singular = np.linalg.svd(matrix, compute_uv=False)
-    if singular[-1] <= SINGULAR * singular[0]:
+    if singular[-1] <= SINGULAR_SENSITIVITY * singular[0]:
         raise NoPeriodicMotion(
             f"model {motion.model.name}",
             "the motion has no derivative: a Floquet multiplier is 1 (a fold, or a coordinate that nothing holds)",
@@ -249,9 +249,9 @@ def _by_period(run: DifferentiableRun, motion: PeriodicMotion, of: Objective, x:
     values = []
     columns = [run.outputs.index(name) for name in of.outputs]
     for sign in (1.0, -1.0):
-        longer = run.over(motion.t0, motion.period * (1.0 + sign * LONGER))
+        longer = run.over(motion.t0, motion.period * (1.0 + sign * PERIOD_DIFFERENCE))
         values.append(of.weighed(longer.t, longer.values(x)[:, columns])[0])
-    return float((values[0] - values[1]) / (2 * LONGER * motion.period))
+    return float((values[0] - values[1]) / (2 * PERIOD_DIFFERENCE * motion.period))
 
 
 # A Floquet mode as a motion, which everything that shows a solution can show.
@@ -263,7 +263,7 @@ def _by_period(run: DifferentiableRun, motion: PeriodicMotion, of: Objective, x:
 # repeats with the period up to its frequency; what is drawn is q(t) + a Re(p(t) exp(i Im(lambda) t)), without the
 # growth.
 
-FRAMES = 60  # a period
+FRAMES_OF_PERIOD = 60  # a period
 
 
 def _floquet_mode(motion: PeriodicMotion, k: int, periods: int, amplitude: float | None) -> Solution:
@@ -283,7 +283,7 @@ def _floquet_mode(motion: PeriodicMotion, k: int, periods: int, amplitude: float
         motion.states.names,
         **motion.setting,
         initial=motion.states.upright,
-        seen_every=max(1, motion.steps // FRAMES) * (motion.period / motion.steps),
+        seen_every=max(1, motion.steps // FRAMES_OF_PERIOD) * (motion.period / motion.steps),
     )
     found = run.jacobian(motion.x)
     values = found.values.reshape(-1, 3, len(names))

@@ -16,7 +16,7 @@ from runtime.contract.model import EmittedModel, refuse_events
 from runtime.gradients.variables import parameters_at
 from runtime.operating.given_state import given_state
 from runtime.orbits.controllers import controllers_in, period_map, refuse_controllers, samples_in, states_of
-from runtime.orbits.floquet import MARGIN, Floquet, floquet
+from runtime.orbits.floquet import UNIT_CIRCLE_MARGIN, Floquet, floquet
 from runtime.orbits.motion import PeriodicMotion
 from runtime.orbits.shooting import Closed, Conditions, NoPeriodicMotion, PeriodMap, Setting, closed, closed_beside
 from runtime.orbits.states import States
@@ -29,10 +29,10 @@ from runtime.solutions.solution import Solution
 
 FREE = "free"
 SCHEME = "exponential_rk4"
-MARKS = 20  # places of a period at which two solutions are compared, at least
-STEPS, MOST_STEPS = 200, 50_000  # a period: the first try, and the last
-SETTLED = 20  # periods of a transient, where Newton's method does not find the motion from the start
-REPEATS = 1e-5  # of a coordinate's size: what is driven, and loads, repeat up to this
+COMPARED_PLACES = 20  # places of a period at which two solutions are compared, at least
+FIRST_STEPS_OF_PERIOD, MOST_STEPS_OF_PERIOD = 200, 50_000  # a period: the first try, and the last
+TRANSIENT_PERIODS = 20  # periods of a transient, where Newton's method does not find the motion from the start
+REPEAT_TOLERANCE = 1e-5  # of a coordinate's size: what is driven, and loads, repeat up to this
 DOUBT = 20  # times the difference between two numbers of steps: how well the largest multiplier is known
 
 BEGINNING = Kind(
@@ -119,20 +119,20 @@ def periodic(
         raise ArgumentError("tolerance", f"is {tolerance!r}", "give a number between 0 and 1")
     refuse_controllers(model, asked.inputs, asked.free)
     x, first = _beginning(asked, start, settle, guess, t0)
-    count = steps if steps is not None else STEPS
+    count = steps if steps is not None else FIRST_STEPS_OF_PERIOD
     samples = samples_in(first, asked.inputs)
     if steps is not None and steps % samples:
         raise ArgumentError("steps", f"are {steps}, with {samples} samples a period", "give a multiple of that")
-    unit = lcm(MARKS * parts, samples)
+    unit = lcm(COMPARED_PLACES * parts, samples)
     search = _Search(asked, dict(options or {}), parts, t0)
     while True:
         count = max(1, round(count / unit)) * unit if steps is None else count
         motion = search.solved(count, x, first, settle)
-        if steps is not None or motion.error.largest <= tolerance or count >= MOST_STEPS:
+        if steps is not None or motion.error.largest <= tolerance or count >= MOST_STEPS_OF_PERIOD:
             return motion
         order = scheme_kind(asked.scheme).make.order
         wanted = (motion.error.largest / (0.8 * tolerance)) ** (1.0 / order)
-        count = min(MOST_STEPS, int(np.ceil(count * min(max(wanted, 1.2), 5.0))))
+        count = min(MOST_STEPS_OF_PERIOD, int(np.ceil(count * min(max(wanted, 1.2), 5.0))))
         x, first = motion.x, motion.period
 
 
@@ -211,7 +211,7 @@ def _beginning(
         return x, asked.length(asked.parameters)
     if guess is not None and settle is None:
         return x, float(guess)
-    return _settled_freely(asked, states, x, guess, settle or SETTLED, t0)
+    return _settled_freely(asked, states, x, guess, settle or TRANSIENT_PERIODS, t0)
 
 
 def _given(asked: _Asked, states: States, start: Mapping[str, float] | None, t0: float) -> np.ndarray:
@@ -229,7 +229,7 @@ def _settled_freely(
     model = asked.model
     span = guess * settle if guess else max(float(model.simulation["t_end"]), 1e-3)
     given: dict[str, Any] = {"parameters": asked.parameters, "inputs": asked.inputs or None, "t0": t0, "error": "off"}
-    dt = span / (STEPS * settle)
+    dt = span / (FIRST_STEPS_OF_PERIOD * settle)
     for _ in range(6):
         run = simulate(
             model, scheme=asked.scheme, initial=states.by_name(x), t_end=t0 + span, dt=dt, seen_every=0.0, **given
@@ -289,7 +289,7 @@ class _Search:
         except NoPeriodicMotion:
             if settle is not None or self._asked.free:
                 raise
-        for _ in range(SETTLED):
+        for _ in range(TRANSIENT_PERIODS):
             x = self._wrapped(map_, x, map_.ends(map_.along(x, period, ()), period, ())[-1])
         return self._newton(map_, x, period)
 
@@ -329,7 +329,7 @@ class _Search:
             again = map_.next_period(found.shot.x[0], found.period)
         size = map_.states.sizes(np.abs(np.vstack([found.shot.x, found.shot.ends])).max(axis=0), found.period)
         off = np.abs(again - end) / size
-        if off.max() > REPEATS:
+        if off.max() > REPEAT_TOLERANCE:
             name = map_.states.names[int(off.argmax())]
             raise NoPeriodicMotion(
                 f"model {self._asked.model.name}",
@@ -341,7 +341,7 @@ class _Search:
 
 def doubted(one: Floquet, beside: Floquet) -> Floquet:
     """With the margin that follows from the same with other steps."""
-    return replace(one, margin=max(MARGIN, DOUBT * abs(one.largest - beside.largest)))
+    return replace(one, margin=max(UNIT_CIRCLE_MARGIN, DOUBT * abs(one.largest - beside.largest)))
 
 
 def companion_steps(scheme: str, steps: int, parts: int, samples: int) -> int:
@@ -354,7 +354,7 @@ def companion_steps(scheme: str, steps: int, parts: int, samples: int) -> int:
         other = max(1, round(steps / ratio / least)) * least
         return other if other != steps else 2 * steps
     a = common_steps(steps, ratio, steps // least)
-    return 2 * steps if steps // a < MARKS else steps // a * coprime(a, ratio)
+    return 2 * steps if steps // a < COMPARED_PLACES else steps // a * coprime(a, ratio)
 
 
 def _difference(motion: PeriodicMotion, other: PeriodicMotion) -> MotionError:

@@ -24,7 +24,7 @@ from runtime.orbits.shooting import NoPeriodicMotion
 if TYPE_CHECKING:
     from runtime.orbits.motion import PeriodicMotion
 
-SINGULAR = 1e-10  # of the largest singular value of e^{i w T} - Phi
+SINGULAR_RESPONSE = 1e-10  # of the largest singular value of e^{i w T} - Phi
 
 
 @dataclass(frozen=True)
@@ -90,6 +90,6 @@ def _started(monodromy: np.ndarray, G: np.ndarray, angle: float) -> np.ndarray:
     """dx(t0). Raises NoPeriodicMotion."""
     matrix = np.exp(1j * angle) * np.eye(len(G)) - monodromy
     sizes = np.linalg.svd(matrix, compute_uv=False)
-    if sizes[-1] <= SINGULAR * sizes[0]:
+    if sizes[-1] <= SINGULAR_RESPONSE * sizes[0]:
         raise NoPeriodicMotion("the response", "grows without bound: this w resonates", "take another w, or damping")
     return np.asarray(np.linalg.solve(matrix, G))

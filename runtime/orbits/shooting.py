@@ -27,8 +27,8 @@ from runtime.gradients.differentiable_run import DifferentiableRun
 from runtime.orbits.states import States
 
 CLOSED_MOTION = 1e-11  # of each coordinate's scale: what a closed motion may be open by
-ROUNDED = 1e-8  # the same, where Newton's method gets no nearer
-ITERATIONS, HALVINGS = 25, 8
+SHOOTING_ROUNDING = 1e-8  # the same, where Newton's method gets no nearer
+SHOOTING_ITERATIONS, SHOT_HALVINGS = 25, 8
 SPENT = 1e-7  # s: parts of a period are not shorter
 START = "give a start nearer to the motion, let it settle first (settle=20 periods), or cut the period into parts"
 
@@ -242,14 +242,14 @@ class Conditions:
 
 def closed(map_: PeriodMap, conditions: Conditions, shot: Shot, period: float, values: Sequence[float]) -> Closed:
     """Newton's method with a line search from a shot. Raises NoPeriodicMotion with what came nearest."""
-    for iteration in range(ITERATIONS):
+    for iteration in range(SHOOTING_ITERATIONS):
         residual = conditions.residual(shot.x, shot.ends)
         size = float(np.abs(residual).max())
         if size <= CLOSED_MOTION:
             return Closed(shot, period, conditions.turn, iteration)
         found = _searched(map_, conditions, shot, period, values, residual)
         if found is None:
-            if size <= ROUNDED:
+            if size <= SHOOTING_ROUNDING:
                 return Closed(shot, period, conditions.turn, iteration)
             break
         shot, period = found
@@ -273,7 +273,7 @@ def closed_beside(map_: PeriodMap, conditions: Conditions, found: Closed) -> Clo
     while True:
         residual = conditions.residual(shot.x, shot.ends)
         before, size = size, float(np.abs(residual).max())
-        if size <= CLOSED_MOTION or (size <= ROUNDED and size > before / 4):
+        if size <= CLOSED_MOTION or (size <= SHOOTING_ROUNDING and size > before / 4):
             return Closed(shot, period, conditions.turn, 0)
         if not size <= before / 4:
             return closed(map_, conditions, first, found.period, ())
@@ -303,7 +303,7 @@ def _searched(
     """Along Newton's step to where the residual is smaller; None where it is not. Most often the whole step will do."""
     step = _solved(conditions.jacobian(shot), -residual)
     size, share = np.linalg.norm(residual), 1.0
-    for halving in range(HALVINGS):
+    for halving in range(SHOT_HALVINGS):
         there, length = _moved(conditions, shot.x, period, share * step)
         try:
             if length > 0.2 * period:

@@ -30,7 +30,7 @@ from runtime.results.section_forces import (
     sections_of,
 )
 
-POINTS = 48  # of the bending moment along a beam, and four more for each shape
+MOMENT_POINTS = 48  # of the bending moment along a beam, and four more for each shape
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,7 +93,7 @@ def deflections(
 
 def _add_rest(found: np.ndarray, solution: Samples, beam: Beam, xi: np.ndarray) -> None:
     """Adds the static rest to the deflections (3, N, n)."""
-    count = POINTS + 4 * max((len(one.columns) for one in beam.sets.values()), default=0)
+    count = MOMENT_POINTS + 4 * max((len(one.columns) for one in beam.sets.values()), default=0)
     points, weights = legendre.leggauss(count)
     nodes, shares = (points + 1) / 2, weights / 2
     field = SectionField(beam, nodes)

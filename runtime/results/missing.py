@@ -10,22 +10,22 @@ import numpy as np
 
 from runtime.contract.coordinates import euler_angles, parameter_columns
 from runtime.contract.errors import ModelError
-from runtime.contract.orientations import NEAR_SINGULAR, angles, regularity
+from runtime.contract.orientations import NEAR_GIMBAL_LOCK, angles, regularity
 from runtime.contract.records import BeamRecord
 from runtime.contract.status import Event
 from runtime.engine.rows import evaluate
 from runtime.results.samples import Samples
 from runtime.results.section_forces import STRETCHING
 
-LOOKS = 100  # samples at most
+MOST_SAMPLES_LOOKED_AT = 100  # samples at most
 WORTH_OF_SHAPES = 1e-3  # of a deflection
-WORTH_A_WORD = 0.05  # of a stress or a force
+REPORTED_MISSING_SHARE = 0.05  # of a stress or a force
 WORTH_A_WORD_OF_NORMAL = 0.01  # of a stress, where no shape knows the normal force
 
 
 def looked_at(solution: Samples) -> Samples:
     """Samples that are looked at, evenly spread, the first and the last among them."""
-    rows = sorted({int(row) for row in np.linspace(0, len(solution.t) - 1, LOOKS)})
+    rows = sorted({int(row) for row in np.linspace(0, len(solution.t) - 1, MOST_SAMPLES_LOOKED_AT)})
     return solution.but(
         **{key: getattr(solution, key)[rows] for key in ("t", "q", "q_dot", "q_ddot", "lam", "measures")}
     )
@@ -105,7 +105,7 @@ def missing_sections(solution: Samples) -> tuple[dict[str, float], list[Event]]:
                     exact = getattr(whole, part)[:, place]
                     lacking = np.abs(exact - measured)
                     shares[f"missing_force.{name}"] = share = float(lacking.max() / max(np.abs(exact).max(), size))
-                    if share > WORTH_A_WORD:
+                    if share > REPORTED_MISSING_SHARE:
                         text = (
                             f"measure {name} leaves out up to {100 * share:.2g} % of the {WORDS[part]} of "
                             f"{record.body} there, which its shapes do not hold; give more modes, or take "
@@ -154,7 +154,7 @@ def missing_stresses(solution: Samples) -> tuple[dict[str, float], list[Event]]:
             shares[f"mesh_error.{body}"] = largest.mesh_error
         share = float(lacking.max()) / largest.value
         shares[f"missing_stress.{body}"] = share
-        if share > WORTH_A_WORD and any(one.unit == "Pa" for one in solution.model.description.measures):
+        if share > REPORTED_MISSING_SHARE and any(one.unit == "Pa" for one in solution.model.description.measures):
             sample, place = np.unravel_index(int(lacking.argmax()), lacking.shape)
             text = (
                 f"measures of stress at {whole.gauges[int(place)]} of {body} leave out up to {100 * share:.2g} % of "
@@ -178,7 +178,7 @@ def _missing_of_beam(solution: Samples, record: BeamRecord, shares: dict[str, fl
     lacking = np.abs(whole - shapes).max(axis=1)
     share = float(lacking.max()) / largest
     shares |= {f"missing_stress.{name}": share for name in record.stresses}
-    if share > WORTH_A_WORD or (share > WORTH_A_WORD_OF_NORMAL and not _stretches(record)):
+    if share > REPORTED_MISSING_SHARE or (share > WORTH_A_WORD_OF_NORMAL and not _stretches(record)):
         text = (
             f"{', '.join(record.stresses)}: up to {100 * share:.2g} % of the largest stress of {record.body} are not "
             f"in it, for its shapes do not hold it{'' if _stretches(record) else ' (no axial modes: no N / A)'}; "
@@ -201,7 +201,7 @@ def singular_angles(solution: Samples) -> list[Event]:
         theta = angles(kind, solution.q[:, columns[body]])
         off = regularity(kind, theta)
         k = int(off.argmin())
-        if off[k] < NEAR_SINGULAR:
+        if off[k] < NEAR_GIMBAL_LOCK:
             text = (
                 f"the Euler angles {kind} of {body} are near their singular orientation (theta2 = {theta[k, 1]:.4g} "
                 "rad), where theta1, theta3 and the rates are not determined; the motion is not touched: read "

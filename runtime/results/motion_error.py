@@ -47,11 +47,11 @@ def _largest_of_kind(model: EmittedModel, values: np.ndarray) -> np.ndarray:
     return np.asarray(np.where(_kinds(model)[0], values, -np.inf).max(axis=1, initial=-np.inf))
 
 
-TURN = np.pi / np.sqrt(3.0)  # rad: RMS about its mean of an angle that turns on and on, modulo a turn
+TURN_AMPLITUDE = np.pi / np.sqrt(3.0)  # rad: RMS about its mean of an angle that turns on and on, modulo a turn
 ROUND = 2 * np.pi  # rad: what has turned further turns on and on
-LOST = 0.03  # of an amplitude: the time at which a motion that is lost in the end can be relied on no more
+LOST_ERROR = 0.03  # of an amplitude: the time at which a motion that is lost in the end can be relied on no more
 INTEGRAL = ".integral"  # the coordinate whose rate is a state
-DUST = 1e-10  # m or rad, or of a coordinate's size: an amplitude counts as that at least
+LEAST_AMPLITUDE = 1e-10  # m or rad, or of a coordinate's size: an amplitude counts as that at least
 RESTS = 1e-6  # m/s or rad/s, or of a coordinate's size a second: a rate counts as that at least
 STATIONARY = 0.1  # of the largest amplitude of its kind and unit: what moves less is not judged by its own
 
@@ -131,7 +131,9 @@ class MotionError:
 def amplitudes(model: EmittedModel, q: np.ndarray) -> np.ndarray:
     """(n_told,) RMS about the mean of what tells a motion, from samples q (N, n_told); a turn's of what turns on."""
     found = np.sqrt(np.mean((q - q.mean(axis=0)) ** 2, axis=0))
-    return np.asarray(np.where(_kinds(model)[1] & (np.ptp(q, axis=0) > ROUND), np.minimum(found, TURN), found))
+    return np.asarray(
+        np.where(_kinds(model)[1] & (np.ptp(q, axis=0) > ROUND), np.minimum(found, TURN_AMPLITUDE), found)
+    )
 
 
 def _states(model: EmittedModel) -> np.ndarray:
@@ -160,12 +162,14 @@ def motion_error(
         off = np.where(_states(model), np.abs(rates[0] - rates[1]), off)
         known = np.concatenate(rates if sampled_rates is None else [*rates, sampled_rates])
         sizes = np.where(_states(model), np.std(known, axis=0), sizes)
-    dust = DUST * np.maximum(1.0, np.abs(q).max(axis=0))  # what stays where it is has an amplitude of rounding
+    dust = LEAST_AMPLITUDE * np.maximum(
+        1.0, np.abs(q).max(axis=0)
+    )  # what stays where it is has an amplitude of rounding
     rms, least = np.sqrt(np.mean(off**2, axis=0)), np.maximum(floored(model, sizes), dust)
     judged = rms / np.maximum(floored(model, sizes, STATIONARY), dust)
     until = None
     if len(t) and (off / least > 1.0).any():
-        until = float(t[int(np.argmax((off / least > LOST).any(axis=1)))])
+        until = float(t[int(np.argmax((off / least > LOST_ERROR).any(axis=1)))])
 
     def by_name(values: np.ndarray, end: str = "") -> dict[str, float]:
         return {name + end: value for name, value in zip(names, values.tolist(), strict=True)}
@@ -192,7 +196,7 @@ def errors_of_many(model: EmittedModel, y: np.ndarray, other: np.ndarray) -> tup
     both = np.concatenate([y, other], axis=2)
     sizes = np.std(both, axis=2)
     turns = _kinds(model)[1] & (np.ptp(both[:, :n], axis=2) > ROUND)
-    amplitude = np.where(turns, np.minimum(sizes[:, :n], TURN), sizes[:, :n])
+    amplitude = np.where(turns, np.minimum(sizes[:, :n], TURN_AMPLITUDE), sizes[:, :n])
     off = np.where(_states(model), rms[:, n:], rms[:, :n])
     amplitude = np.where(_states(model), sizes[:, n:], amplitude)
     alike = _kinds(model)[0][None]
@@ -202,7 +206,7 @@ def errors_of_many(model: EmittedModel, y: np.ndarray, other: np.ndarray) -> tup
 
     least = np.maximum(amplitude, SHARE * largest(amplitude))
     least = np.where(least > 0, least, 1.0)
-    dust = DUST * np.maximum(1.0, np.abs(y[:, :n]).max(axis=2))
+    dust = LEAST_AMPLITUDE * np.maximum(1.0, np.abs(y[:, :n]).max(axis=2))
     v = sizes_of_rates[:, n:]
     rates = rms[:, n:] / np.maximum(np.maximum(v, STATIONARY * largest(v)), RESTS)
     return off / np.maximum(least, dust), rates

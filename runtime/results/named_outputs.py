@@ -18,7 +18,7 @@ from runtime.schemes.scheme import Scheme
 ENERGIES = ("kinetic", "elastic", "potential", "power_dissipated", "power_applied")
 ORDERS = ("", "_dot", "_ddot")
 AXES = "xyz"
-SHOWN = 24  # names that an error lists
+SHOWN_NAMES = 24  # names that an error lists
 
 
 @dataclass(frozen=True)
@@ -55,12 +55,12 @@ def column(model: EmittedModel, name: str) -> Column:
         near = get_close_matches(str(name), known, 1)
         meant = f" (did you mean {near[0]!r}?)" if near else ""
         listed = [*model.coordinates, *model.measures, *ENERGIES]
-        more = ", ..." if len(listed) > SHOWN else ""
+        more = ", ..." if len(listed) > SHOWN_NAMES else ""
         raise ModelError(
             f"output {name!r}",
             f"model {model.name} has none of this name{meant}",
-            f"take one of {', '.join(listed[:SHOWN])}{more}, rates `_dot`, accelerations `_ddot`, `lam.row`, or a "
-            "joint's force",
+            f"take one of {', '.join(listed[:SHOWN_NAMES])}{more}, rates `_dot`, accelerations `_ddot`, `lam.row`, or "
+            "a joint's force",
         )
     found = known[name]
     if found.kernel == "reactions" and model.redundant:

@@ -91,7 +91,7 @@ class WithLater:
 # It is of order 4 where power is smooth. By how much it may be wrong is told by the work over every other sample.
 
 STORED = ("kinetic", "elastic", "potential")
-ALIKE = 1e-12  # of a motion: times that are one
+ONE_TIME_SHARE = 1e-12  # of a motion: times that are one
 WINDOW = 4  # samples that a polynomial passes through
 GAUSS = (1 - 3**-0.5) / 2, (1 + 3**-0.5) / 2  # of an interval: two points take cubics exactly
 
@@ -215,7 +215,7 @@ def _with_sides(
     known = np.isfinite(values) | (rank == 0)
     order = np.lexsort((rank[known], at[known], pieces[known]))
     at, values, pieces, rank = (one[known][order] for one in (at, values, pieces, rank))
-    close = np.append(False, (np.diff(at) <= ALIKE * (at[-1] - at[0])) & (np.diff(pieces) == 0))
+    close = np.append(False, (np.diff(at) <= ONE_TIME_SHARE * (at[-1] - at[0])) & (np.diff(pieces) == 0))
     before = np.append(close[1:], False) & (rank == 1)  # a sample that follows at once is kept in its place
     keep = ~(close & (rank == 1)) & ~(before & np.append(rank[1:] == 0, False))
     return at[keep], values[keep], pieces[keep]

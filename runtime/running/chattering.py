@@ -12,7 +12,10 @@ import numpy as np
 
 from runtime.contract.status import Event
 
-SERIES, WITHIN = 20, 120.0  # so many crossings within so many steps: a vibration would have twelve steps a period
+CROSSINGS_OF_CHATTER, WITHIN = (
+    20,
+    120.0,
+)  # so many crossings within so many steps: a vibration would have twelve steps a period
 
 
 def chattering(events: Iterable[Event], step: float) -> list[Event]:
@@ -24,9 +27,9 @@ def chattering(events: Iterable[Event], step: float) -> list[Event]:
     found = []
     for name, at in crossed.items():
         times = np.sort(at)
-        close = np.flatnonzero(times[SERIES - 1 :] - times[: 1 - SERIES] <= WITHIN * step)
+        close = np.flatnonzero(times[CROSSINGS_OF_CHATTER - 1 :] - times[: 1 - CROSSINGS_OF_CHATTER] <= WITHIN * step)
         if len(close):
-            within = times[close[0] : close[-1] + SERIES]
+            within = times[close[0] : close[-1] + CROSSINGS_OF_CHATTER]
             found.append(Event(float(within[0]), "chattering", _text(name, within), name))
     return found
 

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 CALL_SECONDS = 0.25  # a call lasts about this long
 OPERATIONS = 5_000_000  # of a first call
-LONGEST_CALL = 1 << 20
+MOST_STEPS_OF_CALL = 1 << 20
 FIRST_SAVED = 32  # of the first look: what goes wrong and heals within a chunk is not seen
-FINER = 8  # times shorter: a chunk that is made again where there is trouble between two saved states
+SHORTER_CHUNK = 8  # times shorter: a chunk that is made again where there is trouble between two saved states
 MOST_SAVED = 256  # states that are saved between two looks
 
 
@@ -43,7 +43,7 @@ class ChunkLength:
     def took(self, seconds: float) -> None:
         """Double or halve: the interpreted engine builds one Function per batch length, so there should be few."""
         if seconds < CALL_SECONDS / 4:
-            self.steps = min(self.steps * 2, LONGEST_CALL)
+            self.steps = min(self.steps * 2, MOST_STEPS_OF_CALL)
         elif seconds > CALL_SECONDS:
             self.steps = max(1, self.steps // 2)
 

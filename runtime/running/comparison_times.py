@@ -1,10 +1,11 @@
 """The times at which two motions by unlike steps are compared: ends of steps of both, in phase with no vibration.
 
 An error that is looked at once in a period of a vibration, always at the same phase, is not seen: one that comes late
-is right wherever it turns back. So of the times that are ends of steps of both motions one is taken from each of MOST
-equal parts of the motion, where the squares j^2 times the golden ratio, modulo 1, put it. These are distributed evenly
-(Weyl 1916), and unlike the multiples of an irrational number they keep step with no frequency: of an error that grows
-with time the root mean square at these times is within 0.68 and 1.24 of the true one, for all of 30,000 frequencies.
+is right wherever it turns back. So of the times that are ends of steps of both motions one is taken from each of
+MOST_COMPARISON_TIMES equal parts of the motion, where the squares j^2 times the golden ratio, modulo 1, put it.
+These are distributed evenly (Weyl 1916), and unlike the multiples of an irrational number they keep step with no
+frequency: of an error that grows with time the root mean square at these times is within 0.68 and 1.24 of the true
+one, for all of 30,000 frequencies.
 
 The common times are but few steps apart, by a number that has no divisor in common with the steps of the other motion
 between them, so that both see a periodic force at unlike phases. A vibration is seen in one phase only where just so
@@ -22,17 +23,19 @@ from math import ceil, gcd, sqrt
 
 import numpy as np
 
-MOST = 64  # times, and the end of the motion
+MOST_COMPARISON_TIMES = 64  # times, and the end of the motion
 GOLDEN = (sqrt(5.0) - 1.0) / 2.0
 ODD = (3, 7, 9, 11, 13)  # steps from one common time to the next: such as no round number of steps a period divides
 EVEN_TOO = range(1, 14)  # the same of short motions
-LONG = 50  # steps of a motion from which on all of its ends are near to one of the common times
-REST = 1.5  # price of what lies behind the last time, beside the distance of a ratio from the one that is wanted, which
+STEPS_OF_LONG_MOTION = 50  # steps of a motion from which on all of its ends are near to one of the common times
+REST_WEIGHT = (
+    1.5  # price of what lies behind the last time, beside the distance of a ratio from the one that is wanted, which
+)
 # counts twice where the two motions would be more alike
-COARSE = 0.2  # the same of the steps from one common time to the next
+COARSE_WEIGHT = 0.2  # the same of the steps from one common time to the next
 
 
-def comparison_steps(steps: int, every: int = 1, most: int = MOST) -> np.ndarray:
+def comparison_steps(steps: int, every: int = 1, most: int = MOST_COMPARISON_TIMES) -> np.ndarray:
     """(N,) steps, rising, of a motion of so many steps: multiples of `every`, about one in each of `most` equal parts,
     and the last of all.
     """
@@ -51,13 +54,16 @@ def common_steps(steps: int, ratio: float, base: int | None = None) -> int:
 
     ratio: what a / b should be. base: steps of the run between times at which both have to end a step, if there are.
     """
-    choices: Sequence[int] = ODD if steps >= LONG else EVEN_TOO[: min(steps, len(EVEN_TOO))]
+    choices: Sequence[int] = ODD if steps >= STEPS_OF_LONG_MOTION else EVEN_TOO[: min(steps, len(EVEN_TOO))]
     if base is not None:
         choices = sorted({base, *(a for a in EVEN_TOO if base % a == 0)})
 
     def distance(a: int) -> float:
         longer = float(np.log(a / coprime(a, ratio) / ratio))
-        return abs(longer) * (1 if longer * (ratio - 1) > 0 else 2) + (REST * (steps % a) + COARSE * a) / steps
+        return (
+            abs(longer) * (1 if longer * (ratio - 1) > 0 else 2)
+            + (REST_WEIGHT * (steps % a) + COARSE_WEIGHT * a) / steps
+        )
 
     return min(choices, key=distance)
 

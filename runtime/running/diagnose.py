@@ -10,7 +10,7 @@ import numpy as np
 
 from runtime.contract.status import Event, Status, StatusName
 from runtime.running.mass_matrix import positive_definite
-from runtime.running.turns import MOST_TURN, frequency_at_states
+from runtime.running.turns import MOST_TURN_OF_STEP, frequency_at_states
 from runtime.schemes.step_limit import eigenvalues
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 NEARLY_LOST = 0.1  # of M_hat without deflections: below this a breakdown of the numbers is laid to it
 NEARLY_TOO_FAR = 0.5  # of what a step may turn a loop
-SAFE = 0.9  # of a limit
+SAFE_LIMIT = 0.9  # of a limit
 STRONG = 5.0  # times that a motion decays by e in a step, from which advice names the damper
 
 BREAKDOWNS = ("not_finite", "diverged", "constraints_lost", "iteration_failed")  # that M_hat may be the cause of
@@ -30,7 +30,7 @@ OF_STIFFENING = (
     "A deflection is too large for second-order geometric stiffening: use more or stiffer bodies, or smaller loads. "
     "Where it grew by instability, take shorter steps."
 )
-SHORTER, FAR_SHORTER = 3.0, 10.0  # times
+SHORTER_STEPS, FAR_SHORTER = 3.0, 10.0  # times
 
 
 def shorter_steps(monitor: Monitor, dt: float | None = None) -> str:
@@ -38,7 +38,7 @@ def shorter_steps(monitor: Monitor, dt: float | None = None) -> str:
     scheme = monitor.scheme
     if scheme.adaptive:
         return "Give a smaller tolerance."
-    given = f"dt={scheme.grid.dt_L / SHORTER if dt is None else dt:.2g}"
+    given = f"dt={scheme.grid.dt_L / SHORTER_STEPS if dt is None else dt:.2g}"
     if monitor.refined:
         return f'Name a scheme and its step in place of the tolerance, such as scheme="{monitor.refined}", {given}.'
     return f"Reduce the step, such as {given}, or give a tolerance in place of it."
@@ -61,7 +61,7 @@ def step_advice(monitor: Monitor, below: str = "") -> str:
         f"fastest group's step is {h:.3g} s."
     )
     if h > limit.h:
-        short = shorter_steps(monitor, SAFE * scheme.grid.dt_L * limit.h / h)
+        short = shorter_steps(monitor, SAFE_LIMIT * scheme.grid.dt_L * limit.h / h)
         return f"{text} {damper or short}"
     if below:
         return f"{text} {below}"
@@ -110,8 +110,8 @@ def _of_loops(monitor: Monitor) -> str:
     least = frequency_at_states(monitor.model, scheme, monitor.c[: monitor.model.c_size], z[None], by_change=True)
     dt = scheme.grid.dt_L
     if not scheme.adaptive and dt * least > NEARLY_TOO_FAR:
-        turned = f"A step of {dt:.3g} s turns a loop too far there, by {MOST_TURN * dt * least:.2g} rad."
-        return f"{turned} {shorter_steps(monitor, 1 / (SHORTER * least))}"
+        turned = f"A step of {dt:.3g} s turns a loop too far there, by {MOST_TURN_OF_STEP * dt * least:.2g} rad."
+        return f"{turned} {shorter_steps(monitor, 1 / (SHORTER_STEPS * least))}"
     return step_advice(monitor, below=f"{OUT_OF_REACH} {shorter_steps(monitor)}")
 
 

@@ -21,10 +21,14 @@ from runtime.contract.status import Status
 from runtime.engine.rows import evaluate
 from runtime.solutions.solution import Solution
 
-BROKEN = ("not_finite", "step_too_short", "iteration_failed")  # statuses that an expression may be the cause of
+ENDS_BY_EXPRESSIONS = (
+    "not_finite",
+    "step_too_short",
+    "iteration_failed",
+)  # statuses that an expression may be the cause of
 OF_A_CONTROLLER = "the controller of input"  # whose own numbers are to blame
-AHEAD = 4.0  # steps that are looked at
-LOOKS = 65  # places on the way, and again between two of them
+STEPS_AHEAD = 4.0  # steps that are looked at
+PLACES_ON_THE_WAY = 65  # places on the way, and again between two of them
 WORDS = ("title", "description", "name", "unit", "type")  # whose text is no expression
 ONE = {"loads": "load", "bodies": "body", "joints": "joint", "events": "event", "states": "state"}
 ADVICE = (
@@ -54,10 +58,10 @@ def outside_its_domain(status: Status, solution: Solution, c: np.ndarray, step: 
     solution: until the last good state. c (c_size,): constants of the model; step [s]: of the run.
     """
     model = solution.model
-    if status.name not in BROKEN or not model.scene_toml or status.cause.startswith(OF_A_CONTROLLER):
+    if status.name not in ENDS_BY_EXPRESSIONS or not model.scene_toml or status.cause.startswith(OF_A_CONTROLLER):
         return status
     way = _Way(model, solution, c)
-    ahead = np.linspace(0.0, AHEAD * step, LOOKS)
+    ahead = np.linspace(0.0, STEPS_AHEAD * step, PLACES_ON_THE_WAY)
     with np.errstate(all="ignore"), warnings.catch_warnings():
         warnings.simplefilter("ignore")
         names = way.values(ahead)
@@ -66,11 +70,11 @@ def outside_its_domain(status: Status, solution: Solution, c: np.ndarray, step: 
             return status
         item, fault = min(found, key=lambda one: (one[1].pole, _is_seldom_read(one[0]), one[1].k))
         if fault.k:  # nearer
-            ahead = np.linspace(ahead[fault.k - 1], ahead[fault.k], LOOKS)
+            ahead = np.linspace(ahead[fault.k - 1], ahead[fault.k], PLACES_ON_THE_WAY)
             tree = next(tree for name, tree in expressions(model.scene_toml) if name == item)
             closer = [one for one in faults(tree, way.values(ahead)) if one.part == fault.part]
             fault = min(closer, key=lambda one: one.k, default=None) or fault
-    t = float(solution.t[-1]) + float(ahead[min(fault.k, LOOKS - 1)])
+    t = float(solution.t[-1]) + float(ahead[min(fault.k, PLACES_ON_THE_WAY - 1)])
     cause = (
         f"{item}: {fault.part} has no {'bound' if fault.pole else 'value'} where {fault.argument} {fault.wrong}: "
         f"it is {fault.value:.3g} at t = {t:.6g} s"

@@ -34,12 +34,14 @@ from runtime.solutions.observe import assemble_solution
 from runtime.solutions.solution import Solution
 
 SCHEME = "driven"
-CLOSURE_TOLERANCE = 1e-14  # rad or m, times the largest coordinate: correction after which the loops count as closed
-STAGNANT = 1e-11  # a correction that small, but no longer shrinking, is rounding
-MOST_CLOSURES = 25
+DRIVEN_CLOSURE_TOLERANCE = (
+    1e-14  # rad or m, times the largest coordinate: correction after which the loops count as closed
+)
+STAGNANT_CORRECTION = 1e-11  # a correction that small, but no longer shrinking, is rounding
+MOST_DRIVEN_CLOSURES = 25
 MAX_BRANCH_CORRECTION = 0.2  # rad or m: a correction above this may have left the branch
-DEFAULT_SAMPLES = 200  # samples where nothing is said
-MOST_HALVINGS = 12  # of the time from one instant to the next
+DRIVEN_SAMPLES = 200  # samples where nothing is said
+MOST_INSTANT_HALVINGS = 12  # of the time from one instant to the next
 
 
 def driven_solution(
@@ -137,7 +139,7 @@ class _Follower:
         if found[0] is None:
             found = [q_d]
         for before, t, self.c in zip(times, times[1:], rows, strict=False):
-            following = self._next(np.asarray(found[-1]), float(before), float(t), MOST_HALVINGS)
+            following = self._next(np.asarray(found[-1]), float(before), float(t), MOST_INSTANT_HALVINGS)
             if following is None:
                 break
             found.append(following)
@@ -160,7 +162,7 @@ class _Follower:
     def _closed(self, q_d: np.ndarray, t: float, c: np.ndarray) -> np.ndarray | None:
         """Newton on the loop unknowns until the correction is rounding; None if it does not get there."""
         before = np.inf
-        for _ in range(MOST_CLOSURES):
+        for _ in range(MOST_DRIVEN_CLOSURES):
             self.closures += 1
             found = self.model.evaluate("closure", q_d=q_d, t=t, q_i=np.zeros(0), c=c)
             following = np.asarray(found["q_d_next"]).ravel()
@@ -168,7 +170,9 @@ class _Follower:
                 return None
             moved, scale = float(np.abs(following - q_d).max()), max(1.0, float(np.abs(following).max()))
             q_d = following
-            if moved <= CLOSURE_TOLERANCE * scale or (moved <= STAGNANT * scale and moved >= 0.5 * before):
+            if moved <= DRIVEN_CLOSURE_TOLERANCE * scale or (
+                moved <= STAGNANT_CORRECTION * scale and moved >= 0.5 * before
+            ):
                 return q_d
             before = moved
         return None
@@ -229,7 +233,7 @@ def quasi_static_motion(
         raise ModelError(f"model {model.name} moves freely in {', '.join(free)}: drive it, or simulate")
     end = float(model.simulation["t_end"] if t_end is None else t_end)
     asked = seen_every_of(seen_every, samples, t0, end)
-    step = asked or float(model.simulation.get("seen_every", (end - t0) / DEFAULT_SAMPLES))
+    step = asked or float(model.simulation.get("seen_every", (end - t0) / DRIVEN_SAMPLES))
     if not (np.isfinite([t0, end, step]).all() and step > 0 and end > t0):
         raise SchemeError("t_end", "does not make a motion", "take t_end > t0")
     times = _instants(t0, end, step)

@@ -21,7 +21,7 @@ from runtime.contract.status import Event, Status
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.impulse import Impulse, impulse_text
-from runtime.schemes.switching.times import ON_THE_GRID
+from runtime.schemes.switching.times import JUMP_AT_STEP
 from runtime.schemes.switching.watched import (
     Acted,
     action_values,
@@ -39,7 +39,7 @@ MOST_KINKS, OF_STEPS = 20, 60  # of one name within so many steps: then it is cr
 CHATTER = 1e-3  # of the time between states that are seen, in place of a step: where steps follow from a tolerance
 MOST_REPORTED = 100  # impulses of prescribed motions
 AT_THE_END = 1e-10  # s
-LOCATED = 1e-11  # s: within which an event is located
+EVENT_TIME_ROUNDING = 1e-11  # s: within which an event is located
 AT_STEP_END = 1e-6  # of a step: what happens at its end
 
 
@@ -234,7 +234,9 @@ class EventHandler:
         come = np.zeros(len(modes))
         if (own & (before != 0)).any():
             come = np.where(
-                own, LOCATED * np.abs(event_slopes(scheme, observed.z, observed.c))[first : self._declared], 0.0
+                own,
+                EVENT_TIME_ROUNDING * np.abs(event_slopes(scheme, observed.z, observed.c))[first : self._declared],
+                0.0,
             )
         c = np.concatenate([self.own.c[: len(self.own.c) - len(inputs)], inputs])
         from runtime.schemes.switching.settle import NoMode, settled
@@ -280,7 +282,7 @@ class EventHandler:
         name, dt, grid = self._events[k].name, self.own.plan.grid.dt_L, None
         if self.own.broken is not None:
             grid = self.own.broken.grid
-            step = ceil((t - grid.t0) / dt - ON_THE_GRID)  # at whose end
+            step = ceil((t - grid.t0) / dt - JUMP_AT_STEP)  # at whose end
         else:
             step = self._scheme.steps_made(z)
         sleeps, *steps = self._recent.get(name, [0.0])

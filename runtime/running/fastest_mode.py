@@ -9,7 +9,7 @@ from runtime.operating.mode_solver import ModeSolver, State
 from runtime.running.monitor import known_slopes
 from runtime.running.problem import Problem
 
-RESOLVED = 0.5  # rad of the fastest mode a step
+RESOLVED_ANGLE = 0.5  # rad of the fastest mode a step
 
 
 def slopes_at_start(problem: Problem) -> tuple[np.ndarray, np.ndarray] | None:

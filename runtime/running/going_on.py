@@ -19,7 +19,7 @@ from runtime.contract.signals import SINCE, SUFFIXES
 from runtime.running.inputs import InputValue, Sampled, Schedule
 from runtime.solutions.solution import Solution
 
-SAME_TIME = 1e-9  # of the end of the run before: a start that far from it is there
+START_AT_END = 1e-9  # of the end of the run before: a start that far from it is there
 ON_ITS_GRID = 1e-6  # of the period of a controller
 
 
@@ -57,7 +57,7 @@ def goes_on(
     """
     if not isinstance(initial, Solution) or initial.model.digest != model.digest or not len(initial.t):
         return None
-    if abs(float(initial.t[-1]) - t0) > SAME_TIME * max(1.0, abs(t0)):
+    if abs(float(initial.t[-1]) - t0) > START_AT_END * max(1.0, abs(t0)):
         return None
     for name in initial.driven:
         if name not in inputs and name not in parameters:

@@ -16,7 +16,7 @@ from runtime.contract.signals import SINCE, SUFFIXES, Signals
 from runtime.contract.status import Status
 from runtime.schemes.scheme import Scheme
 
-ON_THE_GRID = 1e-6  # of a step: a sample that far from the end of a step is at it
+SAMPLE_AT_STEP = 1e-6  # of a step: a sample that far from the end of a step is at it
 
 
 @dataclass(frozen=True)
@@ -133,7 +133,7 @@ def _steps(name: str, time: float, dt: float) -> int:
     if not np.isfinite(time):
         raise ModelError(f"input {name!r}", f"its samples are {time} s apart", "give a time in seconds")
     count = round(time / dt)
-    if abs(time / dt - count) > ON_THE_GRID * max(1.0, abs(count)):
+    if abs(time / dt - count) > SAMPLE_AT_STEP * max(1.0, abs(count)):
         raise ModelError(
             f"input {name!r}", f"its sample at {time:g} s after the start lies within a step of {dt:g} s",
             "choose dt so that samples are at the ends of steps",

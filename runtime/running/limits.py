@@ -17,7 +17,7 @@ from runtime.results.missing import missing_sections, missing_shapes, missing_st
 from runtime.running.monitor import flexible_bodies
 from runtime.solutions.solution import Solution
 
-AT_ONCE = 1024  # samples
+SAMPLES_AT_ONCE = 1024  # samples
 
 
 def with_limits(solution: Solution) -> Solution:
@@ -50,7 +50,7 @@ def limits(solution: Solution) -> dict[str, float]:
 
 def _largest(columns: np.ndarray, q: np.ndarray) -> float:
     """Largest length of columns (points, 3, nf) q over the samples q (N, nf)."""
-    blocks = (q[first : first + AT_ONCE] for first in range(0, len(q), AT_ONCE))
+    blocks = (q[first : first + SAMPLES_AT_ONCE] for first in range(0, len(q), SAMPLES_AT_ONCE))
     sizes = [float(np.square(columns @ block.T).sum(axis=1).max(initial=0.0)) for block in blocks]
     return float(np.sqrt(max(sizes, default=0.0)))
 

@@ -20,8 +20,8 @@ from runtime.running.run import Run
 from runtime.running.time_functions import LARGEST_LOAD, short_spans
 from runtime.schemes.stage_equations import is_long_tree
 
-PLACES = 4096  # of the path
-MOST_STEPS = 4 * PLACES  # of a motion: more see what two places see
+PATH_PLACES = 4096  # of the path
+MOST_PATH_STEPS = 4 * PATH_PLACES  # of a motion: more see what two places see
 RESTS = 1e-6  # m or rad: who moves no farther goes no way, and rates by differences are rounding
 CHANGES = 1e-6  # of its largest value: a force that changes by less is constant
 FEWEST = 1000  # samples, of more steps
@@ -56,7 +56,7 @@ def short_loads(run: Run, steps: float) -> list[ShortLoad]:
     if not described.measures or is_long_tree(model) or described.orientations or not model.has("condensed"):
         return []
     plan = run.segment.plan
-    if plan.scheme.adaptive or plan.steps > MOST_STEPS or plan.outputs:
+    if plan.scheme.adaptive or plan.steps > MOST_PATH_STEPS or plan.outputs:
         return []
     t, moved = _motion(run)
     if 2 * len(t) < min(plan.steps, FEWEST):  # samples too far apart tell no way
@@ -67,7 +67,7 @@ def short_loads(run: Run, steps: float) -> list[ShortLoad]:
     function = _force_of_motion(model, c)
     if function.n_nodes() > MOST_NODES:
         return []
-    times = np.linspace(t[0], t[-1], PLACES + 1)
+    times = np.linspace(t[0], t[-1], PATH_PLACES + 1)
     forces = ManyPoints(function)(np.column_stack([_path(t, moved, times), times])).T
     if not (np.abs(forces) < LARGEST_LOAD).all():
         return []

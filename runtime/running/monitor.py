@@ -28,7 +28,7 @@ FULL_CHECKS = 16  # saved states that are looked at closely, the first ones and 
 GROWTH_LIMIT = 1e6  # times the scale of the mechanism: far beyond anything a bounded motion reaches in a call
 CLOSURE_LIMIT = 1e-2  # C before the last Newton step, in mechanism lengths; quadratic convergence leaves its square
 CONSTRAINT_LIMIT = 1e-6  # C of the observed state, in mechanism lengths (m) or rad
-MOST_TURN = 1.0  # rad, of a drawn point of a body against the body's axes
+MOST_TURN_OF_BODY = 1.0  # rad, of a drawn point of a body against the body's axes
 MOST_DEFLECTION = 0.4  # of the body's length; second-order stiffening is off by a tenth before half of that
 Body = tuple[str, list[int], float, np.ndarray, np.ndarray]
 
@@ -192,7 +192,7 @@ class Monitor:
         for name, columns, length, shapes, turns in self._bodies:
             moved = float(np.sqrt(np.square(shapes @ q[columns]).sum(axis=1).max())) / length
             turned = float(np.sqrt(np.square(turns @ q[columns]).sum(axis=1).max()))
-            if moved > MOST_DEFLECTION or turned > MOST_TURN:
+            if moved > MOST_DEFLECTION or turned > MOST_TURN_OF_BODY:
                 return Failure("deflection", found=(name, moved, turned))
         return None
 

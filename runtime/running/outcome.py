@@ -24,22 +24,22 @@ from runtime.contract.log import EVENTS, RUN
 from runtime.contract.model import EmittedModel
 from runtime.contract.status import Event, Status
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
-from runtime.results.samples import ALIKE
+from runtime.results.samples import ONE_TIME_SHARE
 from runtime.results.undefined import undefined_measures
 from runtime.running.chattering import chattering
 from runtime.running.comparison_times import common_steps, comparison_steps, coprime
-from runtime.running.fastest_mode import RESOLVED, fastest_mode
+from runtime.running.fastest_mode import RESOLVED_ANGLE, fastest_mode
 from runtime.running.going_on import driven_inputs
 from runtime.running.powers import powers_at
 from runtime.running.problem import Plan, Problem
 from runtime.running.record import ComparisonTimes, among
 from runtime.running.run import Run, start_run
 from runtime.running.stepped_model import SteppedModel
-from runtime.running.time_functions import INSIDE, check_time_functions
+from runtime.running.time_functions import POINTS_OF_STEP, check_time_functions
 from runtime.schemes.options import LARGEST_TOLERANCE
 from runtime.solutions.solution import Solution
 
-LARGEST = 0.1  # of an amplitude: the error from which a run is not accurate
+INACCURATE_ERROR = 0.1  # of an amplitude: the error from which a run is not accurate
 LARGEST_OF_RATES = 0.5  # the same of rates: vibrations that hardly move anything have a part in them
 WORTH_A_WORD = 0.03  # of an amplitude
 NOT_ASKED = "it was switched off"  # why there is no error
@@ -136,7 +136,7 @@ def _stops(run: Run) -> np.ndarray:
     kink at the start, such as of a wheel that stands on the road, is none: the power of the first sample goes on.
     """
     plan, segments = run.segment.plan, run.record.segments
-    near_start = plan.t0 + ALIKE * (run.plan.time(run.step) - plan.t0)
+    near_start = plan.t0 + ONE_TIME_SHARE * (run.plan.time(run.step) - plan.t0)
     impulses = {at: one.energy for segment in segments for at, one in segment.impulses.items()}
     found = {float(one.before): 0.0 for one in run.segment.switches if one.time not in impulses}
     found |= {event.time: 0.0 for event in run.events if event.kind in ("event", "mode", "rest")}
@@ -160,7 +160,7 @@ def with_error(solution: Solution, error: MotionError, smaller: str = SMALLER_ST
     worst = max(error.relative, key=lambda name: error.judged[name])
     rates = [name for name in error.judged if name not in error.relative]
     rate = max(rates, key=lambda name: error.judged[name], default=worst)
-    bad, advice = error.judged[worst] > LARGEST, smaller[0].lower() + smaller[1:]
+    bad, advice = error.judged[worst] > INACCURATE_ERROR, smaller[0].lower() + smaller[1:]
     if not bad and error.judged[rate] > LARGEST_OF_RATES:  # a rate is named where positions are right
         bad, worst = True, rate
     if error.reliable_until is not None:
@@ -170,7 +170,7 @@ def with_error(solution: Solution, error: MotionError, smaller: str = SMALLER_ST
         if error.reliable_until is not None:
             cause = f"{cause}; the motion is not to be relied on after t = {error.reliable_until:.4g} s"
         status = Status("inaccurate", status.time, worst, cause, smaller)
-    elif error.judged[rate] > LARGEST:
+    elif error.judged[rate] > INACCURATE_ERROR:
         stats["remark"] = f"{rate} is off by {error.judged[rate]:.2g} of its size: {advice}"
     elif error.largest > WORTH_A_WORD:
         stats["remark"] = f"the error of {error.of} is {error.largest:.2g} of its amplitude: {advice}"
@@ -231,14 +231,16 @@ def with_limits(solution: Solution) -> Solution:
 # ---- The same motion with other steps ---------------------------------------------------------------------------
 
 FIRST_PART = 1 / 20  # of a motion, in which methods that damp are compared with far shorter steps
-SHORTER = 2  # times shorter steps, of which a regular error of order 2 leaves a quarter: where a run may be condemned
-EARLY, FINER = 8, 4  # times there, and how much shorter those steps are
-LONGER = 4  # times: the next part, where the difference still grows
+SHORTER_COMPANION = (
+    2  # times shorter steps, of which a regular error of order 2 leaves a quarter: where a run may be condemned
+)
+EARLY, FINER_COMPANION = 8, 4  # times there, and how much shorter those steps are
+LONGER_PART = 4  # times: the next part, where the difference still grows
 GROWS = 1.2  # times the difference in the first half of a part: a regular error has some 2.6 in the second
-DOUBTED = 2.0  # times the error that was compared_motion: what vibrations might bring it to at most
+DOUBTED_ERROR = 2.0  # times the error that was compared_motion: what vibrations might bring it to at most
 START_FINER = 8  # the same for methods whose steps pass by what dies out or lets go within one of them
 SAVED = 20  # samples of a companion, which nobody sees but who looks for trouble
-LEAST = 4  # steps in the time in which a load acts
+LEAST_STEPS_OF_LOAD = 4  # steps in the time in which a load acts
 
 
 def comparison_times_of(problem: Problem, plan: Plan) -> ComparisonTimes:
@@ -269,21 +271,23 @@ def measured(run: Run, solution: Solution) -> MotionError:
     )  # samples may be in phase with a vibration
     try:
         if any(event.kind == "load_missed" for event in solution.events):  # other steps of this length miss it, too
-            for short in passed_by(run, LEAST / INSIDE)[:1]:  # even steps of an eighth may pass it by
+            for short in passed_by(run, LEAST_STEPS_OF_LOAD / POINTS_OF_STEP)[
+                :1
+            ]:  # even steps of an eighth may pass it by
                 return MotionError(reliable_until=short.event.time, reason=short.event.text)
-            return compared(run, comparison_times, sampled, 1 / INSIDE)
+            return compared(run, comparison_times, sampled, 1 / POINTS_OF_STEP)
         if not among(comparison_times.at, np.array(comparison_times.steps())).any():  # an event has ended it soon
-            return compared(run, comparison_times, sampled, 1 / FINER, early=True)
+            return compared(run, comparison_times, sampled, 1 / FINER_COMPANION, early=True)
         found = MotionError(reason="its start is as the rest")
         if plan.scheme.passes_transients and not plan.scheme.adaptive:
             found = compared_behind_start(run, comparison_times, sampled, _ratio(plan))
         if not found.measured:
             found = compared(run, comparison_times, sampled, _ratio(plan))
-        if not found.measured or max(found.judged.values()) > LARGEST:
-            shorter = compared(run, comparison_times, sampled, 1 / SHORTER)
+        if not found.measured or max(found.judged.values()) > INACCURATE_ERROR:
+            shorter = compared(run, comparison_times, sampled, 1 / SHORTER_COMPANION)
             found = min((one for one in (found, shorter) if one.measured), key=lambda one: one.largest, default=found)
         if not found.measured:
-            found = compared(run, comparison_times, sampled, 1 / FINER)
+            found = compared(run, comparison_times, sampled, 1 / FINER_COMPANION)
         if found.measured and plan.scheme.damps:
             found = with_what_is_damped(run, comparison_times, sampled, found)
     except KeyboardInterrupt:
@@ -297,16 +301,18 @@ def with_what_is_damped(
     """The error of a run: `compared_motion`, by steps of about its length, or what is lost to its steps where that
     is larger.
 
-    Steps of about one length lose alike the vibrations that they damp. FINER times shorter ones keep these for longer,
-    which the first part of the motion shows. An amplitude that decays, or a phase that drifts, is off in proportion to
-    time at most: where the difference grows to the end of that part and could be more than was told at the end of the
-    motion, a part LONGER times as long is looked at, and so on. Where jumps of loads or events begin vibrations that
-    are not resolved, it is the whole motion.
+    Steps of about one length lose alike the vibrations that they damp. FINER_COMPANION times shorter ones keep
+    these for longer, which the first part of the motion shows. An amplitude that decays, or a phase that drifts, is
+    off in proportion to time at most: where the difference grows to the end of that part and could be more than was
+    told at the end of the motion, a part LONGER_PART times as long is looked at, and so on. Where jumps of loads or
+    events begin vibrations that are not resolved, it is the whole motion.
     """
     found, share, at = estimated, FIRST_PART, comparison_times.early
     sizes = amplitudes(run.problem.model, sampled[0])  # of the whole motion
     while True:
-        pair = beside(run, comparison_times, at, 1, 1 if run.plan.scheme.adaptive else FINER, 1 / FINER)
+        pair = beside(
+            run, comparison_times, at, 1, 1 if run.plan.scheme.adaptive else FINER_COMPANION, 1 / FINER_COMPANION
+        )
         if isinstance(pair, MotionError):
             break
         error = pair.error(slice(None), sizes, sampled[1])
@@ -316,9 +322,9 @@ def with_what_is_damped(
             first, second = (_sizes(pair.error(part, sizes, sampled[1])) for part in (slice(half), slice(half, None)))
             most[second <= GROWS * first] = 0.0
         excited = _excited_later(run)
-        if share == 1.0 or not (excited or (most > DOUBTED * _sizes(estimated)).any()):
+        if share == 1.0 or not (excited or (most > DOUBTED_ERROR * _sizes(estimated)).any()):
             break
-        share = 1.0 if excited else min(1.0, LONGER * share)
+        share = 1.0 if excited else min(1.0, LONGER_PART * share)
         at = comparison_times.at[comparison_times.at <= share * comparison_times.at[-1]]
     return found
 
@@ -335,7 +341,7 @@ def _excited_later(run: Run) -> bool:
     if plan.scheme.adaptive or not happens:
         return False
     fastest = fastest_mode(run.problem)
-    return not plan.scheme.limited() if fastest is None else plan.grid.dt_L * fastest > RESOLVED
+    return not plan.scheme.limited() if fastest is None else plan.grid.dt_L * fastest > RESOLVED_ANGLE
 
 
 def _ratio(plan: Plan) -> float:
@@ -374,7 +380,7 @@ def compared(
     """
     plan = run.record.segments[0].plan
     a = 1 if plan.scheme.adaptive or early else _common_steps(run.problem, plan)
-    b = 1 if plan.scheme.adaptive else FINER if early else coprime(a, ratio)
+    b = 1 if plan.scheme.adaptive else FINER_COMPANION if early else coprime(a, ratio)
     pair = beside(run, comparison_times, comparison_times.early if early else comparison_times.at, a, b, ratio)
     if isinstance(pair, MotionError):
         return pair
@@ -393,7 +399,7 @@ def beside(
     other_times = ComparisonTimes(at // a * b)
     stepped = stepped_by(problem, plan, plan.grid.dt_L * a / b, int(other_times.at[-1]), ratio)
     other = start_run(problem, stepped, other_times, quiet=True, like=run)
-    if ratio == 1 / INSIDE and (missed := [one for one in loads_missed(other) if one.kind == "load_missed"]):
+    if ratio == 1 / POINTS_OF_STEP and (missed := [one for one in loads_missed(other) if one.kind == "load_missed"]):
         return MotionError(reliable_until=missed[0].time, reason=missed[0].text)
     status = other.integrate()
     if status.name == "interrupted":

@@ -25,8 +25,8 @@ from runtime.schemes.scheme import Scheme
 from runtime.start.start_state import start_state
 
 LEAST_SAMPLES = 100  # samples of a motion whose spacing is the scene's
-SAME_TIME = 1e-9  # of a time: two that differ by less are one
-ROUNDING = 1e-6  # of an interval: a span is a whole number of them up to this
+ONE_TIME = 1e-9  # of a time: two that differ by less are one
+SPAN_ROUNDING = 1e-6  # of an interval: a span is a whole number of them up to this
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,7 +143,7 @@ def spacing_of(inputs: Mapping[str, InputValue], t0: float) -> float | None:
 
 def common_time(a: float, b: float) -> float:
     """The largest time of which both are multiples [s], up to rounding."""
-    least = SAME_TIME * max(a, b)
+    least = ONE_TIME * max(a, b)
     while b > least:
         a, b = b, a % b
         if a - b < least:  # a remainder that is the divisor but for rounding
@@ -160,7 +160,7 @@ MAX_SAMPLES = 10_000_000
 MOST_KEPT = 20_000  # samples of a run for which no time between them is asked
 MAX_STEPS = 1e15
 DISTINCT_TIMES = 2.0**-49  # dt over a time, at least
-STEP_ROUNDING = 1e-6  # of a step: t_end / dt is a whole number up to this
+STEP_COUNT_ROUNDING = 1e-6  # of a step: t_end / dt is a whole number up to this
 
 
 @dataclass(frozen=True)
@@ -277,13 +277,13 @@ def checked_plan(
     t0, end = span_of(model, t0, t_end)
     spacing = own_spacing(model, t0, end) if seen_every is None else seen_every
     every = max(1, round(spacing / grid.dt_L))
-    if grid.dt_L > (end - t0) * (1 + STEP_ROUNDING):
+    if grid.dt_L > (end - t0) * (1 + STEP_COUNT_ROUNDING):
         raise SchemeError(f"dt = {grid.dt_L:g} s is longer than the simulation ({end - t0:g} s); give a smaller step")
     if (end - t0) / grid.dt_L > MAX_STEPS:
         raise SchemeError(f"dt = {grid.dt_L:g} s needs more than {MAX_STEPS:.0e} steps; raise dt or lower t_end")
     refuse_alike(t0, end, grid.dt_L)
     if seen_every is None and not spacing and not bounded:
-        every = max(1, ceil((end - t0) / grid.dt_L / MOST_KEPT - STEP_ROUNDING))
+        every = max(1, ceil((end - t0) / grid.dt_L / MOST_KEPT - STEP_COUNT_ROUNDING))
     found = Plan(scheme, built, dict(options or {}), 1, every, float(t0)).until(end)
     if found.steps / every > MAX_SAMPLES and not bounded:
         raise SchemeError(
@@ -295,8 +295,8 @@ def checked_plan(
 def steps_until(t0: float, end: float, dt: float) -> dict[str, Any]:
     """`steps` of dt from t0 to an end, and `end` where the last one is shorter; None: all are alike [s]."""
     count = (end - t0) / dt
-    steps = max(1, ceil(count - STEP_ROUNDING))
-    return {"steps": steps, "end": end if steps - count > STEP_ROUNDING else None}
+    steps = max(1, ceil(count - STEP_COUNT_ROUNDING))
+    return {"steps": steps, "end": end if steps - count > STEP_COUNT_ROUNDING else None}
 
 
 def refuse_alike(t0: float, end: float, dt: float) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 from runtime.contract.consistent_state import start_events
 from runtime.contract.files import OutputError
 from runtime.contract.status import Event, Status
-from runtime.running.chunk_length import FINER, ChunkLength
+from runtime.running.chunk_length import SHORTER_CHUNK, ChunkLength
 from runtime.running.events import EventHandler, ImpulseNotes, rest_until
 from runtime.running.inputs import EndlessInput, Schedule
 from runtime.running.interrupts import Interrupts
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from runtime.running.singular.singular_crossing import Continuation
 
 CHECKPOINT_SECONDS = 60.0
-ROUNDING = 1e-13  # m or rad: less is the dust of an assembly
+ASSEMBLY_ROUNDING = 1e-13  # m or rad: less is the dust of an assembly
 
 
 class Chunk(NamedTuple):
@@ -182,7 +182,7 @@ class Run:
         elif len(rows) > 1 and (near_singular or status is not None):
             self._make_again(chunk)
         elif status is not None and chunk.steps > 1:  # where it begins does not depend on what is saved
-            self._make_again(chunk, finer=max(1, chunk.steps // FINER))
+            self._make_again(chunk, finer=max(1, chunk.steps // SHORTER_CHUNK))
         elif near_singular:
             self._pass_by(chunk)
         elif status is not None and unconverged and self.segment.divide_step(chunk.before):
@@ -488,4 +488,4 @@ def start_run(
 
 def _differ(given: float, used: float) -> bool:
     """Do two values differ in one of nine digits, and by more than rounding where one of them is zero?"""
-    return f"{given:.9g}" != f"{used:.9g}" and abs(given - used) > ROUNDING
+    return f"{given:.9g}" != f"{used:.9g}" and abs(given - used) > ASSEMBLY_ROUNDING

@@ -27,9 +27,9 @@ from runtime.contract.model import EmittedModel
 from runtime.contract.status import Event, Status
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.running.comparison_times import comparison_steps, refined, shared
-from runtime.running.fastest_mode import RESOLVED, fastest_mode, slopes_at_start
+from runtime.running.fastest_mode import RESOLVED_ANGLE, fastest_mode, slopes_at_start
 from runtime.running.outcome import (
-    LARGEST,
+    INACCURATE_ERROR,
     chattering_of,
     comparison_times_of,
     early_steps,
@@ -42,7 +42,7 @@ from runtime.running.problem import (
     AUTO,
     DEFAULT,
     MAX_SAMPLES,
-    ROUNDING,
+    SPAN_ROUNDING,
     Plan,
     Problem,
     checked_plan,
@@ -60,27 +60,30 @@ from runtime.schemes.scheme import Scheme, evaluation_operations
 from runtime.schemes.switching.times import switching_times
 from runtime.solutions.solution import Solution
 
-FIRST = 20  # steps of a first level, at least
+FIRST_LEVEL_STEPS = 20  # steps of a first level, at least
 SEES_SHORT = 8  # steps in the time in which a load acts
-SAFETY = 0.9  # of a tolerance, and of a stability limit
-MOST = 2.5  # times the steps of the level before
+TOLERANCE_SAFETY = 0.9  # of a tolerance, and of a stability limit
+MOST_GROWTH = 2.5  # times the steps of the level before
 AFTER_LOST = 3.0  # the same, where the motion was lost
 MOST_FINER = 10.0  # the same, where its steps turned a loop too far
 MOST_CHATTERING = 5000  # steps of a level that crosses a kink at nearly every one
-SHOWN = 0.8  # of the order of a method: where three levels show that much, the error is half of the difference
-BISECTIONS = 40  # of the order that is shown
-SAMPLES = 1000  # samples of a level that is kept
-MOST_STEPS = 10**8
-MOST_OPERATIONS = 10**12  # of all levels: some minutes
+SHOWN_ORDER = 0.8  # of the order of a method: where three levels show that much, the error is half of the difference
+ORDER_BISECTIONS = 40  # of the order that is shown
+LEVEL_SAMPLES = 1000  # samples of a level that is kept
+MOST_LEVEL_STEPS = 10**8
+MOST_OPERATIONS_OF_LEVELS = 10**12  # of all levels: some minutes
 MOST_RESOLVING = 10**10  # operations of a level that resolves the fastest mode: seconds
-STAGNANT = 0.5  # of a difference: levels that do not come below it any more will not
-SOON, LATE = 6, 11  # levels before that is said, and where the motion is not resolved yet
-RICHARDSON = 3.0  # times the error by extrapolation where the order shows: on the safe side
+STAGNANT_DIFFERENCE = 0.5  # of a difference: levels that do not come below it any more will not
+LEVELS_TO_STAGNATE, UNRESOLVED_LEVELS_TO_STAGNATE = (
+    6,
+    11,
+)  # levels before that is said, and where the motion is not resolved yet
+RICHARDSON_SAFETY = 3.0  # times the error by extrapolation where the order shows: on the safe side
 ACCURATE = 0.5  # of the error from which a run is not accurate: what nobody has graded stays below
 BEFORE_END = 50  # steps before the end of a level that stops early, from which on its end can be believed
 END_KNOWN = 2  # steps of a level, to which the time of its end is known
 MOST_ENDING = 10**10  # operations of levels that stop early, each at another time: seconds
-EXPLICIT = ("dopri5", "rk4")
+EXPLICIT_METHODS = ("dopri5", "rk4")
 HANDICAP = {"rk4": 2}  # times the steps that a method of lower order is expected to take
 # operations of a step: evaluations, and times n, n^2, n^3 of n coordinates; counted on the hard suite, to a factor
 # 1.6
@@ -198,21 +201,21 @@ class StepRefinement:
     def __post_init__(self) -> None:
         span = self.problem.t_end - self.problem.t0
         sampled = self.problem.spacing
-        if self.spacing is not None and not 0 < self.spacing <= span * (1 + ROUNDING):
+        if self.spacing is not None and not 0 < self.spacing <= span * (1 + SPAN_ROUNDING):
             raise SchemeError(f"seen_every must be a time within the motion of {span:g} s, not {self.spacing!r}")
         apart = sampled or self.spacing
         if sampled is not None and self.spacing is not None:
             apart = common_time(sampled, self.spacing)
-        if apart is not None and span / apart > MOST_STEPS:
+        if apart is not None and span / apart > MOST_LEVEL_STEPS:
             raise SchemeError(
-                f"seen_every = {apart:g} s needs more than {MOST_STEPS:.0e} steps; raise it or lower t_end"
+                f"seen_every = {apart:g} s needs more than {MOST_LEVEL_STEPS:.0e} steps; raise it or lower t_end"
             )
-        self.unit = FIRST if apart is None else ceil(span / apart - ROUNDING)
+        self.unit = FIRST_LEVEL_STEPS if apart is None else ceil(span / apart - SPAN_ROUNDING)
         self.span = self.unit * apart if apart is not None else span
 
     def plan(self, method: Method, steps: int, known: Plan | None = None) -> Plan:
         """So many steps of the method over the motion; known: a plan of its with other steps."""
-        every = ceil(steps / SAMPLES) if self.spacing is None else max(1, round(self.spacing * steps / self.span))
+        every = ceil(steps / LEVEL_SAMPLES) if self.spacing is None else max(1, round(self.spacing * steps / self.span))
         if steps / every > MAX_SAMPLES:
             raise SchemeError(f"{steps // every:.3g} samples are too many; give a longer time between them")
         if known is not None:
@@ -262,13 +265,17 @@ class StepRefinement:
             if (turned := min(self._turned_by(level), ceil(MOST_FINER * count))) > count:  # it tells nothing yet
                 following = max(following or 0, turned)
             following = following if following is None else refined(count, following)
-            if following is None or spent * following / count > MOST_OPERATIONS or following * self.unit > MOST_STEPS:
+            if (
+                following is None
+                or spent * following / count > MOST_OPERATIONS_OF_LEVELS
+                or following * self.unit > MOST_LEVEL_STEPS
+            ):
                 return
             count, common = following, shared(count)
 
     def first(self, method: Method) -> int:
         """Steps of a first level: such as see what loads do, within the stability limit at the start."""
-        scheme = self.plan(method, FIRST).scheme
+        scheme = self.plan(method, FIRST_LEVEL_STEPS).scheme
         return max(_steps_for_loads(self.problem), _stable_steps(scheme, slopes_at_start(self.problem), self.span))
 
     def _sampling_the_way(self, level: RefinementLevel) -> int:
@@ -333,9 +340,9 @@ class StepRefinement:
         if len(before) > 1 and 0 < differs < last.differs:
             ratio = level.steps / last.steps
             shown = shown_order(last.differs, differs, last.steps / before[-2].steps, ratio, order)
-            if shown > SHOWN * order:
+            if shown > SHOWN_ORDER * order:
                 richer = max(2.0, ratio**shown - 1)
-                error *= min(0.5, RICHARDSON / richer)
+                error *= min(0.5, RICHARDSON_SAFETY / richer)
                 estimated = estimated.scaled(1 / richer)
         return replace(level, differs=differs, error=error, estimated=estimated)
 
@@ -343,7 +350,9 @@ class StepRefinement:
         """What is compared with the tolerance; of rates, and of what is not graded, a run has to be accurate."""
         others = max(value for name, value in error.judged.items() if self.graded or name not in error.relative)
         graded = self.graded or error.relative
-        return float(max(others * self.tolerance / (ACCURATE * LARGEST), *(error.relative[name] for name in graded)))
+        return float(
+            max(others * self.tolerance / (ACCURATE * INACCURATE_ERROR), *(error.relative[name] for name in graded))
+        )
 
     def next_count(self, levels: list[RefinementLevel], order: int) -> int | None:
         """Steps of the next level, in units; None where the last one is the answer, or nothing would be won."""
@@ -362,8 +371,12 @@ class StepRefinement:
             if dear or _stagnant([one for one in levels if one.steps >= self.resolving * self.unit]):
                 return None
         least = 2 ** (1 / order)
-        factor = MOST if not np.isfinite(last.error) else (last.error / (SAFETY * self.tolerance)) ** (1 / order)
-        return ceil(count * min(max(factor, least), MOST))
+        factor = (
+            MOST_GROWTH
+            if not np.isfinite(last.error)
+            else (last.error / (TOLERANCE_SAFETY * self.tolerance)) ** (1 / order)
+        )
+        return ceil(count * min(max(factor, least), MOST_GROWTH))
 
     def ends(self, levels: list[RefinementLevel], order: int) -> bool:
         """Does the motion end where the last level stops, or is it not worth while to find out?
@@ -388,7 +401,7 @@ class StepRefinement:
         if (apart <= END_KNOWN * self.span / np.array(steps[:-1])).all():
             return True
         shown = shown_order(apart[0], apart[1], steps[1] / steps[0], steps[2] / steps[1], order)
-        return shown >= SHOWN * order
+        return shown >= SHOWN_ORDER * order
 
     @cached_property
     def resolving(self) -> int:
@@ -397,7 +410,7 @@ class StepRefinement:
         Levels that leave it out agree no better with each other than by what it moves.
         """
         fastest = fastest_mode(self.problem)
-        return 0 if fastest is None else ceil(self.span * fastest / RESOLVED / self.unit)
+        return 0 if fastest is None else ceil(self.span * fastest / RESOLVED_ANGLE / self.unit)
 
     def solution(self, levels: list[RefinementLevel], total: float) -> Solution:
         """What the last whole level is, with its error, and how the refinement ended."""
@@ -454,7 +467,7 @@ def shown_order(earlier: float, later: float, first: float, second: float, most:
     low, high = 0.0, float(most)
     if not above(high):
         return high
-    for _ in range(BISECTIONS):
+    for _ in range(ORDER_BISECTIONS):
         middle = (low + high) / 2
         low, high = (low, middle) if above(middle) else (middle, high)
     return low
@@ -465,8 +478,12 @@ def _stagnant(levels: list[RefinementLevel]) -> bool:
     if not levels:
         return False
     last, before = levels[-1], np.nanmin([inf, *(one.differs for one in levels[-6:-3])])
-    enough = len(levels) >= (SOON if max([last.differs, *last.estimated.judged.values()]) < LARGEST else LATE)
-    return enough and not bool(last.differs < STAGNANT * before)
+    enough = len(levels) >= (
+        LEVELS_TO_STAGNATE
+        if max([last.differs, *last.estimated.judged.values()]) < INACCURATE_ERROR
+        else UNRESOLVED_LEVELS_TO_STAGNATE
+    )
+    return enough and not bool(last.differs < STAGNANT_DIFFERENCE * before)
 
 
 def _doubted(answer: RefinementLevel, levels: list[RefinementLevel]) -> MotionError:
@@ -492,15 +509,15 @@ def _chosen(problem: Problem) -> tuple[Method, str]:
     slopes, compared = slopes_at_start(problem), _steps_for_loads(problem)
     prices: list[tuple[float, Method]] = []
     evaluation = 0
-    for name in (*EXPLICIT, *_exponentials(problem.model)):
-        kind, steps = scheme_kind(name), max(FIRST, compared)
+    for name in (*EXPLICIT_METHODS, *_exponentials(problem.model)):
+        kind, steps = scheme_kind(name), max(FIRST_LEVEL_STEPS, compared)
         if kind.make.limited():
             span = problem.t_end - problem.t0
-            scheme = kind.build(name, problem.model, span / FIRST, None, {})
+            scheme = kind.build(name, problem.model, span / FIRST_LEVEL_STEPS, None, {})
             steps = max(steps, _stable_steps(scheme, slopes, span))
             evaluation = evaluation or evaluation_operations(scheme)
         method = Method(name, first=steps)
-        if name == EXPLICIT[0] and steps <= max(FIRST, compared):
+        if name == EXPLICIT_METHODS[0] and steps <= max(FIRST_LEVEL_STEPS, compared):
             return method, f"{name}: the motion is not stiff"
         prices.append((steps * HANDICAP.get(name, 1) * _price(name, evaluation, len(problem.model.q_i)), method))
     price, best = min(prices, key=lambda one: one[0])
@@ -538,9 +555,9 @@ def _stable_steps(scheme: Scheme, slopes: tuple[np.ndarray, np.ndarray] | None, 
     """Steps of a first level: within the stability limit at the start."""
     limit = scheme.step_limit(*slopes) if slopes is not None and scheme.limited() else None
     if limit is None:
-        return FIRST
+        return FIRST_LEVEL_STEPS
     sub_steps = scheme.grid.h[0] / scheme.grid.h[-1]
-    return max(FIRST, ceil(span / (SAFETY * limit.h * sub_steps)))
+    return max(FIRST_LEVEL_STEPS, ceil(span / (TOLERANCE_SAFETY * limit.h * sub_steps)))
 
 
 def _steps_for_loads(problem: Problem) -> int:
@@ -556,13 +573,13 @@ def _exponentials(model: EmittedModel) -> list[str]:
     return [*found, "exponential"] if small else found
 
 
-DENSE = 12  # operations of a step with dense matrices, over n^3
+DENSE_STEP_OPERATIONS = 12  # operations of a step with dense matrices, over n^3
 MOST_DENSE = 400_000  # operations of such a step: some 30 s of the compiler
 
 
 def affordable(model: EmittedModel) -> bool:
     """Is a step with dense matrices short enough to be compiled?"""
-    return DENSE * len(model.q_i) ** 3 <= MOST_DENSE
+    return DENSE_STEP_OPERATIONS * len(model.q_i) ** 3 <= MOST_DENSE
 
 
 # How many steps see what loads do. Coarse motions that miss a load agree with each other, as do those that see a fast
@@ -570,7 +587,7 @@ def affordable(model: EmittedModel) -> bool:
 # are integrated twice as steps see them, by Simpson's rule, and once by FINE steps. So many steps are enough from
 # which on that is off by SEES at most.
 
-FINE, COARSE = 8192, 4  # numbers of steps that are compared, by factors of two
+FINE_STEPS, COARSE_STEPS = 8192, 4  # numbers of steps that are compared, by factors of two
 SEES = 0.02  # of what a force alone would move in the whole time (RMS)
 VARIES = 1e-6  # of its largest value: a force that changes by less is constant
 MOST_LEGS = 50  # between jumps; where there are more, steps see them
@@ -584,13 +601,13 @@ def steps_that_see_loads(model: EmittedModel, c: np.ndarray, state: ConsistentSt
         return 0
     inside = [one for one in switches if t0 < one.time < t_end]
     legs = list(zip([t0, *(one.after for one in inside)], [*(one.before for one in inside), t_end], strict=True))
-    fine = _moved_by_loads(function, legs, FINE)
+    fine = _moved_by_loads(function, legs, FINE_STEPS)
     varies = np.ptp(fine[2], axis=1) > VARIES * np.abs(fine[2]).max(axis=1)
     if not varies.any():
         return 0
     exact, size = fine[1][varies], fine[1][varies].std(axis=1)
-    least, steps = FINE, FINE // 2
-    while steps >= COARSE:
+    least, steps = FINE_STEPS, FINE_STEPS // 2
+    while steps >= COARSE_STEPS:
         at, found, _ = _moved_by_loads(function, legs, steps)
         off = found[varies] - np.array([np.interp(at, fine[0], row) for row in exact])
         if not (np.sqrt(np.mean(off**2, axis=1)) <= SEES * size).all():

@@ -22,14 +22,14 @@ from runtime.running.problem import Plan
 from runtime.running.time_functions import all_stops
 from runtime.schemes.stepper import Stepper, kept_stepper
 from runtime.schemes.switching.impulse import Impulse
-from runtime.schemes.switching.times import MARGIN, SwitchTime, switches_by_inputs, switching_times
+from runtime.schemes.switching.times import CONDITION_ROUNDING, SwitchTime, switches_by_inputs, switching_times
 from runtime.schemes.switching.watched import NEVER, begin_events, watches
 from runtime.solutions.observe import observe_samples
 from runtime.solutions.solution import Solution
 
 MOST_HALVINGS = 10  # of a step whose iteration does not converge
 MOST_IN_A_ROW = 100  # steps that are halved for that: then dt is too long for the motion, not for a place in it
-LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
+NO_LOWEST, NO_HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
 
 
 @dataclass(eq=False)
@@ -180,7 +180,7 @@ class SteppedModel:
         self.divisions += halvings == 1
         self.divided, given = (step, halvings), self.impulses
         times = np.linspace(plan.time(step), plan.time(step + 1), 2**halvings + 1)[1:-1]
-        margin = MARGIN * max(abs(plan.t0), abs(plan.t_end))
+        margin = CONDITION_ROUNDING * max(abs(plan.t0), abs(plan.t_end))
         parts = [SwitchTime(float(t), float(t) - margin, float(t) + margin, ()) for t in times]
         self._break(sorted([*self.switches, *parts], key=lambda one: one.time), plan.t0, plan.t_end)
         self.broken.impulses.update(given)
@@ -288,7 +288,7 @@ class SteppedModel:
     def forget_determinants(self, z: np.ndarray) -> None:
         """Let det_low and det_high begin anew."""
         layout = self.plan.scheme.layout
-        z[layout.slice("det_low")], z[layout.slice("det_high")] = LOWEST, HIGHEST
+        z[layout.slice("det_low")], z[layout.slice("det_high")] = NO_LOWEST, NO_HIGHEST
 
     def determinants(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(smallest, largest) of each loop block during the last `run`."""

@@ -24,15 +24,15 @@ from runtime.contract.status import Event
 from runtime.engine.rows import ManyPoints
 from runtime.running.problem import Plan
 from runtime.schemes.stage_equations import is_long_tree
-from runtime.schemes.switching.times import MARGIN, SwitchTime, has_switching_times, switching_times
+from runtime.schemes.switching.times import CONDITION_ROUNDING, SwitchTime, has_switching_times, switching_times
 
-INSIDE = 8  # points a step, where there are not too many steps
-MOST_POINTS = 200_000
+POINTS_OF_STEP = 8  # points a step, where there are not too many steps
+MOST_LOAD_POINTS = 200_000
 MISSED, DRIFT = 0.02, 0.1  # of the whole impulse of a load: in a step, and summed up
 JUMP = 1e-6  # of the largest position or velocity of the prescribed motions
-RANGE_SAMPLES, DUST = 200, 1e-12  # looks at the range of a motion; m or rad, and their rates
-CANDIDATES, HALVINGS = 8, 60
-TURNED, RATES = (0.2, 0.4), (1.0, 1.5)  # rad or m, and their rates, from the first coordinate to the last
+RANGE_SAMPLES, STILL_RANGE = 200, 1e-12  # looks at the range of a motion; m or rad, and their rates
+CANDIDATES, TIME_HALVINGS = 8, 60
+RANGE_PLACES, RANGE_RATES = (0.2, 0.4), (1.0, 1.5)  # rad or m, and their rates, from the first coordinate to the last
 LARGEST_LOAD = 1e290  # N or N m: its work overflows
 
 
@@ -48,7 +48,7 @@ def check_time_functions(
     known = switching_times(model, c, plan.t0, plan.t_end) if switches is None else switches
     refuse_position_jumps(model, c, state, known, plan.t0, plan.t_end)
     steps = plan.steps * prod(plan.grid.m)
-    points = min(INSIDE, MOST_POINTS // steps)
+    points = min(POINTS_OF_STEP, MOST_LOAD_POINTS // steps)
     if points < 2:
         return []
     times = np.linspace(plan.t0, plan.t_end, steps * points + 1)
@@ -73,7 +73,7 @@ def refuse_position_jumps(
     sides = np.array([[one.before, one.after] for one in switches]).ravel()
     values = function(np.concatenate([sides, np.linspace(t0, t_end, RANGE_SAMPLES)]))
     jumps = np.abs(values[:, 1 : len(sides) : 2] - values[:, 0 : len(sides) : 2])
-    allowed = JUMP * np.ptp(values, axis=1) + DUST
+    allowed = JUMP * np.ptp(values, axis=1) + STILL_RANGE
     row, k = divmod(int((jumps - allowed[:, None]).argmax()), len(switches))
     if jumps[row, k] > allowed[row]:
         raise ModelError(
@@ -135,7 +135,7 @@ def _refuse_jumps(
     if function is None:
         return
     velocities = function(times)
-    allowed = JUMP * np.abs(velocities).max(axis=1) + DUST
+    allowed = JUMP * np.abs(velocities).max(axis=1) + STILL_RANGE
     steep = np.argsort(-np.abs(np.diff(velocities, 2)), axis=1)[:, :CANDIDATES]  # steep is no jump
     looked = [(row, k) for row, own in enumerate(steep) for k in own if not _ends_between(ends, *times[[k, k + 2]])]
     if not looked:
@@ -151,7 +151,7 @@ def _refuse_jumps(
 
     low, high = times[at], times[at + 2]
     below, above = levels(low), levels(high)
-    for _ in range(HALVINGS):
+    for _ in range(TIME_HALVINGS):
         middle = (low + high) / 2
         if not ((low < middle) & (middle < high)).any():
             break
@@ -217,12 +217,14 @@ def _forces_nearby(model: EmittedModel, c: np.ndarray, state: ConsistentState) -
 
 
 def _moved(model: EmittedModel, state: ConsistentState) -> ConsistentState:
-    """Coordinates that are not elastic by TURNED, all rates by RATES; loops need not close, loads do not ask."""
+    """Coordinates that are not elastic by RANGE_PLACES, all rates by RANGE_RATES; loops need not close, loads do
+    not ask.
+    """
     entries = {entry.name: entry for entry in model.description.coordinates}
     rigid = [entries[name].unit in ("rad", "m") and not entries[name].elastic for name in model.coordinates]
     n = len(rigid)
     return ConsistentState(
-        state.q + np.where(rigid, np.linspace(*TURNED, n), 0.0), state.q_dot + np.linspace(*RATES, n), {}
+        state.q + np.where(rigid, np.linspace(*RANGE_PLACES, n), 0.0), state.q_dot + np.linspace(*RANGE_RATES, n), {}
     )
 
 
@@ -266,20 +268,20 @@ def _missed_loads(
 
 # ---- loads that act for a short time: a motion that is made twice misses them twice --------------------------
 
-LEVELS = ((256, 12), (64, 8), (16, 3))  # parts of a motion, and how many of them at most hold something short
-POINTS = 1 << 15  # of the motion, where loads are looked at
+SEARCH_LEVELS = ((256, 12), (64, 8), (16, 3))  # parts of a motion, and how many of them at most hold something short
+LOAD_POINTS = 1 << 15  # of the motion, where loads are looked at
 MISSED_IMPULSE = 0.02  # of the whole impulse of a load
 BOOLE = np.array([7.0, 32.0, 12.0, 32.0, 7.0]) / 90
 ACTS = 1e-6  # of the largest second difference: where a pulse begins and ends
 SLOW = 4.0  # times the median of these differences, at least: what acts all the time
 CLOSELY = 65  # looks about its peak
-PARTS = 24
-REACH = 8  # parts of the motion on each side
+LOAD_PARTS = 24
+NEIGHBOUR_PARTS = 8  # parts of the motion on each side
 
 
 def pulses(forces: OfTime, t0: float, t_end: float) -> list[tuple[float, float]]:
     """(begin, end) [s] of what acts for a short time from t0 to t_end [s], rising."""
-    times = np.linspace(t0, t_end, POINTS + 1)
+    times = np.linspace(t0, t_end, LOAD_POINTS + 1)
     values = forces(times)
     if not (np.abs(values) < 1e290).all():
         return []
@@ -300,16 +302,16 @@ def pulse_times(
     jumps = np.array([one.time for one in known])
     found: set[float] = set()
     for low, high in short:
-        if high - low < PARTS * step and not ((jumps >= low) & (jumps <= high)).any():
-            found |= set(np.linspace(low, high, PARTS + 1).tolist())
-    margins = [(t, MARGIN * max(abs(t), t_end - t0)) for t in sorted(found) if t0 < t < t_end]
+        if high - low < LOAD_PARTS * step and not ((jumps >= low) & (jumps <= high)).any():
+            found |= set(np.linspace(low, high, LOAD_PARTS + 1).tolist())
+    margins = [(t, CONDITION_ROUNDING * max(abs(t), t_end - t0)) for t in sorted(found) if t0 < t < t_end]
     return [SwitchTime(t, t - margin, t + margin, ()) for t, margin in margins]
 
 
 def _has_height(forces: OfTime, times: np.ndarray, k: int, row: np.ndarray, span: tuple[int, int]) -> bool:
-    """Has a load k the height that its values (POINTS + 1,) show? At a pole it has none."""
+    """Has a load k the height that its values (LOAD_POINTS + 1,) show? At a pole it has none."""
     peak = span[0] + int(np.abs(row[span[0] : span[1] + 1]).argmax())
-    near = np.linspace(times[max(peak - 1, 0)], times[min(peak + 1, POINTS)], CLOSELY)
+    near = np.linspace(times[max(peak - 1, 0)], times[min(peak + 1, LOAD_POINTS)], CLOSELY)
     found = forces(near)[k]
     return bool(np.abs(found).max() < 2 * abs(row[peak]))
 
@@ -320,7 +322,7 @@ def short_spans(row: np.ndarray) -> list[tuple[int, int]]:
     varying = row - np.median(row)
     whole, bends = float(np.abs(varying).sum()), np.abs(np.diff(varying, 2))
     found: list[tuple[int, int]] = []
-    for count, most in LEVELS:
+    for count, most in SEARCH_LEVELS:
         n = points // count
         edges = varying[: count * n + 1 : n]
         inner = varying[:-1].reshape(count, n)
@@ -344,7 +346,7 @@ def _within(bends: np.ndarray, first: int, last: int) -> tuple[int, int]:
     before, after = still[still < acts[0]], still[still > acts[-1]]
     low = int(before[-1]) + 1 if len(before) else 0
     high = int(after[0]) + 1 if len(after) else len(bends) + 1
-    reach = REACH * (last - first)
+    reach = NEIGHBOUR_PARTS * (last - first)
     return max(low, first - reach), min(high, last + reach)
 
 

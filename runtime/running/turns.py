@@ -15,7 +15,7 @@ from runtime.contract.model import EmittedModel
 from runtime.engine.rows import evaluate
 from runtime.schemes.scheme import Scheme
 
-MOST_TURN = 0.3  # rad in a step
+MOST_TURN_OF_STEP = 0.3  # rad in a step
 
 
 def loop_angles(model: EmittedModel) -> tuple[np.ndarray, np.ndarray]:
@@ -42,7 +42,7 @@ def frequency_at_start(model: EmittedModel, state: ConsistentState) -> float:
     """Steps in a second [1/s] that do not turn a loop too far at the rates of a state; 0 where there are no loops."""
     i, d = loop_angles(model)
     v_i, v_d = rate_parts(model, state.q, state.q_dot)
-    return _largest(v_i[i], v_d[d]) / MOST_TURN
+    return _largest(v_i[i], v_d[d]) / MOST_TURN_OF_STEP
 
 
 def frequency_at_states(
@@ -58,10 +58,10 @@ def frequency_at_states(
     observed = evaluate(scheme.observer, {"z": states}, scheme.constants(c))
     rate = _largest(observed["q_i_dot"][:, i], observed["q_d_dot"][:, d])
     if not by_change:
-        return rate / MOST_TURN
+        return rate / MOST_TURN_OF_STEP
     change = _largest(observed["q_i_ddot"][:, i], observed["q_d_ddot"][:, d])
-    # 1 / h with rate h + change h^2 / 2 = MOST_TURN
-    return float(rate + np.sqrt(rate**2 + 2 * change * MOST_TURN)) / (2 * MOST_TURN)
+    # 1 / h with rate h + change h^2 / 2 = MOST_TURN_OF_STEP
+    return float(rate + np.sqrt(rate**2 + 2 * change * MOST_TURN_OF_STEP)) / (2 * MOST_TURN_OF_STEP)
 
 
 def _largest(*values: np.ndarray) -> float:

@@ -16,7 +16,7 @@ import numpy as np
 
 from runtime.engine.program import Fields
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
-from runtime.schemes.switching.event_search import NODES, ValuesInStep, first_bracket, first_passage, looked_at
+from runtime.schemes.switching.event_search import LOOK_NODES, ValuesInStep, first_bracket, first_passage, looked_at
 from runtime.schemes.switching.watched import (
     NEVER,
     are_kinks,
@@ -50,7 +50,7 @@ def look(scheme: AdaptiveScheme, z: Fields, equations: StageEquations) -> Mappin
 def look_inside(scheme: AdaptiveScheme, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
     """The same where one may have happened and ended within the step; the next one is not too long to tell."""
     new, h = z["event_values"], z["t_to"] - z["t_from"]
-    values = [z["event_before"], *(event_values_inside(scheme, z, equations, share) for share in NODES), new]
+    values = [z["event_before"], *(event_values_inside(scheme, z, equations, share) for share in LOOK_NODES), new]
     inside = ValuesInStep([one[: len(scheme.model.description.events)] for one in values])
     flag, longest = flagged(scheme, z, new, new, z["t_to"], inside.room_for_zero()), inside.longest(h, equations.h[0])
     shorter = scheme.planned(z, equations, z["t_to"], longest)

@@ -43,10 +43,10 @@ from runtime.schemes.adaptive_event_steps import (
 from runtime.schemes.error_norm import error_weights, squared_error_norm
 from runtime.schemes.one_step import Attempt, Method
 from runtime.schemes.options import LARGEST_TOLERANCE
-from runtime.schemes.scheme import LARGEST, Scheme, StateField, Step, account, given, state
+from runtime.schemes.scheme import LARGEST_NUMBER, Scheme, StateField, Step, account, given, state
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, loop_blocks
 from runtime.schemes.step_size_controller import CLOSURE_ORDER, SMALLEST_ERROR, Closure, StepSizeController, not_across
-from runtime.schemes.switching.times import ON_THE_GRID, SwitchTime
+from runtime.schemes.switching.times import JUMP_AT_STEP, SwitchTime
 from runtime.schemes.switching.watched import NEVER
 
 # What z and the constants hold of steps whose length follows from a tolerance, and what a run asks of it.
@@ -59,7 +59,7 @@ LEAST_TIME_IN_STEP = 1e-12  # of a step: an interpolant is not asked for less
 MAX_ATTEMPTS = 1 << 13  # in one application of the program; the next one goes on
 # C of a loop before the last Newton step of an evaluation, in mechanism lengths, up to which a step is taken at the
 # largest tolerance; of smaller ones as C goes with steps, so that a run is compared with one of other steps
-CLOSURE_LIMIT = 1e-3
+STEP_CLOSURE_LIMIT = 1e-3
 NEVER_SAMPLED = 1e15  # steps
 MOST_PARTS = 100  # steps that one step becomes when its end is rejected
 STEPS_MADE = ("accepted_steps", "counted_steps", "rejected_steps", "h_least", "h_largest")
@@ -138,8 +138,8 @@ class AdaptiveScheme(Scheme):
             "accepted": ca.SX(1),
             "restart": ca.SX(1),
             "det_now": start.det_loop,
-            "breakpoints": ca.SX.ones(BREAKPOINTS) * LARGEST,
-            "h_least": ca.SX(LARGEST),
+            "breakpoints": ca.SX.ones(BREAKPOINTS) * LARGEST_NUMBER,
+            "h_least": ca.SX(LARGEST_NUMBER),
         }
 
     def _closure_limit(self, start: ClosedConfiguration, equations: StageEquations) -> ca.SX:
@@ -152,7 +152,7 @@ class AdaptiveScheme(Scheme):
         longest = ca.SX(0)
         for arm in ca.vertsplit(ca.vec(ca.densify(C_q[rows.tolist(), columns.tolist()]))):
             longest = ca.fmax(longest, ca.fabs(arm))
-        share = CLOSURE_LIMIT * (equations.h[-1] / LARGEST_TOLERANCE) ** (CLOSURE_ORDER / self.method.error_order)
+        share = STEP_CLOSURE_LIMIT * (equations.h[-1] / LARGEST_TOLERANCE) ** (CLOSURE_ORDER / self.method.error_order)
         return share * ca.if_else(longest > SMALLEST_ARM, longest, 1.0)
 
     def ranged(self, q: ca.SX, motion: ClosedConfiguration) -> ca.SX:
@@ -193,7 +193,7 @@ class AdaptiveScheme(Scheme):
         breakpoints, offset = self.layout.slice("breakpoints"), self.layout.slice("side_offset")
         cool_downs = "event_quiet" in self.layout.sizes
         if not jumps and not cool_downs:
-            z[breakpoints], z[offset] = LARGEST, 0.0
+            z[breakpoints], z[offset] = LARGEST_NUMBER, 0.0
             return
         reached = float(z[self.layout.slice("t_to")][0])
         first = bisect_right(jumps, reached, key=lambda one: one.time)
@@ -202,7 +202,7 @@ class AdaptiveScheme(Scheme):
             over = {one for one in z[self.layout.slice("event_quiet")].tolist() if one > reached}
             ahead = sorted({*ahead, *over})[:BREAKPOINTS]
         near = jumps[max(0, first - 1) : first + BREAKPOINTS]
-        z[breakpoints] = ahead[0] if halts and ahead else [*ahead, *[LARGEST] * (BREAKPOINTS - len(ahead))]
+        z[breakpoints] = ahead[0] if halts and ahead else [*ahead, *[LARGEST_NUMBER] * (BREAKPOINTS - len(ahead))]
         z[offset] = max((max(one.after - one.time, one.time - one.before) for one in near), default=0)
 
     def has_halted(self, z: np.ndarray) -> bool:
@@ -270,7 +270,7 @@ class AdaptiveScheme(Scheme):
         own, reached = self.layout.slice, self.reached(z)
         self.add_to_rates_at_end(z, change)
         sampled_at = float(z[own("t0")][0] + z[own("n")][0] * dt)
-        if abs(sampled_at - reached) <= ON_THE_GRID * dt:
+        if abs(sampled_at - reached) <= JUMP_AT_STEP * dt:
             z[own("t0")] += max(0.0, after - sampled_at)
             z[own("v")] = z[own("v_to")]
 
@@ -366,9 +366,9 @@ class AdaptiveScheme(Scheme):
         The one place where the end of a step is chosen. Nothing crosses the next of `breakpoints`, nor, where steps end
         `on_output`, the time that is to be reached.
         """
-        end, goal = ca.SX(LARGEST), self._goal(z, equations)
-        for one in [*ca.vertsplit(z["breakpoints"]), ca.if_else(z["on_output"] > 0, goal, LARGEST)]:
-            end = ca.fmin(end, ca.if_else(one > t, one, LARGEST))
+        end, goal = ca.SX(LARGEST_NUMBER), self._goal(z, equations)
+        for one in [*ca.vertsplit(z["breakpoints"]), ca.if_else(z["on_output"] > 0, goal, LARGEST_NUMBER)]:
+            end = ca.fmin(end, ca.if_else(one > t, one, LARGEST_NUMBER))
         h = not_across(wanted, end - t)
         return {"h_try": h, "t_try": ca.if_else(h >= end - t, end, t + h), "t_bound": end, "h_next": wanted}
 

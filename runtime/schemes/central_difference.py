@@ -16,7 +16,7 @@ import numpy as np
 
 from runtime.engine.program import Fields, Program
 from runtime.schemes.options import LARGE_SYSTEM, MOST_UNROLLED, ClosureOptions, one_of, whole_number
-from runtime.schemes.scheme import STEP_ROUNDING, Scheme, StateField, history, state
+from runtime.schemes.scheme import SUM_ROUNDING, Scheme, StateField, history, state
 from runtime.schemes.sparse_lu import solve_general, solve_symmetric
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, velocity_dependent
 from runtime.schemes.step_limit import StepLimit, central_difference_limit
@@ -243,7 +243,7 @@ def allowed_change(new: ca.SX, d: ca.SX, h: ca.SX, eps: float, stopping: str) ->
     """
     if stopping == "relative":
         # rounding of the increment d is below what a position can show
-        return eps * ca.norm_inf(new) + STEP_ROUNDING / h**2 * ca.norm_inf(d)
+        return eps * ca.norm_inf(new) + SUM_ROUNDING / h**2 * ca.norm_inf(d)
     return ca.SX(eps / h**2)
 
 
@@ -257,7 +257,7 @@ def rounding_of_sweep(M_hat: ca.SX, q_ddot: ca.SX, q: ca.SX, h: ca.SX, group: li
     scale = ca.norm_inf(q[group]) / h**2
     if others:
         scale = scale + ca.norm_inf(ca.mtimes(M_hat[group, others], q_ddot[others]) / ca.diag(M_hat[group, group]))
-    return STALLED * STEP_ROUNDING * scale
+    return STALLED * SUM_ROUNDING * scale
 
 
 def solved_at_once(M_hat: ca.SX, force: ca.SX) -> ca.SX:

@@ -174,9 +174,9 @@ class Charts:
 # chart o exp(theta), theta <- 0. A turn d of the last step is d in the new chart too, and its beginning is at -d there.
 # What lies between has other components there: exp(theta_new) = exp(-d) o exp(theta).
 
-TERMS = 9  # of the series of T: rounding up to theta = 2 rad
+SERIES_TERMS = 9  # of the series of T: rounding up to theta = 2 rad
 G = (1 / 12, 1 / 720, 1 / 30240, 1 / 1209600, 1 / 47900160, 691 / 1307674368000, 1 / 74724249600)
-SMALLEST = 1e-300  # of a squared angle: keeps its root from zero, where it has no derivative
+LEAST_SQUARED_ANGLE = 1e-300  # of a squared angle: keeps its root from zero, where it has no derivative
 
 
 def _series(coefficients: Sequence[float], s: ca.SX) -> ca.SX:
@@ -186,14 +186,14 @@ def _series(coefficients: Sequence[float], s: ca.SX) -> ca.SX:
     return result
 
 
-FIRST = tuple((-1) ** k / factorial(2 * k + 2) for k in range(TERMS))
-SECOND = tuple((-1) ** k / factorial(2 * k + 3) for k in range(TERMS))
+FIRST_TERMS = tuple((-1) ** k / factorial(2 * k + 2) for k in range(SERIES_TERMS))
+SECOND = tuple((-1) ** k / factorial(2 * k + 3) for k in range(SERIES_TERMS))
 
 
 def angular_velocity(theta: ca.SX, rate: ca.SX) -> ca.SX:
     """omega = T(theta) theta', 3."""
     s, across = ca.dot(theta, theta), ca.cross(theta, rate)
-    return rate - _series(FIRST, s) * across + _series(SECOND, s) * ca.cross(theta, across)
+    return rate - _series(FIRST_TERMS, s) * across + _series(SECOND, s) * ca.cross(theta, across)
 
 
 def chart_rate(theta: ca.SX, omega: ca.SX) -> ca.SX:
@@ -220,13 +220,13 @@ def turned_chart(chart: ca.SX, theta: ca.SX) -> ca.SX:
 def turn_since(end: ca.SX, there: ca.SX) -> ca.SX:
     """theta with exp(end) o exp(theta) = exp(there), 3, below pi: a place of one chart in the chart at its end."""
     between = _product(_exponential(-end), _exponential(there))
-    half = ca.sqrt(ca.dot(between[1:], between[1:]) + SMALLEST)
+    half = ca.sqrt(ca.dot(between[1:], between[1:]) + LEAST_SQUARED_ANGLE)
     return 2 * ca.atan2(half, between[0]) / half * between[1:]
 
 
 def _exponential(theta: ca.SX) -> ca.SX:
     """The unit quaternion of a rotation vector."""
-    half = ca.sqrt(ca.dot(theta, theta) / 4 + SMALLEST)
+    half = ca.sqrt(ca.dot(theta, theta) / 4 + LEAST_SQUARED_ANGLE)
     return ca.vertcat(ca.cos(half), ca.sin(half) / half / 2 * theta)
 
 

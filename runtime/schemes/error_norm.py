@@ -5,8 +5,8 @@ component at the ends of the step, which passes through zero; here it is the amp
 
 Velocities are weighted by h: without them what is delivered is many times what was asked. The amplitude of a
 coordinate is half the range that it has been seen in, the end of the step in question included, so that the first
-steps of a motion from rest are measured by how far they go; at least FLOOR of the largest of its kind and unit, and
-LEAST; of an angle of a body at most TURN.
+steps of a motion from rest are measured by how far they go; at least SMALL_MOTION_SHARE of the largest of its kind
+and unit, and LEAST_SIZE; of an angle of a body at most MOST_TURN_RANGE.
 
 References
 ----------
@@ -20,9 +20,9 @@ import numpy as np
 
 from runtime.contract.model import EmittedModel
 
-FLOOR = 1e-3  # so that small vibrations, far below what moves, need not be resolved
-TURN = np.pi  # rad: what turns on and on is not measured by how far it has come
-LEAST = 1e-10  # m or rad: a motion that begins as a power of time is as large as its error for ever
+SMALL_MOTION_SHARE = 1e-3  # so that small vibrations, far below what moves, need not be resolved
+MOST_TURN_RANGE = np.pi  # rad: what turns on and on is not measured by how far it has come
+LEAST_SIZE = 1e-10  # m or rad: a motion that begins as a power of time is as large as its error for ever
 
 
 def error_weights(model: EmittedModel, low: ca.SX, high: ca.SX) -> ca.SX:
@@ -42,15 +42,18 @@ def amplitudes(model: EmittedModel, half_ranges: ca.SX) -> ca.SX:
     of_bodies = {name: ("angle", "rad") for record in model.description.orientations for name in record.turns}
     kinds = [of_bodies.get(name) or (entries[name].kind, entries[name].unit) for name in model.q_i]
     turns = [kind[1] == "rad" and kind[0] != "modal" for kind in kinds]
-    sizes = [ca.fmin(half_ranges[k], TURN) if turns[k] else half_ranges[k] for k in range(len(kinds))]
+    sizes = [ca.fmin(half_ranges[k], MOST_TURN_RANGE) if turns[k] else half_ranges[k] for k in range(len(kinds))]
     for own in model.places.turns:  # an orientation as a whole
         widest = ca.SX(0)
         for k in own:
             widest = ca.fmax(widest, sizes[k]) if k < len(sizes) else widest
         sizes = [widest if k in own else one for k, one in enumerate(sizes)]
-    largest = {kind: ca.SX(LEAST) for kind in kinds}
+    largest = {kind: ca.SX(LEAST_SIZE) for kind in kinds}
     for kind, one in zip(kinds, sizes, strict=True):
         largest[kind] = ca.fmax(largest[kind], one)
     return ca.vertcat(
-        *(ca.fmax(ca.fmax(one, LEAST), FLOOR * largest[kind]) for kind, one in zip(kinds, sizes, strict=True))
+        *(
+            ca.fmax(ca.fmax(one, LEAST_SIZE), SMALL_MOTION_SHARE * largest[kind])
+            for kind, one in zip(kinds, sizes, strict=True)
+        )
     )

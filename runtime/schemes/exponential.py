@@ -38,7 +38,7 @@ from runtime.schemes.stage_equations import LONG_TREE, StageEquations
 
 NODES = {4: (0.75,), 5: (0.5, 0.9)}
 ECHO = 1.08  # the echo is the motion from rest, up to the first node, under this many times G2
-AT_ONCE = 2  # sub-steps up to which a step is one stage
+SUB_STEPS_OF_ONE_STAGE = 2  # sub-steps up to which a step is one stage
 Body = Callable[[Fields, StageEquations], Mapping[str, ca.SX]]
 
 
@@ -60,7 +60,7 @@ class ExponentialOptions(ClosureOptions):
     @property
     def most_sub_steps(self) -> int:
         """Two for order 5."""
-        return AT_ONCE if self.order == 5 else super().most_sub_steps
+        return SUB_STEPS_OF_ONE_STAGE if self.order == 5 else super().most_sub_steps
 
 
 class Exponential(Scheme):
@@ -87,7 +87,7 @@ class Exponential(Scheme):
         self.decaying = options.propagation == "decaying"
         self.shifts = tuple(one.r for one in poles(decaying=self.decaying))
         self.stored = StoredSystem(model, self.shifts)
-        self.at_once = m <= AT_ONCE and len(model.q_i) <= LONG_TREE
+        self.at_once = m <= SUB_STEPS_OF_ONE_STAGE and len(model.q_i) <= LONG_TREE
         super().__init__(model, grid, options)
 
     def fields(self) -> dict[str, StateField]:

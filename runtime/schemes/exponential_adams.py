@@ -34,7 +34,7 @@ from runtime.schemes.step_limit import StepLimit, limit_beside_deflections
 from runtime.schemes.stiff_motion import Along, MotionStage, StiffMotion
 
 IMAGINARY_REACH, REAL_REACH = 2.0, 0.29  # h w and h d up to which the explicit part is stable
-LAST = (-0.5, -1.0)  # where accelerations of the last step were seen, in steps from the start of this one
+LAST_STEP_NODES = (-0.5, -1.0)  # where accelerations of the last step were seen, in steps from the start of this one
 MIDDLE = 0.5
 
 
@@ -115,7 +115,7 @@ class ExponentialAdams(Scheme):
         first = krogstad(motion, d)
         s, s_dot = (ca.mtimes(found.B.T, one) for one in (q_i, q_i_dot))
         out = {"s_middle": s, "s_before": s, "s_middle_dot": s_dot, "s_before_dot": s_dot}
-        for name, share in zip(("a_middle", "a_before"), LAST, strict=True):
+        for name, share in zip(("a_middle", "a_before"), LAST_STEP_NODES, strict=True):
             out[name] = polynomial([found.a, first.b1, first.b2], share * h)
         return {**fields, **out}
 
@@ -130,7 +130,7 @@ class ExponentialAdams(Scheme):
             return motion.resolved(z[f"a_{when}"], z[f"s_{when}"] - s, z[f"s_{when}_dot"] - s_dot)
 
         last = [resolved("middle"), resolved("before")]
-        there = motion.to(1, *through(LAST, last, h))
+        there = motion.to(1, *through(LAST_STEP_NODES, last, h))
         loop = [
             equations.loop_part(start.q_d),
             equations.loop_part(equations.rates(start, v)),
@@ -141,7 +141,7 @@ class ExponentialAdams(Scheme):
         v_there = equations.velocities(middle, there.v)
         a = equations.accelerations(middle, v_there)
         bent = equations.bent(middle, there.v, v_there, a)
-        end = motion.to(2, *through((*LAST, MIDDLE), [*last, motion.remainder(bent, there)], h))
+        end = motion.to(2, *through((*LAST_STEP_NODES, MIDDLE), [*last, motion.remainder(bent, there)], h))
         third = (equations.loop_part(middle.q_d) - polynomial(loop, there.tau)) * (factorial(3) / there.tau**3)
         ahead = polynomial([*loop, third], h)
         at = self.arrived(equations, end.q, ahead, t + h)

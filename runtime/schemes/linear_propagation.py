@@ -5,15 +5,15 @@ With A = [0 1; M^-1 J_q, M^-1 J_v] and y = (w, w'), one sub-step h is, for const
     y(tau + h) = y + h phi_1(h A) y'(tau) + h^2 phi_2(h A) (0, M^-1 G'(tau)) + h^3 phi_3(h A) (0, M^-1 G2).
 
 phi_k is replaced by its rational approximation with the denominator of the diagonal Pade approximation of exp:
-of order 2 DEGREE, |R(i x)| = 1 for undamped modes and bounded for damped ones however stiff, so that the price does
-not grow with the stiffness. A numerator of one degree less lets stiff decays die out at once, at the price of a little
-damping of undamped modes (order 5). In partial fractions each sub-step is one real and (DEGREE - 1) / 2 complex solves
-with
+of order 2 FRACTION_DEGREE, |R(i x)| = 1 for undamped modes and bounded for damped ones however stiff, so that the
+price does not grow with the stiffness. A numerator of one degree less lets stiff decays die out at once, at the
+price of a little damping of undamped modes (order 5). In partial fractions each sub-step is one real and
+(FRACTION_DEGREE - 1) / 2 complex solves with
 
     r^2 M - r h J_v - h^2 J_q,
 
 whose factors serve all sub-steps of a major step. A part of a sub-step is had from the same factors: the numerator for
-exp(part z) is cut off at degree DEGREE, which makes it of order DEGREE only.
+exp(part z) is cut off at degree FRACTION_DEGREE, which makes it of order FRACTION_DEGREE only.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from runtime.contract.model import EmittedModel
 from runtime.engine.kept_programs import kept_function, key_of
 from runtime.engine.program import Fields
 from runtime.schemes.options import SchemeError
-from runtime.schemes.partial_fractions import DEGREE, Pole, poles
+from runtime.schemes.partial_fractions import FRACTION_DEGREE, Pole, poles
 from runtime.schemes.sparse_lu import Cells, Number, factor, filled, pattern, solve
 from runtime.schemes.stage_equations import LinearSystem, StageEquations
 
@@ -71,8 +71,8 @@ def propagate(
     slopes[0] = slopes[0] + ca.mtimes(system.J_v, even)
     Mu, pull = ca.mtimes(system.M_hat, rest), ca.mtimes(system.J_q, even)
     new_w, new_u = w + part * h * even, u
-    echoes = poles(DEGREE, 1.0 if echo is None else echo[0], decaying)
-    for pole, echoing, entries in zip(poles(DEGREE, part, decaying), echoes, factors, strict=True):
+    echoes = poles(FRACTION_DEGREE, 1.0 if echo is None else echo[0], decaying)
+    for pole, echoing, entries in zip(poles(FRACTION_DEGREE, part, decaying), echoes, factors, strict=True):
         r, w1 = pole.r, pole.weights[0]
 
         def side(part: str, pole: Pole = pole, echoing: Pole = echoing) -> ca.SX:
@@ -113,7 +113,7 @@ def solve_shifted(factors: Number, r: complex, re: ca.SX, im: ca.SX | None) -> t
 
 # A linear system kept in fields of z between the stages of a major step: sparse, so that zeros cost nothing.
 
-MOST_OPERATIONS = 2_000_000  # of the factors: some minutes to compile, and gigabytes
+MOST_FACTOR_OPERATIONS = 2_000_000  # of the factors: some minutes to compile, and gigabytes
 MATRICES = {"M": "M_hat", "J_q": "J_q", "J_v": "J_v"}  # names in z and of a LinearSystem
 
 
@@ -181,7 +181,7 @@ def _patterns(model: EmittedModel) -> ca.Function:
     q, v, t = ca.SX.sym("q", n), ca.SX.sym("v", n), ca.SX.sym("t")
     equations = StageEquations(model, ca.SX.sym("c", model.c_size + 1))
     motion = equations.close(q, ca.SX.sym("loop", len(model.loop_unknowns)), t, 1)
-    if 4 * n**3 > MOST_OPERATIONS:  # else even dense factors are short
+    if 4 * n**3 > MOST_FACTOR_OPERATIONS:  # else even dense factors are short
         _require_short(model, pattern(equations.condensed(motion, v)[0]))
     found = equations.linearised(motion, v)
     cells = [pattern(one) for one in (found.M_hat, found.J_q, found.J_v)]
@@ -196,11 +196,11 @@ def _require_short(model: EmittedModel, cells: Cells) -> None:
     factors = filled(cells, n)
     below, right = Counter(j for i, j in factors if i < j), Counter(i for i, j in factors if j < i)
     count = sum(below[k] * right[k] for k in range(n)) * sum(8 if pole.r.imag else 2 for pole in poles())
-    if count > MOST_OPERATIONS:
+    if count > MOST_FACTOR_OPERATIONS:
         raise SchemeError(
             f"{model.name}: {n} independent coordinates",
             f"a scheme that factorises their mass matrix and Jacobians takes {count / 1e6:.0f} million operations "
-            f"a step, more than the {MOST_OPERATIONS / 1e6:.0f} that are written out",
+            f"a step, more than the {MOST_FACTOR_OPERATIONS / 1e6:.0f} that are written out",
             f"take {', '.join(_others(model))}",
         )
 

@@ -20,9 +20,9 @@ import numpy as np
 
 from runtime.schemes.sparse_lu import Number, factor, inverse, solve
 
-DEGREE = 3
+FRACTION_DEGREE = 3
 PHI = 4  # phi_1 to phi_4
-NEWTON_STEPS, GRID = 3, 2**160  # from the digits of a double to those of the grid
+NEWTON_STEPS, GRID_DIGITS = 3, 2**160  # from the digits of a double to those of the grid
 Exact = tuple[Fraction, Fraction]  # real and imaginary part
 
 
@@ -36,7 +36,7 @@ class Pole:
 
 
 @cache
-def poles(degree: int = DEGREE, part: float = 1.0, decaying: bool = False) -> tuple[Pole, ...]:
+def poles(degree: int = FRACTION_DEGREE, part: float = 1.0, decaying: bool = False) -> tuple[Pole, ...]:
     """Partial fractions of the approximations of phi_1, phi_2, phi_3; one of each conjugate pair.
 
     decaying: from the Pade approximation whose numerator is of one degree less: R(-infinity) = 0.
@@ -68,7 +68,10 @@ def _sharpened(root: complex, polynomial: list[Fraction], slope: list[Fraction])
     r = (Fraction(root.real), Fraction(root.imag))
     for _ in range(NEWTON_STEPS):
         by = _over(_value(polynomial, r), _value(slope, r))
-        r = (Fraction(round((r[0] - by[0]) * GRID), GRID), Fraction(round((r[1] - by[1]) * GRID), GRID))
+        r = (
+            Fraction(round((r[0] - by[0]) * GRID_DIGITS), GRID_DIGITS),
+            Fraction(round((r[1] - by[1]) * GRID_DIGITS), GRID_DIGITS),
+        )
     return r
 
 
@@ -103,7 +106,7 @@ def _rounded(a: Exact) -> complex:
 # written out: no digit is lost where stiffnesses lie far apart. With damping inverses are formed of up to three
 # deflections; of more, factors are kept.
 
-FEW = 3  # deflections up to which inverses are formed and whole steps have matrices of their own
+FEW_DEFLECTIONS = 3  # deflections up to which inverses are formed and whole steps have matrices of their own
 
 
 class Adjugate:
@@ -138,7 +141,7 @@ class Resolvents:
     def __init__(
         self, J: ca.SX, J_v: ca.SX, h: ca.SX, share: float, chosen: Sequence[Pole], adjugate: Adjugate | None
     ) -> None:
-        self.h, self.poles, self._few = share * h, chosen, J.shape[0] <= FEW
+        self.h, self.poles, self._few = share * h, chosen, J.shape[0] <= FEW_DEFLECTIONS
         self._adjugate, self._share, self._whole = adjugate, share, h
         if adjugate is None:
             self._kept = [(inverse if self._few else factor)(_shifted(J, J_v, self.h, pole.r)) for pole in chosen]

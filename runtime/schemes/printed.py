@@ -35,7 +35,7 @@ from runtime.schemes.central_difference import (
     velocity,
 )
 from runtime.schemes.options import MOST_ITERATIONS, Grid, one_of, tolerances, whole_number
-from runtime.schemes.scheme import LARGEST, StateField, control, work
+from runtime.schemes.scheme import LARGEST_NUMBER, StateField, control, work
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, velocity_dependent
 
 RUN_AWAY = 1e6  # increments [m or rad] of a step that were out of hand before the sweep
@@ -165,7 +165,7 @@ class Printed(CentralDifference):
 
     def _guess(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         guess = starting_guess(self.options.guess, z["d"], z["a"], self.steps(equations))
-        changes = LARGEST * ca.SX.ones(len(self.grid.groups))
+        changes = LARGEST_NUMBER * ca.SX.ones(len(self.grid.groups))
         return {"a": guess, "unconverged": self.alive(z), "change": changes}
 
     def _sweep(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
@@ -179,7 +179,7 @@ class Printed(CentralDifference):
             arrived = ca.logic_and(change >= z["change"][g], change <= rounding)
             settled = settled * ca.logic_or(change <= allowed, arrived)
             changes.append(change)
-        settled = settled * (ca.sum1(ca.fabs(new)) < LARGEST)  # false for NaN, which a largest value hides
+        settled = settled * (ca.sum1(ca.fabs(new)) < LARGEST_NUMBER)  # false for NaN, which a largest value hides
         return {
             "a": new,
             "unconverged": 1 - settled,

@@ -31,7 +31,7 @@ from runtime.contract.model import EmittedModel
 from runtime.engine.program import Fields, Program, Sequence, Until
 from runtime.schemes.linear_propagation import StoredSystem, factors_of, solve_shifted
 from runtime.schemes.options import MOST_ITERATIONS, Grid, SingleClosureOptions, tolerances, whole_number
-from runtime.schemes.scheme import STEP_ROUNDING, Scheme, StateField, control, work
+from runtime.schemes.scheme import SUM_ROUNDING, Scheme, StateField, control, work
 from runtime.schemes.stage_equations import StageEquations
 
 S = np.sqrt(6.0)
@@ -221,9 +221,9 @@ class Radau(Scheme):
         eta = ca.if_else(z["correction"] > 0, theta / (1 - theta), z["eta"] ** 0.8)
         allowed = self.options.eps[0] * ca.norm_inf(ca.vertcat(*new))
         allowed = (
-            allowed + STEP_ROUNDING * (ca.norm_inf(z["x"]) / h + ca.norm_inf(z["v"])) / h
+            allowed + SUM_ROUNDING * (ca.norm_inf(z["x"]) / h + ca.norm_inf(z["v"])) / h
         )  # what rounding hides of K
-        return {"unconverged": eta * size - allowed, "eta": ca.fmax(eta, STEP_ROUNDING), "correction": size}
+        return {"unconverged": eta * size - allowed, "eta": ca.fmax(eta, SUM_ROUNDING), "correction": size}
 
     def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         K, h = self._columns(z["K"]), equations.h[0]

@@ -22,14 +22,14 @@ from runtime.contract.model import EmittedModel
 from runtime.contract.status import StatusName
 from runtime.contract.tape import arithmetic, shared
 from runtime.engine.kept_programs import kept_function, key_of
-from runtime.engine.program import LONG, Call, Fields, Layout, Program, make_stage
+from runtime.engine.program import LONG_STAGE_NODES, Call, Fields, Layout, Program, make_stage
 from runtime.engine.rows import Direct
 from runtime.schemes.charts import Charts
 from runtime.schemes.options import ClosureOptions, Grid, Options, SchemeError
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, loop_blocks
 from runtime.schemes.step_limit import StepLimit
 
-LARGEST = 1e300  # more than any number of a motion
+LARGEST_NUMBER = 1e300  # more than any number of a motion
 SIDES = ("side", "side_before")  # of jumps by the motion: of the step that begins here, and of the one that led here
 OBSERVED = ("t", "q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "q_d_ddot")
 Step = Callable[[np.ndarray], None]  # one application of the program to z (whole, flat), in place
@@ -331,7 +331,7 @@ class Scheme(ABC):
 
     def alive(self, z: Fields) -> ca.SX:
         """1 where all of x is finite: whose x is lost has nothing to iterate for. Tested once a step."""
-        return ca.sum1(ca.fabs(z["x"])) < LARGEST
+        return ca.sum1(ca.fabs(z["x"])) < LARGEST_NUMBER
 
     def start(self) -> ca.Function:
         """(t0, q_i, q_i_dot, loop unknowns, c) -> z."""
@@ -370,7 +370,9 @@ class Scheme(ABC):
             a_d = equations.dependent_accelerations(motion, v, a)
         q_i, q_d = self.charts.zeroed(motion.q_i), self.charts.zeroed_dependent(motion.q_d)
         outputs = [motion.t, q_i, q_d, v, v_d, a, a_d]
-        if ca.n_nodes(ca.vertcat(*outputs)) <= LONG:  # sharing takes a time that grows faster than the length
+        if (
+            ca.n_nodes(ca.vertcat(*outputs)) <= LONG_STAGE_NODES
+        ):  # sharing takes a time that grows faster than the length
             outputs = shared(outputs)
         return ca.Function("observe", [z, c], [ca.densify(output) for output in outputs], ["z", "c"], list(OBSERVED))
 
@@ -418,7 +420,7 @@ def verdict(scheme: Scheme, z: np.ndarray) -> StatusName | None:
 
 # What an iteration can reach in double precision.
 
-STEP_ROUNDING = 4e-16  # relative, of the sums of a step
+SUM_ROUNDING = 4e-16  # relative, of the sums of a step
 
 
 # Functions of a scheme's states, called on arrays between steps.

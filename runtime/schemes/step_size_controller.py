@@ -4,14 +4,14 @@ Step size control by the estimated local truncation error, in place of a PI cont
 
 The rule is that of Hairer, Norsett & Wanner (4.13),
 
-    h_next = h min(GROW, max(SHRINK, AIM^(1/p) e^(-1/p)))
+    h_next = h min(GROW, max(SHRINK, AIMED_ERROR^(1/p) e^(-1/p)))
 
 where e is the norm of the estimated error over the tolerance (see error_norm.py) and the estimate is of h^p. It is
 applied only where e leaves a band:
 
-    e > REFUSED             the step is rejected, and tried again with h (AIM / e)^(1/p)
-    e > 1                   the step is accepted, the next one takes h (AIM / e)^(1/p)
-    peak of e below LOW     the next one takes h (AIM / peak)^(1/p)
+    e > REJECTED_ERROR             the step is rejected, and tried again with h (AIMED_ERROR / e)^(1/p)
+    e > 1                   the step is accepted, the next one takes h (AIMED_ERROR / e)^(1/p)
+    peak of e below LOW_ERROR     the next one takes h (AIMED_ERROR / peak)^(1/p)
 
 where the peak forgets by the factor FORGET a step, so that an estimate that passes through zero, as that of a
 vibration does twice a period, does not ask for longer steps. In between h stays as it is. Then nothing of the next
@@ -31,7 +31,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-REFUSED, AIM, LOW = 2.0, 0.5, 0.2  # of e
+REJECTED_ERROR, AIMED_ERROR, LOW_ERROR = 2.0, 0.5, 0.2  # of e
 FORGET, RESUMED = 0.8, 0.3  # what is left of the peak after a step, and where it begins after longer steps
 SHRINK, GROW = 0.1, 5.0  # at most, from one step to the next
 LEAST_CLOSURE = 1e-300  # so that nothing is divided by zero
@@ -70,17 +70,19 @@ class StepSizeController:
 
     def keeps_step(self, square: ca.SX, peak: ca.SX) -> ca.SX:
         """May h stay as it is? Not where the error is no number."""
-        return ca.logic_and(square <= 1, peak >= LOW**2)
+        return ca.logic_and(square <= 1, peak >= LOW_ERROR**2)
 
     def judge(self, square: ca.SX, closure: Closure | None) -> ca.SX:
         """Is the step accepted?"""
-        accepted = square <= REFUSED**2
+        accepted = square <= REJECTED_ERROR**2
         return accepted if closure is None else ca.logic_and(accepted, closure.is_met)
 
     def propose(self, square: ca.SX, peak: ca.SX, closure: Closure | None) -> ca.SX:
         """h_next / h; SHRINK where e is not finite."""
-        worst = ca.if_else(square <= 1, ca.if_else(peak < LOW**2, peak, AIM**2), ca.fmin(square, 1 / SMALLEST_ERROR**2))
-        factor = ca.exp((2 * ca.log(AIM) - ca.log(ca.fmax(worst, SMALLEST_ERROR**2))) / (2 * self.error_order))
+        worst = ca.if_else(
+            square <= 1, ca.if_else(peak < LOW_ERROR**2, peak, AIMED_ERROR**2), ca.fmin(square, 1 / SMALLEST_ERROR**2)
+        )
+        factor = ca.exp((2 * ca.log(AIMED_ERROR) - ca.log(ca.fmax(worst, SMALLEST_ERROR**2))) / (2 * self.error_order))
         known = ca.if_else(square >= 0, factor, SHRINK)
         bounded = ca.fmin(GROW, ca.fmax(SHRINK, known))
         return bounded if closure is None else ca.fmin(bounded, closure.step_factor)

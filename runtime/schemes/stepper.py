@@ -96,7 +96,7 @@ class Stepper:
 
 # Steppers that a model keeps: who runs it again need not prepare its steps again.
 
-MOST_OPERATIONS = 300_000  # of a step, of all that a model keeps: what they take stays in memory
+MOST_KEPT_OPERATIONS = 300_000  # of a step, of all that a model keeps: what they take stays in memory
 _LOCK = Lock()  # of what models keep: threads may run one model at once
 
 
@@ -115,9 +115,9 @@ def kept_stepper(scheme: Scheme, engine: str = "auto", wait: bool = False) -> St
             found.scheme = scheme
             return found
     stepper = Stepper(scheme, engine, wait)
-    if stepper.operations <= MOST_OPERATIONS:
+    if stepper.operations <= MOST_KEPT_OPERATIONS:
         with _LOCK:
             known[key] = stepper
-            while sum(one.operations for one in known.values()) > MOST_OPERATIONS:
+            while sum(one.operations for one in known.values()) > MOST_KEPT_OPERATIONS:
                 del known[next(iter(known))]
     return stepper

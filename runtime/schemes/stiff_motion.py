@@ -31,11 +31,11 @@ import casadi as ca
 import numpy as np
 
 from runtime.schemes.linear_propagation import polynomial
-from runtime.schemes.partial_fractions import DEGREE, FEW, Adjugate, Resolvents, poles
+from runtime.schemes.partial_fractions import FEW_DEFLECTIONS, FRACTION_DEGREE, Adjugate, Resolvents, poles
 from runtime.schemes.sparse_lu import Number
 from runtime.schemes.stage_equations import StiffDeflections, StiffResponse
 
-WORTH = 4  # coordinates beside the deflections from which it pays to sum what multiplies A first
+LEAST_OTHER_COORDINATES = 4  # coordinates beside the deflections from which it pays to sum what multiplies A first
 WHOLE_DEGREE = 5  # of the approximation of a whole step: as exact as two of DEGREE for halves, and more below h w = 5
 
 
@@ -91,7 +91,7 @@ class StiffMotion:
         self.A, self.A_v = (ca.sparsify(-ca.mtimes(found.X, one)) for one in (found.K, found.D))
         self.J, self.J_v = (ca.sparsify(ca.mtimes(found.B.T, one)) for one in (self.A, self.A_v))
         self.rate, self._none = ca.mtimes(found.B.T, v), ca.SX.zeros(found.B.shape[1])
-        self.decaying, self.whole = decaying, decaying or found.B.shape[1] <= FEW
+        self.decaying, self.whole = decaying, decaying or found.B.shape[1] <= FEW_DEFLECTIONS
         self._back = ca.sparsify(ca.SX(np.linalg.pinv(np.array(ca.DM(found.B))).T))
         self._known: dict[tuple[int, bool], Resolvents] = {}
         often = self.whole and not decaying and self.B.shape[1]  # else inverses are shorter
@@ -122,7 +122,7 @@ class StiffMotion:
     def _kept(self, e: ca.SX, w: ca.SX, w_dot: ca.SX) -> Along:
         """e + A w + A_v w_dot in parts, where it pays."""
         kept = self.along(e, w, w_dot)
-        return kept if self.B.shape[0] - self.B.shape[1] >= WORTH else self.beside(self.all_of(kept))
+        return kept if self.B.shape[0] - self.B.shape[1] >= LEAST_OTHER_COORDINATES else self.beside(self.all_of(kept))
 
     def remainder(self, a: ca.SX, stage: MotionStage) -> Along:
         """d at a stage."""
@@ -166,7 +166,7 @@ class StiffMotion:
         """Of a sub-step of so many halves, made once."""
         if self.decaying:
             return self._made(2, True, WHOLE_DEGREE).part(poles(WHOLE_DEGREE, halves / 2, decaying=True))
-        return self._made(halves, decaying, DEGREE if decaying or halves == 1 else WHOLE_DEGREE)
+        return self._made(halves, decaying, FRACTION_DEGREE if decaying or halves == 1 else WHOLE_DEGREE)
 
     def _made(self, halves: int, decaying: bool, degree: int) -> Resolvents:
         if (halves, decaying) not in self._known:

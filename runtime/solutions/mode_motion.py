@@ -12,7 +12,7 @@ from runtime.operating.linearisation import Linearisation
 from runtime.solutions.observe import assemble_solution
 from runtime.solutions.solution import Solution
 
-TURNED, MOVED = 0.2, 0.1  # largest amplitudes shown: rad, and parts of the mechanism's length
+SHOWN_AMPLITUDES, MOVED = 0.2, 0.1  # largest amplitudes shown: rad, and parts of the mechanism's length
 
 
 def mode_motion(system: Linearisation, mode: int, frames: int = 24, amplitude: float | None = None) -> Solution:
@@ -42,7 +42,7 @@ def mode_motion(system: Linearisation, mode: int, frames: int = 24, amplitude: f
 def visible(
     model: EmittedModel, state: tuple[np.ndarray, np.ndarray, float], c: np.ndarray, shape: np.ndarray
 ) -> float:
-    """The factor by which a shape (n,) about a state (q, q_dot, t) is seen: by TURNED and MOVED."""
+    """The factor by which a shape (n,) about a state (q, q_dot, t) is seen: by SHOWN_AMPLITUDES and MOVED."""
     length = 1.0
     if model.constraints:
         q, q_dot, t = state
@@ -50,7 +50,7 @@ def visible(
         length = mechanism_length(model, np.asarray(found["C_q"]))
     turns = turning_columns(model)
     share = max(
-        float(np.abs(shape[turns]).max(initial=0.0)) / TURNED,
+        float(np.abs(shape[turns]).max(initial=0.0)) / SHOWN_AMPLITUDES,
         float(np.abs(shape[~turns]).max(initial=0.0)) / (MOVED * length),
     )
     return 1.0 / share if share > 0 else 1.0

@@ -46,10 +46,10 @@ def least_norm(lam: np.ndarray, C_q: np.ndarray, rank: int) -> np.ndarray:
     return np.asarray(np.einsum("sik,sjk,sj->si", kept, kept, lam))
 
 
-CLOSURE_TOLERANCE = (
+OBSERVED_CLOSURE_TOLERANCE = (
     1e-12  # constraint error of a sample [mechanism lengths, at least 1 m] beyond which its closure is repeated
 )
-MOST_CLOSURES = 8
+MOST_OBSERVED_CLOSURES = 8
 
 
 def observe_samples(
@@ -82,11 +82,11 @@ def _close_tightly(model: EmittedModel, observed: dict[str, np.ndarray], c: np.n
 
     Turns are observed at zero, so the charts are where the bodies are.
     """
-    for _ in range(MOST_CLOSURES):
+    for _ in range(MOST_OBSERVED_CLOSURES):
         c, observed["q_d"] = at_home(model, c, observed["q_d"])
         found = evaluate(model.kernel("closure"), observed, c)
         scale = np.maximum(1.0, np.abs(observed["q_d"]).max(axis=1, initial=0.0))
-        open_ = np.flatnonzero(np.abs(found["C_loop"]).max(axis=1) > CLOSURE_TOLERANCE * scale)
+        open_ = np.flatnonzero(np.abs(found["C_loop"]).max(axis=1) > OBSERVED_CLOSURE_TOLERANCE * scale)
         if not len(open_) or not np.isfinite(found["q_d_next"][open_]).all():
             return
         observed["q_d"][open_] = found["q_d_next"][open_]

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from runtime.views.run_page import page as _page
     from runtime.views.viewer.page import show as _show
 
-MOST = 10  # coordinates that a notebook shows
+MOST_SHOWN_COORDINATES = 10  # coordinates that a notebook shows
 
 
 def solution_card(solution: Samples) -> str:
@@ -45,7 +45,7 @@ def solution_card(solution: Samples) -> str:
     balance = f", energy balance {solution.balance}" if len(solution.t) > 2 else ""
     about = f"{solution.scheme}, {solution.pace}, m = {m}"
     rates = {f"{name}_dot" for name in model.measures}
-    names = [*followed(model)[0], *(name for name in model.measures if name not in rates)][:MOST]
+    names = [*followed(model)[0], *(name for name in model.measures if name not in rates)][:MOST_SHOWN_COORDINATES]
     rows = [
         (
             name,

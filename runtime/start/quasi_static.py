@@ -23,22 +23,22 @@ from runtime.operating.balance import (
     LARGEST_STEP,
     LEAST_SCALE,
     NEWTON_TOLERANCE,
-    NO_STIFFNESS,
-    STAGNANT,
+    NO_SINGULAR_VALUE,
+    STAGNANT_CORRECTION,
     Balance,
     balanced,
 )
 from runtime.operating.equilibrium import NoEquilibrium, equilibrium
 from runtime.operating.functions import PointFunctions
 from runtime.operating.linearise import rigid_rates
-from runtime.schemes.scheme import LARGEST
+from runtime.schemes.scheme import LARGEST_NUMBER
 from runtime.schemes.sparse_lu import Number, factor, solve, solve_symmetric
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.switching.times import conditions
 
 # ---- What is left of the equations of motion where elastic coordinates have no acceleration.
 
-CLOSURE_ITERATIONS = 4
+STATIC_CLOSURE_ITERATIONS = 4
 
 
 def positions(model: EmittedModel) -> list[int]:
@@ -57,7 +57,7 @@ def _built(model: EmittedModel, elastic: list[int]) -> ca.Function:
     t, q, v = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n)
     loop, constants = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
     equations = StageEquations(model, constants)
-    motion = equations.close(q, loop, t, CLOSURE_ITERATIONS)
+    motion = equations.close(q, loop, t, STATIC_CLOSURE_ITERATIONS)
     M_hat, Q_hat = equations.condensed(motion, v)
     residual, mass = Q_hat[elastic], M_hat[elastic, elastic]
     if rigid:
@@ -77,11 +77,11 @@ def _built(model: EmittedModel, elastic: list[int]) -> ca.Function:
 # before until only rounding is left. There the method of runtime/operating/balance.py makes the same steps, and the
 # equilibrium is one that small vibrations do not leave. Where it does not stay, that method decides.
 
-PASSES = 3  # equilibrium and rates depend on each other weakly
+SETTLING_PASSES = 3  # equilibrium and rates depend on each other weakly
 SMALL_MOTION = 1e-4  # rad or m that rigid coordinates move between the two equilibria whose difference is the rate
-MAX_STEPS = 30
+MAX_SETTLING_STEPS = 30
 MOST_ELASTIC = 20  # coordinates, above which the slope is not factorised in straight-line code
-CONTRACTION = 0.25
+NEWTON_CONTRACTION = 0.25
 
 
 def settles(model: EmittedModel) -> bool:
@@ -92,7 +92,7 @@ def settles(model: EmittedModel) -> bool:
 def settling(model: EmittedModel) -> ca.Function:
     """One step of q_e: (t, q_i, q_i_dot, loop, c, work before) -> (q_i, is it open?, is it in its valley?, work).
 
-    The work before the first step is LARGEST. Built once for a model.
+    The work before the first step is LARGEST_NUMBER. Built once for a model.
     """
 
     def build() -> ca.Function:
@@ -103,10 +103,12 @@ def settling(model: EmittedModel) -> ca.Function:
         K = -slope
         step = solve(factor(Number(K)), Number(ca.densify(r))).re
         size, scale, work = ca.norm_inf(step), ca.fmax(LEAST_SCALE, ca.norm_inf(q[elastic])), ca.dot(r, step)
-        less = work <= CONTRACTION * before
-        not_given = ca.logic_and(size > NEWTON_TOLERANCE * scale, ca.logic_or(less, size > STAGNANT * scale))
-        usual = ca.logic_and(size <= LARGEST_STEP, ca.logic_or(less, size <= STAGNANT * scale))
-        valley = ca.logic_and(usual, ca.logic_and(_is_positive(0.5 * (K + K.T)), ca.sum1(ca.fabs(step)) < LARGEST))
+        less = work <= NEWTON_CONTRACTION * before
+        not_given = ca.logic_and(size > NEWTON_TOLERANCE * scale, ca.logic_or(less, size > STAGNANT_CORRECTION * scale))
+        usual = ca.logic_and(size <= LARGEST_STEP, ca.logic_or(less, size <= STAGNANT_CORRECTION * scale))
+        valley = ca.logic_and(
+            usual, ca.logic_and(_is_positive(0.5 * (K + K.T)), ca.sum1(ca.fabs(step)) < LARGEST_NUMBER)
+        )
         q_next = ca.SX(q)
         q_next[elastic] = q[elastic] + step
         values = [ca.densify(value) for value in (q_next, not_given, valley, work)]
@@ -118,7 +120,7 @@ def settling(model: EmittedModel) -> ca.Function:
 def _is_positive(S: ca.SX) -> ca.SX:
     """Is a symmetric matrix positive definite, by more than rounding?"""
     reciprocals = ca.diag(factor(Number(S), symmetric=True).re)
-    most = 1 / (NO_STIFFNESS * ca.norm_inf(ca.diag(S)))
+    most = 1 / (NO_SINGULAR_VALUE * ca.norm_inf(ca.diag(S)))
     found = ca.SX(1)
     for k in range(S.size1()):
         found = ca.logic_and(found, ca.logic_and(reciprocals[k] > 0, reciprocals[k] < most))
@@ -178,8 +180,8 @@ def settled(
     loop = q_d[[model.q_d.index(name) for name in model.loop_unknowns]]
 
     def solved(t: float, start: np.ndarray, v: np.ndarray) -> np.ndarray | None:
-        q, before = start, LARGEST
-        for _ in range(MAX_STEPS):
+        q, before = start, LARGEST_NUMBER
+        for _ in range(MAX_SETTLING_STEPS):
             q, not_given, valley, before = settling(model)(t, q, v, loop, c, before)
             if not float(valley) > 0:
                 return None
@@ -205,7 +207,7 @@ def _along(
     rigid = [k for k in range(len(q_i)) if k not in elastic]
     lead = float(leading(model)(q_i, v, q_d, t, c))
     later, before = (float(side) for side in smooth_sides(model)(t, lead, c))
-    for _ in range(PASSES):
+    for _ in range(SETTLING_PASSES):
         found = solve(t, q_i, v)
         if found is None:
             return None
@@ -226,7 +228,7 @@ def _along(
 
 
 UNSETTLED = 1e-3  # rad or m that a spring would move a rigid coordinate
-UNSTABLE = 1e-10  # curvature, relative to the largest one, beyond which it is more than rounding
+UNSTABLE_CURVATURE = 1e-10  # curvature, relative to the largest one, beyond which it is more than rounding
 
 
 def quasi_static_state(
@@ -317,7 +319,9 @@ class ElasticEquilibrium:
                 "body, or rigid ones that stiff springs throw about?): start = equilibrium, which settles these, too, "
                 "or given, with elastic coordinates of your own"
             )
-        if not self.unstable and float(_curvatures(at).max()) > UNSTABLE * float(np.abs(_curvatures(at)).max()):
+        if not self.unstable and float(_curvatures(at).max()) > UNSTABLE_CURVATURE * float(
+            np.abs(_curvatures(at)).max()
+        ):
             raise InitialStateError(
                 "the quasi-static elastic equilibrium is unstable (a body beyond its buckling load or speed?): give an "
                 "elastic coordinate a small value to start from, or ask for it with start = quasi_static_unstable"

@@ -19,9 +19,9 @@ from numpy.typing import NDArray
 from runtime.structures.limits import damped_limit, largest_frequency, row_limits
 from runtime.structures.structure import Array, LinearStructure, StructureError
 
-RINGS = 2
+RINGS_OF_REGION = 2
 SAFETY = 0.9  # of the limit: the share of it that a step of a group takes
-WORTH = 0.9  # one group more must bring the operations below this share
+WORTH_OF_GROUP = 0.9  # one group more must bring the operations below this share
 RATIOS = (2, 3, 4, 5, 6, 7, 8, 10, 12, 16)
 MOST_GROUPS = 4
 LARGEST_RATIO = 64
@@ -129,7 +129,9 @@ def checked_step(step: float | None, limit: float, item: str) -> None:
         )
 
 
-def choose_regions(structure: LinearStructure, ratios: Sequence[int] | None = None, rings: int = RINGS) -> Regions:
+def choose_regions(
+    structure: LinearStructure, ratios: Sequence[int] | None = None, rings: int = RINGS_OF_REGION
+) -> Regions:
     """Groups by the limits of rows: the cheapest by operations; ratios: sub-steps of each next slower group, if
     given.
 
@@ -146,7 +148,7 @@ def choose_regions(structure: LinearStructure, ratios: Sequence[int] | None = No
             _offers(limits * scale, graph, entries, least, count, ratios, rings), key=lambda offer: offer.share
         )
         taken = next((found for offer in offers[:8] if (found := _within_limits(structure, offer)) is not None), None)
-        if taken is None or (taken.share > WORTH * best.share and ratios is None):
+        if taken is None or (taken.share > WORTH_OF_GROUP * best.share and ratios is None):
             if count > 2 or ratios is not None:
                 break
             continue
@@ -206,7 +208,7 @@ def _within_limits(structure: LinearStructure, offer: Regions) -> Regions | None
 
 
 def named_regions(
-    structure: LinearStructure, nodes: Sequence[NDArray[np.int64]], ratios: Sequence[int], rings: int = RINGS
+    structure: LinearStructure, nodes: Sequence[NDArray[np.int64]], ratios: Sequence[int], rings: int = RINGS_OF_REGION
 ) -> Regions:
     """Groups as somebody names them, fastest first (the last gets all other nodes), with rings around each.
 

@@ -31,11 +31,11 @@ if TYPE_CHECKING:
 ErrorWish = Literal["measured", "off"]
 SCHEMES = ("printed", "single_rate", "generalized_alpha")
 KEPT_BYTES = 20e6  # all coordinates are outputs below this
-SOME = 20  # outputs that nobody named
-ENERGIES = 200  # about so many times at which the energy is taken
+DEFAULT_OUTPUTS = 20  # outputs that nobody named
+ENERGY_TIMES = 200  # about so many times at which the energy is taken
 MOST_LEVELS = 12
 MOST_FIELDS = 10_000
-MOST_STEPS = 10**9  # major steps: hours for the smallest structure
+MOST_STRUCTURE_STEPS = 10**9  # major steps: hours for the smallest structure
 ORDER = 2  # of all three methods
 INACCURATE = 0.1
 TINY = 1e-300
@@ -252,9 +252,9 @@ def simulate(
         checked_step(dt, min(*limits, model.step_limit) * regions.fastest[-1], "dt")
     else:
         checked_step(dt, np.inf, "dt")
-    if t_end / (dt or longest) > MOST_STEPS:
+    if t_end / (dt or longest) > MOST_STRUCTURE_STEPS:
         raise StructureError(
-            "t_end", f"{t_end:g} s are more than {MOST_STEPS:.0e} steps of {dt or longest:.3g} s", "lower it"
+            "t_end", f"{t_end:g} s are more than {MOST_STRUCTURE_STEPS:.0e} steps of {dt or longest:.3g} s", "lower it"
         )
     first = ceil(t_end / (dt or longest) * (1 - 1e-12))
     samples = min(samples, first)  # they are taken at steps
@@ -321,8 +321,8 @@ def _chosen_outputs(model: StructureModel, outputs: Sequence[str] | None, sample
         return np.array([structure.place(name) for name in outputs], dtype=np.int64)
     if structure.size * (samples + 1) * 8 <= KEPT_BYTES:
         return np.arange(structure.size)
-    loaded = [np.flatnonzero(load.pattern)[:SOME] for load in structure.loads]
-    spread = np.linspace(0, structure.size - 1, SOME).astype(np.int64)
+    loaded = [np.flatnonzero(load.pattern)[:DEFAULT_OUTPUTS] for load in structure.loads]
+    spread = np.linspace(0, structure.size - 1, DEFAULT_OUTPUTS).astype(np.int64)
     return np.unique(np.concatenate([*loaded, spread])).astype(np.int64)
 
 
@@ -331,7 +331,7 @@ def _planned(t_end: float, steps: int, samples: int, fields: int, outputs: NDArr
     marks = (
         np.arange(fields) + (np.arange(fields) * GOLDEN) % 1.0
     ) / fields  # one in each slice, at no regular distance
-    weighed = sampled[:: max(1, len(sampled) // ENERGIES)]
+    weighed = sampled[:: max(1, len(sampled) // ENERGY_TIMES)]
     return _Plan(t_end, steps, sampled, weighed, np.append(t_end * marks, t_end), outputs)
 
 

@@ -17,9 +17,9 @@ from runtime.structures.central_difference import CentralDifference
 from runtime.structures.regions import Group, Regions, coordinates_of, grown, node_graph
 from runtime.structures.structure import Array, LinearStructure
 
-POWERS = (100, 1000)  # of the whole, and of the neighbourhood of what is fast
+POWER_ITERATIONS = (100, 1000)  # of the whole, and of the neighbourhood of what is fast
 NEIGHBOURHOOD = 8
-VECTORS = 20
+POWER_VECTORS = 20
 HUGE = 1e60
 
 
@@ -53,10 +53,10 @@ def growth(structure: LinearStructure, regions: Regions) -> Growth:
     neighbours.
     """
     quiet = replace(structure, loads=(), laws=None, law_texts=(), coordinates=structure.names)
-    radius, below = _radius(quiet, regions, POWERS[0]), 1e-3
+    radius, below = _radius(quiet, regions, POWER_ITERATIONS[0]), 1e-3
     if len(regions.groups) > 1:
         local, groups = _neighbourhood(quiet, regions)
-        radius, below = max(radius, _radius(local, groups, POWERS[1])), 1e-4
+        radius, below = max(radius, _radius(local, groups, POWER_ITERATIONS[1])), 1e-4
     limits = tuple(group.limit for group in regions.groups)
     return Growth(radius, below, limits, tuple(regions.steps))
 
@@ -77,7 +77,7 @@ def _radius(structure: LinearStructure, regions: Regions, power: int) -> float:
     while power > 1 and not np.abs(apply(start)).max() < HUGE:  # what grows fast is seen in fewer steps
         power //= 10
     try:
-        found = spl.eigs(operator, k=1, v0=start, ncv=VECTORS, maxiter=3, tol=1e-2, return_eigenvectors=False)
+        found = spl.eigs(operator, k=1, v0=start, ncv=POWER_VECTORS, maxiter=3, tol=1e-2, return_eigenvectors=False)
     except spl.ArpackNoConvergence as error:
         found = error.eigenvalues
     return float(np.abs(found).max(initial=1.0) ** (1 / power))

@@ -34,11 +34,14 @@ if TYPE_CHECKING:
 
 ENTRY_POINTS, DERIVING = "symgen.refinements", "symgen.functions"
 USUAL = ("modes", "elements", "pieces", "stiffening")  # kinds of knobs that are turned where nothing is said
-NOISE = 10.0  # times the error of the steps: a smaller difference says nothing of the model
-ROUNDING = 1e-9  # of an output's size: a smaller difference is none
-COARSE, FINE = 1 / 3, 4 / 3  # of errors that fall with the square of the size, by a model of half or double size
+NOISE_OF_STEPS = 10.0  # times the error of the steps: a smaller difference says nothing of the model
+OUTPUT_ROUNDING = 1e-9  # of an output's size: a smaller difference is none
+ERROR_FROM_DOUBLE_SIZE, ERROR_FROM_HALF_SIZE = (
+    1 / 3,
+    4 / 3,
+)  # of errors that fall with the square of the size, by a model of half or double size
 MOTION, EQUILIBRIUM = "motion", "equilibrium"
-SAMPLES = 400
+STUDY_SAMPLES = 400
 READINGS: dict[str, Callable[[np.ndarray], float]] = {
     "max": lambda y: float(y.max()),
     "min": lambda y: float(y.min()),
@@ -215,7 +218,7 @@ def convergence(
     initial: Initial = None,
     start: str | None = None,
     inputs: Mapping[str, InputValue] | None = None,
-    samples: int = SAMPLES,
+    samples: int = STUDY_SAMPLES,
     progress: Callable[[float, float], None] | bool | None = None,
 ) -> Convergence:
     """Estimate the error of the model itself: of its shapes, pieces and meshes, beside the error of its steps.
@@ -291,7 +294,11 @@ def convergence(
     blind = {name: str(one["blind"]) for name, one in known.items() if "blind" in one}
     blind = {name: why for name, why in blind.items() if name not in {**(coarser or {}), **(finer or {})}}
     study = _Study(wanted, outputs, of, t_end, tolerance, parameters, initial, start, inputs, samples)
-    jobs = [*_derived(chosen), *_given(coarser or {}, COARSE, "half"), *_given(finer or {}, FINE, "double")]
+    jobs = [
+        *_derived(chosen),
+        *_given(coarser or {}, ERROR_FROM_DOUBLE_SIZE, "half"),
+        *_given(finer or {}, ERROR_FROM_HALF_SIZE, "double"),
+    ]
     runs, done = 1 + sum(len(job.levels) for job in jobs), 1
     note = progress if callable(progress) else lambda done, runs: None
     base = study.sampled(model)
@@ -542,10 +549,11 @@ def _change(name: str, job: _Job, base: _Outputs, found: Sequence[_Outputs | str
     values = [one.values[name][:common] for one in shown]
     off = [_difference(b, a, base.units[name]) for a, b in zip(values, values[1:], strict=False)]
     left_open = [
-        NOISE * max(_known(a.stepping[name]), _known(b.stepping[name])) for a, b in zip(shown, shown[1:], strict=False)
+        NOISE_OF_STEPS * max(_known(a.stepping[name]), _known(b.stepping[name]))
+        for a, b in zip(shown, shown[1:], strict=False)
     ]
     size = _rms(off[0])
-    if size <= ROUNDING * base.sizes[name]:
+    if size <= OUTPUT_ROUNDING * base.sizes[name]:
         return Change(name, job.name, "nothing", size)
     if size <= left_open[0]:
         return Change(name, job.name, "noise", size)

@@ -111,7 +111,7 @@ def section_force(body: BeamBody, mesh: str, kind: str, at: float, q_f: list[ca.
 
 EXACT = np.array([[2.0, -1.0], [-1.0, 2.0]]) / 6.0  # for L = EI = 1
 LOADED = {"welded-welded": [0, 1], "welded-pinned": [0], "pinned-welded": [1]}  # which of M_0, M_L the ends carry
-WORTH_A_WORD = 1e-3
+REPORTED_RESIDUAL_SHARE = 1e-3
 
 
 def static_residuals(scene: SceneRecord) -> list[StaticResidual]:
@@ -126,7 +126,7 @@ def static_residuals(scene: SceneRecord) -> list[StaticResidual]:
             plane = "lateral" if axis == 1 else "lateral_z"
             asked = lateral_ends(scene, body, plane)
             share = missing_share(modes, LOADED[asked]) if asked in LOADED else 0.0
-            if share > WORTH_A_WORD:
+            if share > REPORTED_RESIDUAL_SHARE:
                 found.append(StaticResidual(body.name, plane, ends, count, asked, share))
     return found
 

@@ -23,7 +23,7 @@ from symgen.scene import BeamBody, SpatialModalBody
 from symgen.scene.flexible import ALL_GAUGES, COMPONENTS
 from symgen.scene.measures import KNOWN_BY, MESH_ERROR
 
-SMALLEST = 1e-300  # [Pa^2]: keeps the rate of a von Mises stress finite where there is no stress
+NO_STRESS = 1e-300  # [Pa^2]: keeps the rate of a von Mises stress finite where there is no stress
 
 
 def gauge_stress(body: SpatialModalBody, gauge: str, component: str, q_f: list[ca.SX], table: ParameterTable) -> ca.SX:
@@ -35,10 +35,10 @@ def gauge_stress(body: SpatialModalBody, gauge: str, component: str, q_f: list[c
         found = ca.SX(0)
         for name in body.gauges:
             found = ca.fmax(found, square(body, name, q_f, table))
-        return ca.sqrt(ca.fmax(found, SMALLEST))
+        return ca.sqrt(ca.fmax(found, NO_STRESS))
     if component in COMPONENTS:
         return _components(body, gauge, q_f, table)[COMPONENTS.index(component)]
-    return ca.sqrt(ca.fmax(square(body, gauge, q_f, table), SMALLEST))
+    return ca.sqrt(ca.fmax(square(body, gauge, q_f, table), NO_STRESS))
 
 
 def _components(body: SpatialModalBody, gauge: str, q_f: list[ca.SX], table: ParameterTable) -> list[ca.SX]:
@@ -67,7 +67,7 @@ Force = Callable[[str, float], ca.SX]  # (kind of section force, fraction of the
 
 def beam_stress(body: BeamBody, force: Force, places: Sequence[float] | None, table: ParameterTable) -> ca.SX:
     """The largest von Mises stress [Pa] at the fractions `places` of the length, or at all stations."""
-    found = ca.SX(SMALLEST)
+    found = ca.SX(NO_STRESS)
     for at in places or STATIONS:
         found = ca.fmax(found, _of_beam(body, {kind: _part(body, force, kind, at) for kind in KNOWN_BY}, table))
     return ca.sqrt(found)
@@ -87,6 +87,6 @@ def _of_beam(body: BeamBody, parts: dict[str, ca.SX], table: ParameterTable) -> 
         bent += ca.fabs(parts["bending_moment_y"]) / table.of(body, "section_modulus_z")
     if body.torsion is not None:
         twisted = ca.fabs(parts["torsion_moment"]) / table.of(body, "torsion_modulus")
-    shear = ca.sqrt(parts["shear_force"] ** 2 + parts["shear_force_z"] ** 2 + SMALLEST)
+    shear = ca.sqrt(parts["shear_force"] ** 2 + parts["shear_force_z"] ** 2 + NO_STRESS)
     sheared = twisted + table.of(body, "shear_factor") * shear / area
     return ca.fmax((pulled + bent) ** 2 + 3 * twisted**2, pulled**2 + 3 * sheared**2)

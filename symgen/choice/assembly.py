@@ -23,8 +23,8 @@ from symgen.system.build import System
 from symgen.system.constraint import DerivationError
 from symgen.system.equations import Equations
 
-MOST_STEPS = 30  # of Newton's method for the place of a body
-PLACED = 1e-12  # error of the rows of a joint, relative to the place
+MOST_PLACING_STEPS = 30  # of Newton's method for the place of a body
+PLACED_ROWS = 1e-12  # error of the rows of a joint, relative to the place
 OMEGA = ("omega_x", "omega_y", "omega_z")
 
 
@@ -160,14 +160,14 @@ def _pose(
     """Origin and Euler parameters of a body by its rows, from x on; None where these do not give them."""
     others, function = numbers.of_body(rows, own)
     best, least = x, np.inf
-    for _ in range(MOST_STEPS):
+    for _ in range(MOST_PLACING_STEPS):
         C, slope = (np.asarray(part) for part in function(x, q[others]))
         error = float(np.abs(C).max())
         if not error < least:
             break
         best, least = x, error
         x = x - np.linalg.lstsq(slope, C.ravel(), rcond=1e-13)[0]
-    return _positive(best) if least <= PLACED * max(1.0, float(np.abs(best).max())) else None
+    return _positive(best) if least <= PLACED_ROWS * max(1.0, float(np.abs(best).max())) else None
 
 
 def _positive(x: np.ndarray) -> np.ndarray:

@@ -244,7 +244,7 @@ def _refuse_choice(equations: Equations, keep: set[int], independent: list[int])
 MOVE, MOVE_ELASTIC = 0.05, 1e-3  # rad or m: far enough to see a singular position, near enough to assemble again
 MOVE_TIME = 0.0437  # s: rows with prescribed motions must agree at other times too
 STILL_HOLDS = 1e-9  # C of an implied row after the motion, in rad or mechanism lengths
-TRIALS, ITERATIONS = 3, 30
+TRIALS, ELIMINATION_ITERATIONS = 3, 30
 
 Constraints = Callable[[np.ndarray, float], tuple[np.ndarray, np.ndarray]]
 
@@ -294,7 +294,7 @@ def _holds_after_motion(
     rank = int(np.sum(sizes > STILL_HOLDS * sizes.max(initial=0.0)))
     direction = rng.uniform(-1, 1, len(q) - rank) @ right[rank:]
     moved = q + reach * direction / max(float(np.abs(direction).max(initial=0.0)), 1e-300)
-    for _ in range(ITERATIONS):
+    for _ in range(ELIMINATION_ITERATIONS):
         C, C_q = constraints(moved, t)
         if not len(kept) or np.abs(C[kept]).max() <= 1e-14:
             break

@@ -75,17 +75,22 @@ def cache(arguments: argparse.Namespace) -> Outcome:
     """
     from runtime.contract.cache import refused_folder
     from runtime.contract.kept_models import KeptModels
-    from runtime.engine.object_cache import MOST_BYTES, ObjectCache
+    from runtime.engine.object_cache import MOST_CACHE_BYTES, ObjectCache
 
     cache, models, variants, sent = ObjectCache(), *map(KeptModels, ("models", "variants", "sent"))
     rooms = [(one, refused_folder(one.folder)) for one in (cache, models, variants, sent)]
     refused = "; ".join(why for _, why in rooms if why)
     entries = cache.entries()
     size = sum(size for _, size, _ in entries)
-    facts: dict[str, Any] = {"folder": str(cache.folder), "programs": len(entries), "bytes": size, "most": MOST_BYTES}
+    facts: dict[str, Any] = {
+        "folder": str(cache.folder),
+        "programs": len(entries),
+        "bytes": size,
+        "most": MOST_CACHE_BYTES,
+    }
     facts |= {"models": len(models.entries()), "variants": len(variants.entries()), "sent": len(sent.entries())}
     lines = [
-        f"{cache.folder}: {len(entries)} compiled programs, {size / 1e6:.3g} of {MOST_BYTES / 1e6:.0f} MB; "
+        f"{cache.folder}: {len(entries)} compiled programs, {size / 1e6:.3g} of {MOST_CACHE_BYTES / 1e6:.0f} MB; "
         f"{facts['models']} generated models, {facts['variants']} variants and {facts['sent']} models from elsewhere "
         "beside them"
     ]

@@ -28,7 +28,7 @@ from symgen.fe.static import Solve, held_solve
 from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure, FiniteElementError, Interface
 from symgen.modes.cleaning import RELATIVE_ZERO, Array, clean, fixed, symmetric
 
-DUST = 1e-9  # entries below this share of what they could be are round-off of the mode shapes
+SHAPE_ROUNDING = 1e-9  # entries below this share of what they could be are round-off of the mode shapes
 SCALAR_MASS = 1e-9  # how nearly M must be a scalar mass in each direction to be taken as one
 COARSEST = 0.5  # largest departure of the nodal masses from M_ff that a scaling may bridge
 
@@ -182,7 +182,7 @@ def _with_skew_part(rho_phi: Array, turning: Array) -> Array:
 
 def dusted(values: Array, scale: float) -> Array:
     """Copy with entries below 1e-9 of `scale` (in their unit) as exact zeros."""
-    return clean(values, DUST / RELATIVE_ZERO * float(scale))
+    return clean(values, SHAPE_ROUNDING / RELATIVE_ZERO * float(scale))
 
 
 def lumped(body: FEStructure) -> FEStructure:

@@ -15,7 +15,7 @@ from symgen.modes.cleaning import Array
 
 COMPONENTS = {"UX": 1, "UY": 2, "UZ": 3, "ROTX": 4, "ROTY": 5, "ROTZ": 6}
 COMMENTS = ("*", "%", "#", "!", "$")
-SYMMETRY = 1e-9
+FILE_ASYMMETRY = 1e-9
 
 
 def read_matrix(path: str | Path, dofs: ArrayLike | None = None, name: str | None = None) -> sp.csr_matrix:

@@ -27,7 +27,7 @@ SOLIDS = {"tetra": 4, "tetra10": 4, "hexahedron": 8, "hexahedron20": 8, "hexahed
 FACES = ("vertex", "line", "line3", "triangle", "triangle6", "quad", "quad8", "quad9")
 WITH_FACES = (".msh",)  # files whose faces name surfaces and are no elements
 QUOTES = "'\"*, "
-SAME_NODE = 1e-7  # of the size of the body: nodes at one place
+ONE_NODE = 1e-7  # of the size of the body: nodes at one place
 
 
 class FileMesh:
@@ -91,7 +91,7 @@ class FileMesh:
         from scipy.spatial import KDTree  # when it is needed: importing it takes long
 
         size = float(np.ptp(positions, axis=0).max())
-        chosen: Flags = KDTree(places).query(positions)[0] <= SAME_NODE * size
+        chosen: Flags = KDTree(places).query(positions)[0] <= ONE_NODE * size
         mesh = self.mesh
         n, edges = mesh.nvertices, mesh.nedges
         if len(positions) == n:

@@ -172,7 +172,7 @@ def held_rows(body: FEStructure, interfaces: Sequence[Interface]) -> Integers:
 
 
 KINDS = ("weight", "turn", "spin")
-HELD = 1e-10  # of a shape's strain energy: what the modes leave of it is rounding
+ENERGY_ROUNDING = 1e-10  # of a shape's strain energy: what the modes leave of it is rounding
 
 
 def with_static_shapes(
@@ -189,13 +189,13 @@ def with_static_shapes(
         loads = _loads(name, fields, interfaces)
         for static in modes.elastic(loads).T:
             energy = float(static @ (body.K @ static))
-            if energy <= HELD * _largest(body, loads):
+            if energy <= ENERGY_ROUNDING * _largest(body, loads):
                 raise FiniteElementError(
                     "static", f"{name!r} does not bend the body as it is held", "leave it out, or hold an interface"
                 )
             rest = static - shapes @ (shapes.T @ (body.K @ static) / eigenvalues)
             left = float(rest @ (body.K @ rest))
-            if left > HELD * energy:
+            if left > ENERGY_ROUNDING * energy:
                 basis = np.column_stack([shapes, rest / np.sqrt(float(rest @ (body.M @ rest)))])
                 eigenvalues, shapes = rayleigh_ritz(body.K, body.M, basis)
     return replace(modes, shapes=signed(body, shapes), eigenvalues=eigenvalues)

@@ -29,14 +29,14 @@ from symgen.fe.structure import AXES, FiniteElementError, FiniteElementWarning, 
 from symgen.modes.cleaning import Array
 
 OUTSIDE = 0.1  # of a cell, in its own coordinates: a place so far outside snaps to the surface
-REACH = 0.5  # of the longest side of a cell's box: cells that may hold a place or lie beside it
-SAME_NODE = 1e-6  # of the size of the body: a place so near to a node is that node
+CELL_REACH = 0.5  # of the longest side of a cell's box: cells that may hold a place or lie beside it
+PLACE_AT_NODE = 1e-6  # of the size of the body: a place so near to a node is that node
 CONVERGED = 1e-10  # of the size of the body
-NEWTON_STEPS = 25
-NARROW = 2.0  # a plane through the cells around is weighted by exp(-NARROW d^2), d the distance over the farthest
-FLAT = 1e-3  # cells around that do not spread in a direction say nothing of it
-INSIDE = 1e-9
-ONE = 1e-4  # how nearly shares add up to 1 where a place is snapped
+PLACE_NEWTON_STEPS = 25
+WEIGHT_DECAY = 2.0  # a plane through the cells around is weighted by exp(-NARROW d^2), d the distance over the farthest
+FLAT_CELLS = 1e-3  # cells around that do not spread in a direction say nothing of it
+INSIDE_CELL = 1e-9
+ONE_SHARE = 1e-4  # how nearly shares add up to 1 where a place is snapped
 COARSE = (
     "linear tetrahedra have one stress a cell: at a place it is 10 % wrong and more; take order=2 where stress matters"
 )
@@ -191,10 +191,10 @@ class StressRecovery:
             around = np.unique(cells[mesh.t[:, element]].indices)
             apart = centres[around] - place
             d = apart / np.maximum(np.abs(apart).max(axis=0), np.finfo(float).tiny)
-            near = np.exp(-NARROW * np.sum(d**2, axis=1))
+            near = np.exp(-WEIGHT_DECAY * np.sum(d**2, axis=1))
             middle = d.mean(axis=0)
             terms = np.hstack([np.ones((len(d), 1)), d - middle])
-            part = (np.r_[1.0, -middle] @ np.linalg.pinv(terms * near[:, None], rcond=FLAT)) * near
+            part = (np.r_[1.0, -middle] @ np.linalg.pinv(terms * near[:, None], rcond=FLAT_CELLS)) * near
             columns.append((around[:, None] * each + np.arange(each)).ravel())
             weights.append(np.repeat(part / each, each))
             rows.append(np.full(len(columns[-1]), row))
@@ -211,7 +211,7 @@ class StressRecovery:
 
         size = float(np.ptp(self.node_places, axis=0).max())
         apart, near = KDTree(self.node_places).query(places)
-        nodes = np.where(apart <= SAME_NODE * size, near, -1)
+        nodes = np.where(apart <= PLACE_AT_NODE * size, near, -1)
         elements, local = np.zeros(len(places), dtype=np.int64), np.zeros((len(places), AXES))
         first, corner = self._element_of_node
         at = nodes >= 0
@@ -244,7 +244,7 @@ class StressRecovery:
         """Lowest and highest corners (elements, 3) [m] of boxes around the cells, with what may lie beside them."""
         corners = self.node_places[self.basis.element_dofs]  # (nodes, elements, 3)
         low, high = corners.min(axis=0), corners.max(axis=0)
-        margin = REACH * (high - low).max(axis=1, keepdims=True)
+        margin = CELL_REACH * (high - low).max(axis=1, keepdims=True)
         return low - margin, high + margin
 
     def _nearest(self, places: Array, size: float) -> list[tuple[int, Array] | None]:
@@ -269,10 +269,12 @@ class StressRecovery:
         if not self.hexahedra:
             outside = np.maximum(-local.min(axis=1), local.sum(axis=1) - 1.0)
         outside = np.where(converged, np.maximum(outside, 0.0), np.inf)
-        best = int(np.argmin(np.where(outside < INSIDE, 0.0, outside)))
+        best = int(np.argmin(np.where(outside < INSIDE_CELL, 0.0, outside)))
         if outside[best] > OUTSIDE:
             return None
-        inside = local[best] if outside[best] < INSIDE else self._snapped(place, near[best : best + 1], local[best])
+        inside = (
+            local[best] if outside[best] < INSIDE_CELL else self._snapped(place, near[best : best + 1], local[best])
+        )
         return int(near[best]), inside
 
     def _snapped(self, place: Array, element: Integers, local: Array) -> Array:
@@ -285,15 +287,15 @@ class StressRecovery:
             return np.asarray(lsq_linear(slope, place - corner, bounds=(0.0, 1.0), method="bvls").x)
         size = float(np.abs(slope).max())
         corners = np.hstack([np.zeros((AXES, 1)), slope / size])  # the shares of four corners are >= 0, their sum is 1
-        system = np.vstack([corners, np.full(4, 1.0 / ONE)])
-        shares = nnls(system, np.append((place - corner) / size, 1.0 / ONE))[0]
+        system = np.vstack([corners, np.full(4, 1.0 / ONE_SHARE)])
+        shares = nnls(system, np.append((place - corner) / size, 1.0 / ONE_SHARE))[0]
         return np.asarray(shares[1:] / shares.sum())
 
     def _inverse(self, places: Array, elements: Integers, size: float) -> tuple[Array, NDArray[np.bool_]]:
         """Local coordinates (e, 3) of places (e, 3) in elements (e,) by Newton's method, and whether it converged."""
         mapping = self.basis.mapping
         local = np.full((AXES, len(elements), 1), 0.5 if self.hexahedra else 0.25)
-        for _ in range(NEWTON_STEPS):
+        for _ in range(PLACE_NEWTON_STEPS):
             apart = places.T - np.asarray(mapping.F(local, tind=elements))[:, :, 0]
             if np.linalg.norm(apart, axis=0).max() <= CONVERGED * size:
                 break

@@ -24,7 +24,7 @@ from symgen.fe.units import LENGTHS, MASSES, STRESSES, check_plausible, in_si, k
 from symgen.modes.cleaning import Array, fixed, symmetric
 
 RIGID_RESIDUAL = 1e-6  # of the stiffness forces: what rigid motions of the interfaces may leave
-SYMMETRY = 1e-6
+MATRIX_ASYMMETRY = 1e-6
 GIVEN_TRACE = 1e-3  # of M: how nearly psi_psi must add up to it
 UNKNOWN = (
     "reduced matrices do not say how mass lies inside: centrifugal and gyroscopic forces on the modes are left out, "
@@ -147,7 +147,7 @@ def _dense(item: str, matrix: Any, n_b: int) -> Array:
         raise FiniteElementError(item, problem, remedy)
     if not np.isfinite(values).all():
         raise FiniteElementError(item, "an entry is not a finite number", "export the matrix again")
-    if np.abs(values - values.T).max() > SYMMETRY * np.abs(values).max():
+    if np.abs(values - values.T).max() > MATRIX_ASYMMETRY * np.abs(values).max():
         raise FiniteElementError(item, "is not symmetric", "give both triangles: K + K.T - diag(diag(K))")
     return symmetric(values)
 

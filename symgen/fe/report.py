@@ -22,7 +22,7 @@ from symgen.modes.cleaning import Array
 ROUND_OFF = 1e4 * np.finfo(np.float64).eps  # strain energy below this share of its terms is none
 RIGID_RESIDUAL = 1e-6  # largest share of the stiffness forces that a rigid motion may leave
 SHIFT = 1e-8  # of a typical diagonal K / M: well below elastic modes, well above round-off
-EXTRA = 3  # modes looked at beyond the six
+EXTRA_MODES = 3  # modes looked at beyond the six
 
 
 @dataclass(frozen=True)
@@ -92,7 +92,7 @@ def _lowest_shifted(body: FEStructure) -> tuple[Array, Array]:
         "stiffness",
         "a part without mass moves freely, or the stiffness is not one of a stable structure",
     )
-    mu, shapes = lowest_modes(solve, body.M, min(RIGID_MOTIONS + EXTRA, int(massive.sum())))
+    mu, shapes = lowest_modes(solve, body.M, min(RIGID_MOTIONS + EXTRA_MODES, int(massive.sum())))
     return 1.0 / mu - shift, shapes
 
 

@@ -94,7 +94,7 @@ def acting(motion: BodyMotion, nf: int, interfaces: Mapping[str, Array], size: f
 
 
 SEED = 20080703  # start vector of the iteration: results repeat
-DENSE = 120  # up to this many rows all modes at once are cheaper than an iteration
+ROWS_SOLVED_DENSE = 120  # up to this many rows all modes at once are cheaper than an iteration
 TIE = 1e-6  # entries of a shape this near in size count as equal
 
 
@@ -107,7 +107,7 @@ def lowest_modes(solve: Solve, M: sp.csr_matrix, count: int) -> tuple[Array, Arr
     n = M.shape[0]
     if count == 0:
         return np.zeros(0), np.zeros((n, 0))
-    if n <= DENSE or count >= n // 3:
+    if n <= ROWS_SOLVED_DENSE or count >= n // 3:
         mu, shapes = _dense(solve, M, count)
     else:
         operator = spla.LinearOperator((n, n), matvec=solve, dtype=np.float64)

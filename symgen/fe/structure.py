@@ -25,7 +25,7 @@ from symgen.modes.cleaning import Array
 
 NodeSet = Sequence[int] | Callable[[Array], NDArray[np.bool_]]
 
-FLAT = 1e-8  # relative size of the smallest moment of the nodes below which they lie on a line
+FLAT_NODES = 1e-8  # relative size of the smallest moment of the nodes below which they lie on a line
 
 
 def _are_nodes(value: Any) -> bool:
@@ -77,7 +77,7 @@ def interface(body: FEStructure, name: str, nodes: NodeSet, position: Array | No
     average = np.zeros((RIGID_MOTIONS, body.n_dof))
     for axis in range(AXES):
         average[axis, rows[:, axis]] = 1.0 / len(places)
-    if np.linalg.eigvalsh(moment)[0] > FLAT * max(np.trace(moment), np.finfo(float).tiny):
+    if np.linalg.eigvalsh(moment)[0] > FLAT_NODES * max(np.trace(moment), np.finfo(float).tiny):
         inverse = np.linalg.inv(moment)
         for place_rows, arm in zip(rows, arms, strict=True):
             average[AXES:, place_rows[:AXES]] += inverse @ _cross(arm)

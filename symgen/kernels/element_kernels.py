@@ -26,8 +26,8 @@ from symgen.system.equations import Element
 from symgen.system.topology import Topology
 
 TOUCH = 1e-9  # m or rad: so far beyond a stop is on it, for what was left at rest and is pressed again
-LEAST = 1e-12  # m/s or rad/s: what has just begun to slide at rest has not come to rest
-NOTHING = -1e-12  # N, N m or 1: a limit of friction that changes is negative below it, less is rounding
+LEAST_SLIDING = 1e-12  # m/s or rad/s: what has just begun to slide at rest has not come to rest
+NO_LIMIT_BELOW = -1e-12  # N, N m or 1: a limit of friction that changes is negative below it, less is rounding
 STATE = ("q_i", "q_d", "q_i_dot", "q_d_dot")
 WITHOUT = ("deflections", "deflection_response", "shifted_solution", "forward_dynamics")
 Builders = Mapping[str, Callable[[], Kernel]]
@@ -126,9 +126,11 @@ def _left(one: Element, force: ca.SX, margin: ca.SX | None) -> list[ca.SX]:
     if one.friction is not None:
         s, stuck = one.friction.mode, sub(ONE, mul(one.friction.mode, one.friction.mode))
         slack = add(mul(one.open, one.holds - ca.fabs(force)), sub(ONE, one.open))
-        left = stuck * slack + mul(s, one.rate) + LEAST * s * s
+        left = stuck * slack + mul(s, one.rate) + LEAST_SLIDING * s * s
         left = left if margin is None else ca.fmin(left, margin)
-        found.append(left if one.friction.margin is None else ca.if_else(one.friction.margin >= NOTHING, left, -1))
+        found.append(
+            left if one.friction.margin is None else ca.if_else(one.friction.margin >= NO_LIMIT_BELOW, left, -1)
+        )
     for stop in one.stops:
         away = mul(stop.mode, stop.mode)
         found.append(away * (stop.gap + TOUCH * (1 - stop.mode) / 2) + (1 - away) * (stop.side * force + one.holds))
@@ -139,7 +141,7 @@ def _where_it_is_a_limit(one: Element, holds: ca.SX) -> ca.SX:
     """What friction holds; where a limit of it has become negative or no number, that one."""
     if one.friction is None or one.friction.margin is None:
         return holds
-    return ca.if_else(one.friction.margin >= NOTHING, holds, one.friction.margin)
+    return ca.if_else(one.friction.margin >= NO_LIMIT_BELOW, holds, one.friction.margin)
 
 
 def _rates_left(name: str, locked: Locks, a: Arguments, grips: Grips) -> Kernel:

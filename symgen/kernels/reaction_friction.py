@@ -23,8 +23,8 @@ from symgen.kernels.kernel import Kernel
 from symgen.system.constraint import DerivationError
 from symgen.system.equations import Element
 
-ITERATIONS = 4
-CONTRACTION = 0.5
+FRICTION_ITERATIONS = 4
+FRICTION_CONTRACTION = 0.5
 NONE = 1e-300  # N^2: so that what is zero has a slope
 
 
@@ -110,7 +110,7 @@ class Grips:
         """(n_r,) R of a state."""
         m, N = self._affine
         R = self._sizes(m)[0]
-        for _ in range(ITERATIONS):
+        for _ in range(FRICTION_ITERATIONS):
             sizes, along = self._sizes(m + N @ R)
             R = R + ca.solve(ca.SX.eye(R.numel()) - along @ N, sizes - R)
         return self._sizes(m + N @ R)[0]
@@ -120,7 +120,7 @@ class Grips:
         """(n_r,) how far each is from the bound of the contraction."""
         N, n = self._affine[1], len(self.own)
         columns = [self._sizes(N[:, k])[0] for k in range(n)]
-        return CONTRACTION - sum(columns, ca.SX.zeros(n, 1))
+        return FRICTION_CONTRACTION - sum(columns, ca.SX.zeros(n, 1))
 
     def known(self, values: list[ca.SX]) -> list[ca.SX]:
         """With R of the state in place of its symbols."""

@@ -11,7 +11,7 @@ from symgen.joints.joint import Surroundings
 from symgen.loads.load import Acting, Load, LoadEffect, Vector
 from symgen.schema.fields import Bound, Fault, MarkerRef, Meaning, Number, Quantity, about
 
-SMALLEST = 1e-24  # m2: centres nearer than that push nowhere
+MET_CENTRES = 1e-24  # m2: centres nearer than that push nowhere
 
 
 class Contact(Load):
@@ -71,7 +71,7 @@ class Contact(Load):
         if self.plane is not None:
             n = m.along(b, [0.0, 1.0]) if len(d) == 2 else m.z(b)
             return n, m.dot(n, d)
-        length = m.larger(m.dot(d, d), SMALLEST) ** 0.5
+        length = m.larger(m.dot(d, d), MET_CENTRES) ** 0.5
         return [one / length for one in d], length - m.constant("other_radius")
 
     @property

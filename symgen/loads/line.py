@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from symgen.loads.load import Acting, Load, LoadEffect
 from symgen.schema.fields import MarkerRef, Meaning, Quantity, Scope, about
 
-SMALLEST = 1e-24  # m2: points nearer than that have met, and pull nowhere
+MET_POINTS = 1e-24  # m2: points nearer than that have met, and pull nowhere
 
 
 class Line(Load):
@@ -29,7 +29,7 @@ class Line(Load):
         """Force on b: -F(length, rate) e along the unit vector e from a to b, its opposite on a; power -F rate."""
         a, b = m.pair(self.marker_a, self.marker_b)
         d = [of_b - of_a for of_b, of_a in zip(b.r, a.r, strict=True)]
-        length = m.larger(m.dot(d, d), SMALLEST) ** 0.5
+        length = m.larger(m.dot(d, d), MET_POINTS) ** 0.5
         e = [component / length for component in d]
         rate = m.dot(e, [of_b - of_a for of_b, of_a in zip(b.r_dot, a.r_dot, strict=True)])
         pull = m.value("value", length=length, rate=rate)

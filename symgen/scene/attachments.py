@@ -20,7 +20,7 @@ from symgen.scene.parts import SceneParts
 AnyScene = TypeVar("AnyScene", bound=SceneParts)
 # a moment about it bends in that plane, or twists
 NORMALS = {"lateral": (0.0, 0.0, 1.0), "lateral_z": (0.0, 1.0, 0.0), "torsion": (1.0, 0.0, 0.0)}
-ALIGNED = 1e-9  # squared sine of the angle between two directions that are taken for one
+ALIGNED_SINE = 1e-9  # squared sine of the angle between two directions that are taken for one
 LATERAL = {
     ("welded", "free"): "clamped-free",
     ("free", "welded"): "free-clamped",
@@ -97,7 +97,7 @@ def _turns_freely(carried: Carried, plane: str) -> bool:
     if axis is None:
         return False
     size, along = sum(a * a for a in axis), sum(a * n for a, n in zip(axis, normal, strict=True))
-    return size - along * along <= ALIGNED * size
+    return size - along * along <= ALIGNED_SINE * size
 
 
 def _at(scene: SceneParts, beam: BeamBody, at: float) -> list[Carried]:

@@ -27,7 +27,7 @@ from symgen.system.structure import ExpressionReader, Read
 if TYPE_CHECKING:
     from symgen.mechanism.scene import SceneRecord
 
-SMALLEST = 1e-24  # m2: points nearer than that have met
+MET_POINTS = 1e-24  # m2: points nearer than that have met
 
 
 @dataclass(frozen=True)
@@ -52,12 +52,12 @@ def spring_between(d: Vector, d_dot: Vector, stiffness: ca.SX, damping: ca.SX, f
     if free_length.is_zero():
         spring, stored = stiffness, div(mul(stiffness, squared), ca.SX(2))
         if not damping.is_zero():
-            share = div(along, ca.fmax(squared, SMALLEST))
+            share = div(along, ca.fmax(squared, MET_POINTS))
             force = [
-                ca.if_else(squared < SMALLEST, mul(damping, rate), mul(damping, mul(share, part)))
+                ca.if_else(squared < MET_POINTS, mul(damping, rate), mul(damping, mul(share, part)))
                 for part, rate in zip(d, d_dot, strict=True)
             ]
-            lost = mul(damping, ca.if_else(squared < SMALLEST, dot(d_dot, d_dot), mul(share, along)))
+            lost = mul(damping, ca.if_else(squared < MET_POINTS, dot(d_dot, d_dot), mul(share, along)))
             return SpringForce(negative(plus(scaled(spring, d), force)), pull, stored, lost)
     else:
         length = ca.sqrt(squared)
@@ -76,11 +76,11 @@ def distance_between(d: Vector, d_dot: Vector) -> tuple[ca.SX, ca.SX]:
     Where the points meet, l' is its limit from the right, the speed |d'| with which they part.
     """
     squared = dot(d, d)
-    rate = div(dot(d, d_dot), ca.sqrt(ca.fmax(squared, SMALLEST)))
-    return ca.sqrt(squared), ca.if_else(squared < SMALLEST, ca.sqrt(dot(d_dot, d_dot)), rate)
+    rate = div(dot(d, d_dot), ca.sqrt(ca.fmax(squared, MET_POINTS)))
+    return ca.sqrt(squared), ca.if_else(squared < MET_POINTS, ca.sqrt(dot(d_dot, d_dot)), rate)
 
 
-HIGHEST = 6  # power of a polynomial along a beam
+HIGHEST_POWER = 6  # power of a polynomial along a beam
 
 
 class _Acting:
@@ -163,7 +163,7 @@ class _Acting:
     def coefficients(self, values: Sequence[ca.SX], variable: ca.SX) -> list[Vector] | None:
         """Taylor's, where the seventh derivative is zero."""
         found, slope, factorial = [], ca.vertcat(*values), 1.0
-        for power in range(HIGHEST + 1):
+        for power in range(HIGHEST_POWER + 1):
             found.append(ca.vertsplit(ca.substitute(slope, variable, ZERO) / factorial))
             slope = ca.jacobian(slope, variable)
             if not ca.depends_on(slope, variable) and slope.nnz() == 0:

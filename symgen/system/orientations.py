@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from symgen.mechanism.scene import SceneRecord
 
 AXES = "xyz"
-SMALLEST = 1e-300  # of a squared angle: keeps its root from zero, where exp has no derivative
+LEAST_SQUARED_ANGLE = 1e-300  # of a squared angle: keeps its root from zero, where exp has no derivative
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,7 @@ class RotationVector:
 
 def _half(theta: Vector) -> tuple[ca.SX, ca.SX]:
     """(|theta| / 2, its sine over it)."""
-    half = ca.sqrt(div(dot(theta, theta), ca.SX(4)) + SMALLEST)
+    half = ca.sqrt(div(dot(theta, theta), ca.SX(4)) + LEAST_SQUARED_ANGLE)
     return half, ca.sin(half) / half
 
 

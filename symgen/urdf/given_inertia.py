@@ -13,7 +13,7 @@ from symgen.schema.errors import SceneError
 from symgen.urdf.robot import Assumed, Groups, Inertia, Robot
 from symgen.urdf.tree_kinematics import RobotTree
 
-SLACK = 1e-9  # of the largest moment: what rounding of a file may exceed the rule by
+MOMENT_ROUNDING = 1e-9  # of the largest moment: what rounding of a file may exceed the rule by
 WITHOUT = (
     'give it an inertial, or fix its joint; default_inertia="meshes" takes it from its shapes, and kinematics=True '
     "reads positions alone"
@@ -71,7 +71,7 @@ def _regular(inertia: Inertia) -> bool:
 def impossible(inertia: Inertia) -> str:
     """Why no body has these moments, with the amount; "" where one can: none is negative or above the two others."""
     principal = np.linalg.eigvalsh(inertia.tensor)
-    slack, shown = SLACK * abs(principal).max(), ", ".join(f"{value:.4g}" for value in principal)
+    slack, shown = MOMENT_ROUNDING * abs(principal).max(), ", ".join(f"{value:.4g}" for value in principal)
     if principal[0] < -slack:
         return f"no body has its moments of inertia {shown}: {principal[0]:.4g} kg m^2 is negative"
     if (over := principal[2] - principal[0] - principal[1]) > slack:

@@ -22,7 +22,7 @@ from symgen.schema.errors import SceneError, did_you_mean, show
 
 TURNS_OR_SLIDES = ("revolute", "continuous", "prismatic")
 JOINTS = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
-NOISE = 1e-18  # m^2: moments of inertia a mass that come of a radius below 1 nm are a writer's rounding
+MOMENT_NOISE = 1e-18  # m^2: moments of inertia a mass that come of a radius below 1 nm are a writer's rounding
 MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 PRODUCTS = ("ixy", "ixz", "iyz")
 
@@ -308,7 +308,7 @@ def _inertia(element: Element, item: str, name: str, assumed: list[Assumed]) -> 
             assumed.append(Assumed(f"link '{name}'", f"{', '.join(absent)} = 0: its inertia has none"))
         xx, xy, xz, yy, yz, zz = (_number(tensor, key, item, 0.0 if key in PRODUCTS else None) for key in MOMENTS)
         own = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-        own[abs(own) < NOISE * value] = 0.0
+        own[abs(own) < MOMENT_NOISE * value] = 0.0
     return Inertia(value, tensor=own).in_frame(pose_of(element, item))
 
 

@@ -55,7 +55,7 @@ from symgen.urdf.robot import (
 from symgen.urdf.shape_inertia import inertia_of_shapes
 from symgen.urdf.tree_kinematics import RobotKinematics
 
-NEAR = 1e-6  # m: how far a joint of the URDF may be from the point of the body that takes it
+NEAR_ORIGIN = 1e-6  # m: how far a joint of the URDF may be from the point of the body that takes it
 
 
 @dataclass
@@ -78,7 +78,7 @@ class FlexibleLink:
         length = float(given) if isinstance(given, int | float) else 0.0
         if not length > 0:
             self._refuse("its length is no positive number", "give it in m")
-        if abs(p[1]) > NEAR or abs(p[2]) > NEAR or not -NEAR <= p[0] <= length + NEAR:
+        if abs(p[1]) > NEAR_ORIGIN or abs(p[2]) > NEAR_ORIGIN or not -NEAR_ORIGIN <= p[0] <= length + NEAR_ORIGIN:
             self._refuse(
                 f"joint '{name}' is at {_shown(p)} of it, off its line of {length:g} m",
                 "set xyz and rpy of [frame], or the length",
@@ -90,7 +90,7 @@ class FlexibleLink:
         known = {key: place for key, one in markers.items() if (place := _place(one)) is not None}
         away = {key: float(np.linalg.norm(place - p)) for key, place in known.items()}
         near = min(away, key=lambda key: away[key])
-        if not away[near] <= NEAR:
+        if not away[near] <= NEAR_ORIGIN:
             nearest = f"the nearest marker, '{near}', is {away[near]:.3g} m away"
             self._refuse(f"it has no marker at {_shown(p)}, where joint '{name}' is; {nearest}", "attach a point there")
         return dict(markers[near])
@@ -233,7 +233,7 @@ class MeshFolders:
 TYPES = {"continuous": "revolute", "fixed": "weld"}  # of a scene, where they are called otherwise
 # of bodies, joints and markers that are there without being named
 OWN_NAMES = {"ground", "origin", "center", "start", "end", "root", "root_weld"}
-LONGEST = 48
+LONGEST_NAME = 48
 
 
 class RobotBuilder(Scene):
@@ -623,7 +623,7 @@ def _split(names: list[str], robot: Robot) -> tuple[dict[str, str], dict[str, st
 
 def _plain_name(name: str) -> str:
     """The nearest name that a scene takes."""
-    plain = re.sub(r"\W", "_", name, flags=re.ASCII)[:LONGEST]
+    plain = re.sub(r"\W", "_", name, flags=re.ASCII)[:LONGEST_NAME]
     if not re.match(r"[A-Za-z]", plain) or keyword.iskeyword(plain) or plain in OWN_NAMES:
         plain = f"n_{plain}"
     return plain

@@ -26,15 +26,15 @@ def test_what_stands_twice_is_shared_with_the_same_bits(
 
     def run() -> tuple[Solution, int]:
         monkeypatch.setenv(
-            "SYMGEN_CACHE", str(tmp_path / f"{program.LONG}-{prepare.LONG}")
+            "SYMGEN_CACHE", str(tmp_path / f"{program.LONG_STAGE_NODES}-{prepare.LONG_STAGE_NODES}")
         )  # a step that is kept is read
         stepper = Stepper(scheme_kind(scheme).build(scheme, model, 1e-3, None, {}), "interpreted")
         return simulate(model, t_end=0.02, scheme=scheme, engine="interpreted"), program_length(stepper.program)
 
     wanted, usual = run()
-    monkeypatch.setattr(program, "LONG", 0)
+    monkeypatch.setattr(program, "LONG_STAGE_NODES", 0)
     _, unshared = run()
-    monkeypatch.setattr(prepare, "LONG", 0)
+    monkeypatch.setattr(prepare, "LONG_STAGE_NODES", 0)
     found, shared = run()
     assert np.array_equal(found.q, wanted.q) and np.array_equal(found.q_dot, wanted.q_dot)
     assert shared <= usual < unshared
@@ -45,6 +45,6 @@ def test_factors_too_long_to_be_written_out_are_refused(
     scheme: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path))  # where no pattern is kept
-    monkeypatch.setattr(linear_propagation, "MOST_OPERATIONS", 20)
+    monkeypatch.setattr(linear_propagation, "MOST_FACTOR_OPERATIONS", 20)
     with pytest.raises(SchemeError, match="4 independent coordinates.*operations a step.*take .*single_rate"):
         simulate(load_model(generated_folder("hub_beam")), t_end=0.01, dt=1e-3, scheme=scheme, m=None)

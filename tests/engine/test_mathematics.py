@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from runtime.contract.tape import UNUSED, Node, Tape, as_function
-from runtime.engine.llvm_code import BEST, FIRST
+from runtime.engine.llvm_code import BEST, FIRST_EFFORT
 from runtime.engine.llvm_ir import program_ir, side_by_side
 from runtime.engine.native import NativeProgram
 from runtime.engine.program import Call, Form
@@ -76,7 +76,7 @@ def test_angles_together_have_the_bits_of_angles_alone(count: int) -> None:
         return [*first, *(ca.cos(a) for a in angles[1:]), *(ca.sin(s) - ca.cos(s) for s in second)]
 
     together = evaluated(chained, x, Form())
-    alone = evaluated(chained, x, Form(chunk=1, inline=False), FIRST)
+    alone = evaluated(chained, x, Form(chunk=1, inline=False), FIRST_EFFORT)
     np.testing.assert_array_equal(together, alone)
     z = [ca.SX.sym("z", count), ca.SX.sym("c", 1)]
     stage = ca.Function("f", z, [ca.vertcat(*chained(*ca.vertsplit(z[0])))[:count]], ["z", "c"], ["z_next"])
@@ -111,7 +111,7 @@ def every_operation(a: ca.SX, b: ca.SX) -> list[ca.SX]:
     return [a + b, a - b, a * b, a / b, a**2.5, *(f(a) for f in one), *(f(a, b) for f in both), *tests, *chosen]
 
 
-@pytest.mark.parametrize("width, effort", [(1, BEST), (1, FIRST), (4, BEST)], ids=["best", "first", "lanes"])
+@pytest.mark.parametrize("width, effort", [(1, BEST), (1, FIRST_EFFORT), (4, BEST)], ids=["best", "first", "lanes"])
 def test_every_operation_equals_casadis(width: int, effort) -> None:
     """Also of zeros, infinities and no numbers; only the sign of a zero from fmin and fmax of zeros is free."""
     a, b = ca.SX.sym("a"), ca.SX.sym("b")

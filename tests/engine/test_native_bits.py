@@ -10,7 +10,7 @@ import pytest
 
 from runtime import ensemble, gradient, simulate
 from runtime.engine.interpreted import InterpretedProgram
-from runtime.engine.llvm_code import BEST, FIRST, Effort, Processor, host
+from runtime.engine.llvm_code import BEST, FIRST_EFFORT, Effort, Processor, host
 from runtime.engine.native import NativeProgram
 from runtime.engine.program import Form
 from runtime.gradients.objectives import End
@@ -44,7 +44,9 @@ def scalar(given: StepProgram, lane: int, form: Form, effort: Effort) -> np.ndar
     "slider_crank-single_rate", "best-flexible_slider_crank_free-printed", "best-flexible_slider_crank_torque-coupled"
 )
 @pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case[0]}-{case[1]}")
-@pytest.mark.parametrize("form, effort", [(Form(), BEST), (Form(chunk=25, inline=False), FIRST)], ids=["best", "first"])
+@pytest.mark.parametrize(
+    "form, effort", [(Form(), BEST), (Form(chunk=25, inline=False), FIRST_EFFORT)], ids=["best", "first"]
+)
 def test_library_mathematics_equals_the_virtual_machine(built_in: Load, case, form: Form, effort: Effort) -> None:
     given = program(built_in, case)
     expected = given.start.copy()
@@ -59,7 +61,7 @@ def test_library_mathematics_equals_the_virtual_machine(built_in: Load, case, fo
 def test_effort_and_chunks_change_no_bit(built_in: Load, case) -> None:
     given = program(built_in, case)
     expected = given.run(STEPS, Form(), BEST)
-    for chunk, effort in ((7, FIRST), (100, FIRST), (300, BEST), (300, Effort(passes=False, level=2))):
+    for chunk, effort in ((7, FIRST_EFFORT), (100, FIRST_EFFORT), (300, BEST), (300, Effort(passes=False, level=2))):
         found = given.run(STEPS, Form(chunk=chunk, inline=False), effort)
         np.testing.assert_array_equal(found, expected, err_msg=f"{chunk} {effort}")
 
@@ -72,7 +74,7 @@ def test_every_lane_is_the_run_of_its_own(built_in: Load, case, width: int) -> N
     given = program(built_in, case)
     expected = [scalar(given, lane, Form(), BEST) for lane in range(width)]
     assert not np.array_equal(expected[0], expected[-1])
-    for form, effort in ((Form(width), BEST), (Form(width, chunk=50, inline=False), FIRST)):
+    for form, effort in ((Form(width), BEST), (Form(width, chunk=50, inline=False), FIRST_EFFORT)):
         np.testing.assert_array_equal(given.run(STEPS, form, effort, scatter=SCATTER), expected, err_msg=f"{form}")
 
 

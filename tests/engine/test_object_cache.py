@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from runtime.engine import object_cache
-from runtime.engine.llvm_code import BEST, FIRST
+from runtime.engine.llvm_code import BEST, FIRST_EFFORT
 from runtime.engine.object_cache import ObjectCache
 from runtime.engine.program import Form
 from runtime.model import Model
@@ -66,7 +66,7 @@ def test_a_folder_of_another_user_is_not_used(cache: ObjectCache, monkeypatch: p
 
 
 def test_the_least_recently_used_go_first(cache: ObjectCache, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(object_cache, "MOST_BYTES", 1000)
+    monkeypatch.setattr(object_cache, "MOST_CACHE_BYTES", 1000)
     for k in range(4):
         cache.write(f"key{k}", bytes(200), 0)
         os.utime(cache.folder / f"key{k}.o", (k, k))
@@ -81,7 +81,7 @@ def test_no_folder_no_cache(tmp_path: Path, built_in: Load, monkeypatch: pytest.
     (tmp_path / "file").write_text("in the way")
     monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path / "file"))
     given = step_program(built_in("pendulum"), "single_rate", None)
-    assert np.isfinite(given.run(3, Form(), FIRST)).all()
+    assert np.isfinite(given.run(3, Form(), FIRST_EFFORT)).all()
     assert ObjectCache().refused()
 
 
@@ -103,7 +103,7 @@ def test_keys_tell_programs_and_forms_apart(cache: ObjectCache, built_in: Load) 
     assert len(cache.entries()) == kept > 0  # the step is data of the program: the same code
     given = step_program(built_in("pendulum"), "rk4", None)
     kept = len(cache.entries())
-    for form, effort in ((Form(), BEST), (Form(), FIRST), (Form(2), BEST), (Form(mathematics="library"), BEST)):
+    for form, effort in ((Form(), BEST), (Form(), FIRST_EFFORT), (Form(2), BEST), (Form(mathematics="library"), BEST)):
         given.run(1, form, effort)
     assert len(cache.entries()) == kept + 4
 

@@ -16,7 +16,7 @@ from benchmarks.contenders.by_c_compiler import CompiledProgram
 from runtime import DifferentiableRun, ensemble, load_model, resume, simulate
 from runtime.contract.tape import Table, as_function, mark, read_tape, shared
 from runtime.engine.c_source import find_compiler
-from runtime.engine.llvm_code import BEST, FIRST
+from runtime.engine.llvm_code import BEST, FIRST_EFFORT
 from runtime.engine.native import LaneCode, blocks_of, choose_engine
 from runtime.engine.program import Call, Form, operations_per_step
 from runtime.engine.rows import ManyPoints
@@ -76,7 +76,7 @@ def test_engines_and_lanes_give_the_same_bits(grid: str, interpolation: str) -> 
         for row in found:
             engine.run(row, c, 1)
         np.testing.assert_array_equal(found[:, 1:], expected, err_msg=name)
-    for width, effort in ((2, FIRST), (4, BEST), (8, BEST), (16, FIRST)):
+    for width, effort in ((2, FIRST_EFFORT), (4, BEST), (8, BEST), (16, FIRST_EFFORT)):
         blocks = blocks_of(-(-len(x) // width), 5, width)
         blocks[:, 0] = np.append(x, np.zeros(blocks[:, 0].size - len(x))).reshape(-1, width)
         LaneCode(program, Form(width, "own", 0, effort is BEST), effort).run(blocks, 0, 4, 1)

@@ -135,7 +135,7 @@ def test_long_stages_pass_values_through_the_callers_array(
 ) -> None:
     """Four instances side by side: each has all of its memory."""
     monkeypatch.setattr(c_source, "MAX_CODE_OPERATIONS", 20)
-    monkeypatch.setattr(c_source, "CHUNK", 7)
+    monkeypatch.setattr(c_source, "STATEMENTS_OF_CHUNK", 7)
     model = built_in("flexible_slider_crank")
     own, stepper = bundle(model, tmp_path), model.stepper()
     states, works = [own.z.copy() for _ in range(4)], [np.zeros(len(own.w)) for _ in range(4)]

@@ -44,7 +44,7 @@ def test_observation_closes_what_a_step_leaves_open(built_in: Load, monkeypatch:
     }
     model = built_in("four_bar")
     assert simulate(model, **settings).constraint_error.max() < 1e-11  # type: ignore[arg-type]
-    monkeypatch.setattr(observe, "MOST_CLOSURES", 0)
+    monkeypatch.setattr(observe, "MOST_OBSERVED_CLOSURES", 0)
     assert simulate(model, **settings).constraint_error.max() > 1e-11  # type: ignore[arg-type]
 
 

@@ -182,7 +182,7 @@ def test_damaged_cache_is_built_again(built_in: Load, tmp_path: Path, monkeypatc
 def test_chunked_code_agrees_bit_for_bit(built_in: Load, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Long stages are split; small limits split short ones too. Four threads must not disturb each other."""
     monkeypatch.setattr(c_source, "MAX_CODE_OPERATIONS", 20)
-    monkeypatch.setattr(c_source, "CHUNK", 7)
+    monkeypatch.setattr(c_source, "STATEMENTS_OF_CHUNK", 7)
     model = built_in(name)
     plan = make_plan(model, 0.01, None, None, "single_rate", 1, None, 0.0)
     c = model.constants(model.parameter_vector())

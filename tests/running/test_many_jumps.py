@@ -15,7 +15,7 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.steps_with_stops import StepsWithStops
-from runtime.schemes.switching.stop_program import KNOWN, StopProgram
+from runtime.schemes.switching.stop_program import KNOWN_PARTS, StopProgram
 from runtime.schemes.switching.times import switching_times
 from symgen.generate import model_of as on_demand
 from symgen.scene import Scene, SceneRecord
@@ -135,7 +135,7 @@ def test_jumps_are_crossed_by_a_native_call_for_as_many_as_it_knows(
     calls.clear()
     broken.run(z, ready, c, 300)
     jumps, x, v = pushed_by_hand(0.6)
-    assert jumps > 10 and len(calls) <= 1 + -(-2 * jumps // KNOWN)  # two parts at each
+    assert jumps > 10 and len(calls) <= 1 + -(-2 * jumps // KNOWN_PARTS)  # two parts at each
     there = own.scheme.observer(z=own.state(z), c=own.scheme.constants(c))
     assert float(there["q_i"]) == pytest.approx(x, rel=1e-11)
     assert float(there["q_i_dot"]) == pytest.approx(v, rel=1e-11)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from threadpoolctl import threadpool_info, threadpool_limits
 
-from runtime.contract.consistent_state import SMALL, dense_eigenvalues, one_thread
+from runtime.contract.consistent_state import ROWS_OF_ONE_THREAD, dense_eigenvalues, one_thread
 
 
 def threads() -> list[int]:
@@ -26,9 +26,9 @@ def before() -> Iterator[list[int]]:
 
 def test_large_matrices_take_one_thread(before: list[int]) -> None:
     """For as long as it lasts; small ones do not ask."""
-    with one_thread(SMALL):
+    with one_thread(ROWS_OF_ONE_THREAD):
         assert threads() == before
-    with one_thread(SMALL + 1):
+    with one_thread(ROWS_OF_ONE_THREAD + 1):
         assert threads() == [1] * len(before)
     assert threads() == before
     A = np.diag(np.arange(100.0))
@@ -37,7 +37,7 @@ def test_large_matrices_take_one_thread(before: list[int]) -> None:
 
 def test_who_leaves_last_gives_the_threads_back(before: list[int]) -> None:
     """Two that overlap, as in two threads: the first to come leaves first."""
-    first, second = one_thread(SMALL + 1), one_thread(SMALL + 1)
+    first, second = one_thread(ROWS_OF_ONE_THREAD + 1), one_thread(ROWS_OF_ONE_THREAD + 1)
     first.__enter__()
     second.__enter__()
     first.__exit__(None, None, None)

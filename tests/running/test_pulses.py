@@ -11,7 +11,7 @@ import pytest
 
 from runtime import Model, simulate
 from runtime.contract.consistent_state import ConsistentState
-from runtime.running.time_functions import PARTS, all_stops, pulse_times, pulses
+from runtime.running.time_functions import LOAD_PARTS, all_stops, pulse_times, pulses
 from runtime.schemes.switching.times import SwitchTime
 from symgen.scene import Scene, SceneRecord
 from tests.support.scenes import on_hinge
@@ -77,7 +77,7 @@ def test_pulses_are_those_at_the_start_of_the_run(model_of: Build) -> None:
     """A pulse that acts about theta = 1 only: found where the run starts there."""
     model = model_of(rod(f"exp(-(((t - {AT})/5e-3)**2) - ((turn - 1)/0.01)**2)"))
     c = model.constants(model.parameter_vector())
-    for place, count in ((0.0, 0), (1.0, PARTS + 1)):
+    for place, count in ((0.0, 0), (1.0, LOAD_PARTS + 1)):
         q = model.initial_q.copy()
         q[model.coordinates.index("rod.theta")] = place
         state = ConsistentState(q, model.initial_q_dot, {})
@@ -115,7 +115,7 @@ def test_where_steps_end_within_a_pulse() -> None:
         return [one.time for one in pulse_times(pulses(lambda t: np.atleast_2d(forces(t)), 0.0, 5.0), 0.0, 5.0, known)]
 
     found = times(lambda t: slow(t) + pulse(t))
-    assert len(found) == PARTS + 1 and found == sorted(found)
+    assert len(found) == LOAD_PARTS + 1 and found == sorted(found)
     assert found[0] == pytest.approx(AT - 0.012, abs=2e-3) and found[-1] == pytest.approx(AT + 0.012, abs=2e-3)
     assert times(slow) == []
     assert times(lambda t: np.sin(100 * t) ** 8) == []

@@ -107,10 +107,10 @@ def test_what_is_kept_is_bounded_and_the_oldest_goes(model: Model, monkeypatch: 
     third = of("dopri5").operations
     model.steppers.popitem()
     assert of("rk4").engine is first.engine  # now the younger one
-    monkeypatch.setattr(stepper, "MOST_OPERATIONS", first.operations + third)
+    monkeypatch.setattr(stepper, "MOST_KEPT_OPERATIONS", first.operations + third)
     of("dopri5")
     assert list(model.steppers.values())[0] is first and second not in model.steppers.values()
-    monkeypatch.setattr(stepper, "MOST_OPERATIONS", first.operations - 1)
+    monkeypatch.setattr(stepper, "MOST_KEPT_OPERATIONS", first.operations - 1)
     assert of("radau") not in model.steppers.values()
 
 

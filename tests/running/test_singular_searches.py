@@ -62,7 +62,7 @@ def test_a_motion_that_cannot_be_followed_ends_by_name(model_of: Build, monkeypa
     monkeypatch.setattr(crossing.TightIntegrator, "slope", counted)
     run = simulate(model_of(fast_rod()), scheme=scheme, dt=1e-5, t_end=0.01)
     assert run.status.name == "mass_not_positive" and 1.5e-3 < run.status.time < 2e-3
-    assert asked[0] <= 2 * crossing.MOST_EVALUATIONS
+    assert asked[0] <= 2 * crossing.MOST_CROSSING_EVALUATIONS
 
 
 @pytest.mark.usefixtures("ctrl_c")

@@ -16,7 +16,7 @@ from runtime.model import Model
 from runtime.running.planning import make_plan
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.adaptive_scheme import AdaptiveScheme
-from runtime.schemes.scheme import LARGEST
+from runtime.schemes.scheme import LARGEST_NUMBER
 from runtime.schemes.switching.times import SwitchTime
 from symgen.scene import Scene, SceneRecord
 from symgen.scenes import generated_folder
@@ -205,7 +205,7 @@ def test_no_step_crosses_a_stop(built_in: Load, scheme: str) -> None:
     assert z[layout.slice("h_least")] == pytest.approx(1e-7)  # from the last but one to the last
     assert len(ends) < plan.steps / 4  # what is seen does not shorten steps
     start, end = z[layout.slice("t_from")][0], z[layout.slice("t_to")][0]
-    assert not any(start < stop < end for stop in stops) and z[layout.slice("breakpoints")][0] == LARGEST
+    assert not any(start < stop < end for stop in stops) and z[layout.slice("breakpoints")][0] == LARGEST_NUMBER
 
 
 def test_steps_end_where_a_load_jumps(model_of: Build) -> None:

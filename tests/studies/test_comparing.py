@@ -15,7 +15,7 @@ from benchmarks.scenes.arm import arm
 from runtime import Model, SchemeError, simulate
 from runtime.contract.errors import ModelError
 from runtime.results.motion_error import amplitudes
-from runtime.running.singular.crossing import MOST_EVALUATIONS, BranchLost, TightIntegrator
+from runtime.running.singular.crossing import MOST_CROSSING_EVALUATIONS, BranchLost, TightIntegrator
 from runtime.running.step_refinement import Method, StepRefinement, affordable
 from runtime.studies.advice import methods
 from runtime.studies.advice.advise import Advice, NoAdvice, advice_data, advice_lines, advise, advised_command
@@ -139,7 +139,7 @@ def test_unknown_grades_are_named(oscillators: Model) -> None:
 
 def test_no_advice_says_what_was_tried(oscillators: Model, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("runtime.studies.advice.advise.candidates", lambda model, ratios: [Method("printed", (4,))])
-    monkeypatch.setattr("runtime.running.step_refinement.MOST_OPERATIONS", 1e3)
+    monkeypatch.setattr("runtime.running.step_refinement.MOST_OPERATIONS_OF_LEVELS", 1e3)
     with pytest.raises(NoAdvice, match=r"printed m=4"):
         advise(oscillators, t_end=1.0, parameters=PLAIN, initial=START, tolerance=1e-9)
 
@@ -212,7 +212,7 @@ def test_a_question_may_take_so_many_evaluations_and_no_more(built_in: Load) -> 
     p = model.parameter_vector()
     integrator = TightIntegrator(model, p, model.constants(p))
     y = integrator.pack(model.initial_q, model.initial_q_dot)
-    for _ in range(MOST_EVALUATIONS):
+    for _ in range(MOST_CROSSING_EVALUATIONS):
         integrator.slope(0.0, y)
     with pytest.raises(BranchLost, match="without end"):
         integrator.slope(0.0, y)

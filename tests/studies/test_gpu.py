@@ -151,7 +151,7 @@ def test_to_a_tolerance_and_in_a_folder_too(driver, tmp_path) -> None:
 
 
 def test_memory_of_the_device_is_bounded(driver, monkeypatch) -> None:
-    monkeypatch.setattr(gpu, "MOST_BYTES", 20_000)
+    monkeypatch.setattr(gpu, "MOST_DEVICE_BYTES", 20_000)
     model, given = asked("double_pendulum", 300)
     found = model.ensemble(**given, device="gpu", workers=1)
     assert found.identical(model.ensemble(**given))

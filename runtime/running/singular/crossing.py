@@ -29,7 +29,7 @@ CLOSEST = (0.1, 0.05, 0.02, 0.004, 0.0008)
 STEP_ERROR = 1e-9  # error estimate of the step over the position, relative
 CONTINUITY = 1e-5  # by how much q may miss the integral of q_dot over the step, relative to its way
 ENERGY = 1e-8  # change of energy in the step, of the largest energy in motion
-AHEAD = 3.0  # times the time that the determinant takes to zero at its present rate
+TIMES_AHEAD = 3.0  # times the time that the determinant takes to zero at its present rate
 
 
 @dataclass(frozen=True)
@@ -80,7 +80,7 @@ def approach(
     now = abs(float(integrator.determinants(t, y)[0][block]))
     if now <= height:
         return (t, y) if now > 0.5 * height else None
-    return integrator.until(t, y, t + AHEAD * left, block, height, -1)
+    return integrator.until(t, y, t + TIMES_AHEAD * left, block, height, -1)
 
 
 def cross(integrator: TightIntegrator, t: float, y: np.ndarray, block: int, largest: float) -> Crossing:
@@ -194,10 +194,10 @@ def _checked(integrator: TightIntegrator, t: float, y: np.ndarray, H: float, end
 
 # The condensed equations integrated tightly for short times: to see where a motion near a singular position leads.
 
-CLOSURES = 5  # Newton steps: stages lie near the position, and guesses of early stages are of low order
-RTOL, ATOL = 1e-11, 1e-13
-MOST_EVALUATIONS = 3_000  # of one question; a way to a singular position takes some hundreds
-LOOKS = 12  # steps at least while the determinant is followed down
+STAGE_CLOSURES = 5  # Newton steps: stages lie near the position, and guesses of early stages are of low order
+TIGHT_RTOL, TIGHT_ATOL = 1e-11, 1e-13
+MOST_CROSSING_EVALUATIONS = 3_000  # of one question; a way to a singular position takes some hundreds
+DETERMINANT_LOOKS = 12  # steps at least while the determinant is followed down
 
 
 class BranchLost(Exception):
@@ -214,17 +214,17 @@ class TightIntegrator:
         self, model: EmittedModel, p: np.ndarray, c: np.ndarray, asked: Callable[[], bool] = lambda: False
     ) -> None:
         self.model, self.p, self.c, self.asked = model, p.copy(), c.copy(), asked  # events change those of the run
-        self._rhs = model.derived("integrator", lambda: CondensedOde(model, CLOSURES).right_hand_side())
-        self._observe = model.derived("tight_observe", lambda: CondensedOde(model, CLOSURES).observe())
+        self._rhs = model.derived("integrator", lambda: CondensedOde(model, STAGE_CLOSURES).right_hand_side())
+        self._observe = model.derived("tight_observe", lambda: CondensedOde(model, STAGE_CLOSURES).observe())
         self.loops = LoopDeterminants(model, c)
-        self._left = MOST_EVALUATIONS
+        self._left = MOST_CROSSING_EVALUATIONS
 
     def pack(self, q: np.ndarray, q_dot: np.ndarray) -> np.ndarray:
         """y of a consistent state."""
         return integrated(self.model, q, q_dot)
 
     def slope(self, t: float, y: np.ndarray) -> np.ndarray:
-        """y_dot (size,). Raises BranchLost after MOST_EVALUATIONS of one question: steps shrink for ever."""
+        """y_dot (size,). Raises BranchLost after MOST_CROSSING_EVALUATIONS of one question: steps shrink for ever."""
         if self.asked():
             raise KeyboardInterrupt
         self._left -= 1
@@ -271,7 +271,7 @@ class TightIntegrator:
 
         above.terminal, above.direction = True, direction  # type: ignore[attr-defined]
         try:
-            found = self.solved(t, y, t_end, events=above, max_step=(t_end - t) / LOOKS)
+            found = self.solved(t, y, t_end, events=above, max_step=(t_end - t) / DETERMINANT_LOOKS)
         except ValueError:  # not finite
             return None
         return (float(found.t[-1]), found.y[:, -1].copy()) if found.status == 1 else None
@@ -280,8 +280,8 @@ class TightIntegrator:
         """What SciPy's solve_ivp gives. Raises BranchLost."""
         from scipy.integrate import solve_ivp  # when it is needed: importing it takes a third of a second
 
-        self._left = MOST_EVALUATIONS
-        found = solve_ivp(self.slope, (t, t_end), y, method="DOP853", rtol=RTOL, atol=ATOL, **settings)
+        self._left = MOST_CROSSING_EVALUATIONS
+        found = solve_ivp(self.slope, (t, t_end), y, method="DOP853", rtol=TIGHT_RTOL, atol=TIGHT_ATOL, **settings)
         if not found.success or not np.isfinite(found.y[:, -1]).all():
             raise BranchLost("the equations cannot be integrated near the singular position")
         return found

@@ -99,7 +99,7 @@ def by_velocities(
 # Central difference remembers q(t - h) by its increments d = q(t) - q(t - h). A coordinate that takes another's place
 # gets the increment that the closure gives for the old increments: exactly the same two positions of the mechanism.
 
-CLOSURES = 6
+EXCHANGE_CLOSURES = 6
 CONJUGATE = np.array([1.0, -1.0, -1.0, -1.0])
 
 
@@ -179,7 +179,7 @@ def _turned(model: EmittedModel, q: np.ndarray, before: np.ndarray, name: str) -
 
 def closed(model: EmittedModel, c: np.ndarray, t: float, q_i: np.ndarray, q_d: np.ndarray) -> np.ndarray:
     """q_d at q_i from a near guess, by Newton until it no longer moves."""
-    for _ in range(CLOSURES):
+    for _ in range(EXCHANGE_CLOSURES):
         q_d = np.asarray(model.evaluate("closure", q_i=q_i, q_d=q_d, t=t, c=c)["q_d_next"]).ravel()
     return q_d
 

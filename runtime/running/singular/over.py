@@ -21,7 +21,7 @@ from runtime.running.singular.crossing import (
     cross,
     turned_back,
 )
-from runtime.running.singular.singularity_monitor import NEAR_SINGULAR
+from runtime.running.singular.singularity_monitor import NEAR_SINGULAR_DETERMINANT
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.switching.event_search import first_bracket, first_passage
 from runtime.schemes.switching.watched import NEVER, are_kinks, passed, quiet_until
@@ -131,7 +131,7 @@ class Over:
 
     def _last_step(self, way: CrossingPath, first: int) -> int:
         """The first step behind the position whose determinant is good again; the last one allowed if there is none."""
-        plan, height = self.segment.plan, 1.2 * NEAR_SINGULAR * self.largest
+        plan, height = self.segment.plan, 1.2 * NEAR_SINGULAR_DETERMINANT * self.largest
         allowed = min(plan.steps, first + LONGEST_LEAVE)
         t, y = way.leaves
         if plan.time(allowed) <= t:

@@ -16,7 +16,12 @@ from runtime.contract.status import Event, Status, StatusName
 from runtime.running.singular.crossing import BranchLost, TightIntegrator, approach, cross
 from runtime.running.singular.exchange import CLEARLY, Exchange, NoVariant, best_exchange, carried, variant_of
 from runtime.running.singular.over import CrossingPath, Over
-from runtime.running.singular.singularity_monitor import FLOOR, LAST, LoopDeterminants, SingularityMonitor
+from runtime.running.singular.singularity_monitor import (
+    LAST_THRESHOLD,
+    LEAST_THRESHOLD,
+    LoopDeterminants,
+    SingularityMonitor,
+)
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.options import SchemeError
 from runtime.solutions.solution import Solution
@@ -24,7 +29,7 @@ from runtime.solutions.solution import Solution
 if TYPE_CHECKING:
     from runtime.running.run import Run
 
-FOLLOWED = 0.02  # of the largest determinant: how far a motion is followed to see where it leads
+FOLLOWED_DETERMINANT = 0.02  # of the largest determinant: how far a motion is followed to see where it leads
 
 
 @dataclass(frozen=True)
@@ -83,7 +88,7 @@ def continuation(run: Run, before: np.ndarray, n: int) -> Continuation:
     z, previous, near_singular = locate(run.segment, run.singularity, run.earlier, before, n)
     if not near_singular:
         return Continuation(run.segment, z, [], earlier=before)
-    if run.singularity.threshold < FLOOR:
+    if run.singularity.threshold < LEAST_THRESHOLD:
         return Continuation(run.segment, z, [], monitored=False)
     last = z if previous is None else previous
     found = SingularCrossing(run).go_on(last)
@@ -126,7 +131,7 @@ class SingularCrossing:
         t, y = float(observed.t[0]), integrator.pack(observed.q[0], observed.q_dot[0])
         largest = float(self.singularity.largest[block]) or height
         try:
-            near = approach(integrator, t, y, block, min(FOLLOWED * largest, 0.3 * height))
+            near = approach(integrator, t, y, block, min(FOLLOWED_DETERMINANT * largest, 0.3 * height))
         except BranchLost:  # whatever stops the motion, it is not the closure: other checks name it
             self.singularity.give_up()
             return Continuation(self.segment, z, [])
@@ -158,7 +163,7 @@ class SingularCrossing:
         try:
             segment = self._segment_with(names, observed.q[0])
         except (NoVariant, SchemeError) as error:
-            if self.singularity.threshold > LAST:
+            if self.singularity.threshold > LAST_THRESHOLD:
                 return self._look_later(z, Event(float(observed.t[0]), "no_variant", str(error)))
             return self._lost(
                 "partition_lost",

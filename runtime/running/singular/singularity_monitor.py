@@ -14,12 +14,12 @@ import numpy as np
 from runtime.contract.coordinates import parts, rate_parts
 from runtime.contract.model import EmittedModel
 
-NEAR_SINGULAR = (
+NEAR_SINGULAR_DETERMINANT = (
     0.15  # of the largest determinant so far: below this a better q_i, or a singular position, is looked for
 )
 LOWERED = 0.3  # times the threshold, where nothing better was found and no singular position lies ahead
-LAST = 0.05  # threshold below which a run without the variant that it needs stops
-FLOOR = 1e-4  # threshold below which looking again is of no use
+LAST_THRESHOLD = 0.05  # threshold below which a run without the variant that it needs stops
+LEAST_THRESHOLD = 1e-4  # threshold below which looking again is of no use
 
 
 @dataclass
@@ -28,7 +28,7 @@ class SingularityMonitor:
 
     largest: np.ndarray = field(default_factory=lambda: np.zeros(0))
     sign: np.ndarray = field(default_factory=lambda: np.zeros(0))
-    threshold: float = NEAR_SINGULAR
+    threshold: float = NEAR_SINGULAR_DETERMINANT
 
     @classmethod
     def of(cls, blocks: int) -> SingularityMonitor:
@@ -60,11 +60,11 @@ class SingularityMonitor:
 
     def give_up(self) -> None:
         """Looking again is of no use: the next near-singular step is taken unmonitored."""
-        self.threshold = LOWERED * FLOOR
+        self.threshold = LOWERED * LEAST_THRESHOLD
 
     def passed(self) -> None:
         """A singular position lies behind: signs may have changed."""
-        self.sign, self.threshold = np.zeros(len(self.largest)), NEAR_SINGULAR
+        self.sign, self.threshold = np.zeros(len(self.largest)), NEAR_SINGULAR_DETERMINANT
 
     def memory(self) -> list[list[float]]:
         """In plain numbers."""

@@ -14,8 +14,8 @@ from __future__ import annotations
 import numpy as np
 
 HOLDS = 0
-MOST = 20  # solutions beyond two for each direction
-SINGULAR = 1e-11  # of the largest of the diagonal: what is left of that of a row that follows from others
+MOST_PIVOTS = 20  # solutions beyond two for each direction
+DEPENDENT_ROW = 1e-11  # of the largest of the diagonal: what is left of that of a row that follows from others
 FORCE_ROUNDING = 1e-12  # of the largest bound, and of the accelerations that forces make
 
 
@@ -44,7 +44,7 @@ def complementary(
     without = upper <= lower  # friction whose coefficient is zero holds nothing, and goes where it is pulled
     at[without] = 1
     slack = np.where(named, 1e6 * still, still)
-    for _ in range(2 * n + MOST):
+    for _ in range(2 * n + MOST_PIVOTS):
         f = balancing(A, b, lower, upper, at, shares)
         beyond = np.where(at == HOLDS, np.maximum(f - upper, lower - f) + dust, 0.0) * np.diag(A)
         worst = int(np.argmax(beyond))
@@ -93,7 +93,7 @@ def _least(A: np.ndarray, side: np.ndarray) -> np.ndarray:
     left, largest, chosen = A.copy(), float(np.diag(A).max()), list[int]()
     while len(chosen) < len(A):
         k = int(np.argmax(np.diag(left)))
-        if left[k, k] <= SINGULAR * largest:
+        if left[k, k] <= DEPENDENT_ROW * largest:
             own = A[:, chosen]
             return times(own, solved(times(own.T, own), side[chosen])) if chosen else np.zeros(len(A))
         left = left - np.outer(left[:, k], left[k]) / left[k, k]

@@ -22,8 +22,8 @@ from runtime.contract.tape import shared
 from runtime.schemes.sparse_lu import Number, factor, solve
 
 # of the forces and accelerations that what acts there makes, and of the rates: more is no rounding
-BROKEN = 1e-6
-NOTHING = -1e-12  # a limit of friction below it is negative, see symgen/kernels/element_kernels.py
+BROKEN_LAW = 1e-6
+NO_LIMIT_BELOW = -1e-12  # a limit of friction below it is negative, see symgen/kernels/element_kernels.py
 ABOVE_ZERO = "Keep it at zero or above, as by max(0, ...), and what holds at least at what slides."
 REMEDY = "Take smaller steps or a smaller tolerance; where it comes again, tell the authors: the choice is wrong."
 
@@ -56,13 +56,13 @@ def broken_law(
     diagonal = np.maximum(np.diag(own["A"]), 1e-300)
     # by the measure of what accelerates: forces and accelerations of slides and of hinges are one kind there
     acts = (np.abs(own["b"]) + np.abs(own["A"]) @ np.abs(force)) / np.sqrt(diagonal)
-    most = BROKEN * acts.max(initial=0.0)
-    slow = BROKEN * (1.0 + np.abs(at["q_i_dot"]).max(initial=0.0))
+    most = BROKEN_LAW * acts.max(initial=0.0)
+    slow = BROKEN_LAW * (1.0 + np.abs(at["q_i_dot"]).max(initial=0.0))
     for event, mode, margin in zip(model.mode_events, modes.tolist(), left.tolist(), strict=True):
         row, side = event.row, event.side
         if not rest[row]:
             continue
-        least = most / np.sqrt(diagonal[row]) + BROKEN * abs(own["holds"][row])
+        least = most / np.sqrt(diagonal[row]) + BROKEN_LAW * abs(own["holds"][row])
         if mode == 0:
             if abs(v[row]) > slow:
                 return _no_mode(f"{event.name} holds what moves at {v[row]:.4g}")
@@ -79,7 +79,7 @@ def broken_law(
 
 def no_limit(model: EmittedModel, holds: np.ndarray) -> NoMode | None:
     """Where a limit of friction that changes during the run is none any more; holds (n_e,): see `elements`."""
-    wrong = ~(holds >= NOTHING)
+    wrong = ~(holds >= NO_LIMIT_BELOW)
     for event in model.mode_events:
         if wrong[event.row] and not event.side:
             what = "no number" if np.isnan(holds[event.row]) else "negative, or what holds less than what slides"
@@ -98,11 +98,11 @@ def broken_on_the_way(
     inverse = np.linalg.inv(own["M_hat"])
     A, free = own["G"] @ inverse @ own["G"].T, own["G"] @ (inverse @ own["Q_hat"]) + own["G_bias"]
     roots = np.sqrt(np.maximum(np.diag(A), 1e-300))
-    most = BROKEN * (np.abs(free) / roots).max(initial=0.0) / roots + BROKEN * np.abs(own["holds"])
-    slow = BROKEN * (1.0 + np.abs(at["q_i_dot"]).max(initial=0.0))
+    most = BROKEN_LAW * (np.abs(free) / roots).max(initial=0.0) / roots + BROKEN_LAW * np.abs(own["holds"])
+    slow = BROKEN_LAW * (1.0 + np.abs(at["q_i_dot"]).max(initial=0.0))
     for k in over:
         event, mode = model.mode_events[k], modes[k]
-        allowed = most[event.row] if mode == 0 else BROKEN * length if event.side else slow
+        allowed = most[event.row] if mode == 0 else BROKEN_LAW * length if event.side else slow
         if not left[k] >= -allowed:
             what = ("pulls with", "is passed by") if event.side else ("holds too much, by", "pushes what slides, at")
             return f"{event.name} {what[int(mode != 0)]} {-left[k]:.4g}"

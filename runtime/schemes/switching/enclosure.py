@@ -16,7 +16,7 @@ import numpy as np
 from runtime.contract.tape import UNUSED, Tape, marked, read_tape
 
 Interval = tuple[np.ndarray, np.ndarray]
-SLACK = 8 * np.finfo(float).eps  # relative: rounding of one operation, several times
+OPERATION_ROUNDING = 8 * np.finfo(float).eps  # relative: rounding of one operation, several times
 
 
 class Enclosure:
@@ -48,7 +48,7 @@ class Enclosure:
                 else:
                     found = _anything(low)
                     jumps |= True
-                values.append(found if node.op in EXACT else _widened(found))
+                values.append(found if node.op in EXACT_OPERATIONS else _widened(found))
         return [values[entry] for entry in self._tape.outputs[0]], jumps
 
 
@@ -59,8 +59,8 @@ def _anything(like: np.ndarray) -> Interval:
 def _widened(found: Interval) -> Interval:
     """By rounding; what is not a number may be anything."""
     low, high = found
-    low = np.where(np.isnan(low), -np.inf, low - SLACK * np.abs(np.where(np.isfinite(low), low, 0.0)))
-    high = np.where(np.isnan(high), np.inf, high + SLACK * np.abs(np.where(np.isfinite(high), high, 0.0)))
+    low = np.where(np.isnan(low), -np.inf, low - OPERATION_ROUNDING * np.abs(np.where(np.isfinite(low), low, 0.0)))
+    high = np.where(np.isnan(high), np.inf, high + OPERATION_ROUNDING * np.abs(np.where(np.isfinite(high), high, 0.0)))
     return low, high
 
 
@@ -98,7 +98,7 @@ def _cosine(low: np.ndarray, high: np.ndarray) -> Interval:
     top = np.ceil(low / turn) * turn <= high
     bottom = np.ceil((low - np.pi) / turn) * turn + np.pi <= high
     at = np.cos(low), np.cos(high)
-    slack = SLACK * (1 + np.maximum(np.abs(low), np.abs(high)))  # of the argument, which may be large
+    slack = OPERATION_ROUNDING * (1 + np.maximum(np.abs(low), np.abs(high)))  # of the argument, which may be large
     return np.where(bottom, -1.0, np.minimum(*at) - slack), np.where(top, 1.0, np.maximum(*at) + slack)
 
 
@@ -177,7 +177,7 @@ BINARY_BOUNDS: dict[int, Callable[[Interval, Interval], Interval]] = {
     ca.OP_OR: lambda a, b: (np.maximum(a[0], b[0]), np.maximum(a[1], b[1])),
     ca.OP_IF_ELSE_ZERO: _where,
 }
-EXACT = {*COMPARISONS, ca.OP_NOT, ca.OP_AND, ca.OP_OR, ca.OP_FMIN, ca.OP_FMAX, ca.OP_NEG, ca.OP_FABS}
+EXACT_OPERATIONS = {*COMPARISONS, ca.OP_NOT, ca.OP_AND, ca.OP_OR, ca.OP_FMIN, ca.OP_FMAX, ca.OP_NEG, ca.OP_FABS}
 
 
 # Bounds of a table over intervals: of part of a row by Bernstein's coefficients, of whole rows by their extremes.

@@ -1,9 +1,9 @@
 """Event location: where in a step an event happens (a zero crossing) the step itself, ended sooner, tells.
 
 A step from the same state to a share of its length is the interpolant: it is what the scheme would have done, stiff
-modes included. The bracket of a change is narrowed by bisection and inverse quadratic interpolation until it is LOCATED
-long; its end, just after the change, is the event, so that the value is past zero from there on and one passage counts
-once.
+modes included. The bracket of a change is narrowed by bisection and inverse quadratic interpolation until it is
+EVENT_LOCATION_TOLERANCE long; its end, just after the change, is the event, so that the value is past zero from
+there on and one passage counts once.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-LOCATED = 1e-12  # s
+EVENT_LOCATION_TOLERANCE = 1e-12  # s
 OF_STEP = 1e-7  # of a short step, instead
-MOST_LOOKS = 100
+MOST_ROOT_LOOKS = 100
 Looked = tuple[float, np.ndarray]  # how far [s], and the events' values (n_e,) there
 Passed = Callable[[np.ndarray, np.ndarray], list[int]]  # which events happen between two sets of values
 
@@ -25,14 +25,15 @@ Passed = Callable[[np.ndarray, np.ndarray], list[int]]  # which events happen be
 def first_passage(
     passed: Passed, at: Callable[[float], np.ndarray], low: Looked, high: Looked, length: float
 ) -> tuple[float, np.ndarray]:
-    """How far [s] into a step of this length an event has just happened, to LOCATED, and the values (n_e,) before it.
+    """How far [s] into a step of this length an event has just happened, to EVENT_LOCATION_TOLERANCE, and the
+    values (n_e,) before it.
 
     at(s): the events' values (n_e,) a part of the step on; low and high: places between which it happens.
     """
     before = low[1]
     looks: list[Looked] = [low, high]
-    width = min(LOCATED, OF_STEP * length)
-    for look in range(MOST_LOOKS):
+    width = min(EVENT_LOCATION_TOLERANCE, OF_STEP * length)
+    for look in range(MOST_ROOT_LOOKS):
         if high[0] - low[0] <= width:
             break
         guess = (low[0] + high[0]) / 2
@@ -74,31 +75,35 @@ def _zero(k: int, low: Looked, high: Looked, looks: list[Looked]) -> float:
 #     a dip            of steps of one length: the slopes at both ends lead into it, and the cubic through values and
 #                      slopes may reach zero
 #     room for zero    of steps of a tolerance, which may be long: the polynomial through the values at the ends and at
-#                      NODES on the step's interpolant, less what it does not resolve, may reach zero between them
+#                      LOOK_NODES on the step's interpolant, less what it does not resolve, may reach zero between them
 #
 # Then the step is looked at closely: intervals are halved until second differences leave no room for a zero in any
 # before the first change of sign.
 
 # of a step: no share of its length is a whole number of others, so that turns are not missed
-NODES = (0.17, 0.53, 0.83)
-SAFE = 3.0  # times the second difference of a step that is looked at closely
+LOOK_NODES = (0.17, 0.53, 0.83)
+SAFE_DIFFERENCE = 3.0  # times the second difference of a step that is looked at closely
 FORETOLD_SHARE = 0.05  # of the range of four looks: a fifth one that cubics through them foretell
-ROUNDED = 1e-13  # of the largest of them: what is constant, as the force of what rests, is not looked at for ever
-FINEST = 1e-6  # of a step: intervals are halved no further
-LEAST = 1e-3  # of the time between states that are seen
-AT_ONCE = 16  # intervals that are halved, from the left
+VALUE_ROUNDING = (
+    1e-13  # of the largest of them: what is constant, as the force of what rests, is not looked at for ever
+)
+LEAST_INTERVAL = 1e-6  # of a step: intervals are halved no further
+LEAST_SAMPLE_SHARE = 1e-3  # of the time between states that are seen
+INTERVALS_AT_ONCE = 16  # intervals that are halved, from the left
 # of a range: a quartic part of a step that must be looked at, and that next ones have
-UNRESOLVED, RESOLVED = 0.05, 0.01
-REACH = 0.25  # of the way to zero: what is so small beside it does not matter
+UNRESOLVED, RESOLVED_SHARE = 0.05, 0.01
+HARMLESS_SHARE = 0.25  # of the way to zero: what is so small beside it does not matter
 MOST_PLACES = 20_000  # where a look is a value of a function
-MOST_STEPS = 500  # where each is a step: those of a step far too long, which tells nothing, would be looked at for ever
+MOST_PLACES_OF_STEP = (
+    500  # where each is a step: those of a step far too long, which tells nothing, would be looked at for ever
+)
 
 Pair = Callable[[np.ndarray, np.ndarray], bool]  # does an event happen between two sets of values (n_e,)?
 
 
 def _to_bernstein() -> np.ndarray:
-    """(5, 5): Bernstein coefficients on [0, 1] of the polynomial of degree 4 through values at 0, NODES and 1."""
-    x = np.array([0.0, *NODES, 1.0])
+    """(5, 5): Bernstein coefficients on [0, 1] of the polynomial of degree 4 through values at 0, LOOK_NODES and 1."""
+    x = np.array([0.0, *LOOK_NODES, 1.0])
     return np.linalg.inv(np.array([[_choose(k) * s**k * (1 - s) ** (4 - k) for k in range(5)] for s in x]))
 
 
@@ -132,7 +137,9 @@ def unsure(old: Any, old_slope: Any, new: Any, new_slope: Any, h: Any) -> Any:
 
 @dataclass(frozen=True)
 class ValuesInStep:
-    """Of events at 0, NODES and 1 of a step (n_e each), by Bernstein coefficients of the polynomial through them."""
+    """Of events at 0, LOOK_NODES and 1 of a step (n_e each), by Bernstein coefficients of the polynomial through
+    them.
+    """
 
     values: list[ca.SX]
 
@@ -152,7 +159,7 @@ class ValuesInStep:
         for e in self.values[1:]:
             low, high = ca.fmin(low, e), ca.fmax(high, e)
         nearest = ca.fmax(ca.fmax(low, -high), 0)
-        return self._rest / ca.fmax(ca.fmax(high - low, REACH * nearest), 1e-300)
+        return self._rest / ca.fmax(ca.fmax(high - low, HARMLESS_SHARE * nearest), 1e-300)
 
     def room_for_zero(self) -> ca.SX:
         """(n_e,) 1 where more may happen within the step than its two ends tell."""
@@ -168,15 +175,15 @@ class ValuesInStep:
 
     def resolved(self) -> ca.SX:
         """1 where steps of this length tell how all values change."""
-        return ca.mmax(self.unresolved) <= RESOLVED
+        return ca.mmax(self.unresolved) <= RESOLVED_SHARE
 
     def longest(self, h: ca.SX, dt: ca.SX) -> ca.SX:
         """The longest step [s] after one of h [s] in which values would still be resolved.
 
-        Not shorter than h, nor than LEAST of dt [s]: what is there is rounding.
+        Not shorter than h, nor than LEAST_SAMPLE_SHARE of dt [s]: what is there is rounding.
         """
         worst = ca.mmax(self.unresolved)
-        return ca.fmax(LEAST * dt, h * ca.fmax(1.0, (RESOLVED / ca.fmax(worst, 1e-12)) ** 0.25))
+        return ca.fmax(LEAST_SAMPLE_SHARE * dt, h * ca.fmax(1.0, (RESOLVED_SHARE / ca.fmax(worst, 1e-12)) ** 0.25))
 
 
 def first_bracket(
@@ -197,8 +204,8 @@ def first_bracket(
     passing = np.array([happens(*pair) for pair in zip(e, e[1:], strict=False)])  # of each interval
     while True:
         first = int(passing.argmax()) if passing.any() else None
-        open_ = ((known < agreements) | _unsettled(s, e)) & (np.diff(s) > FINEST * (end - start))
-        k = np.flatnonzero(open_[: None if first is None else first + 1])[:AT_ONCE]
+        open_ = ((known < agreements) | _unsettled(s, e)) & (np.diff(s) > LEAST_INTERVAL * (end - start))
+        k = np.flatnonzero(open_[: None if first is None else first + 1])[:INTERVALS_AT_ONCE]
         if not len(k) or len(s) + len(k) >= most:
             return None if first is None else (float(s[first]), float(s[first + 1]))
         middles = (s[k] + s[k + 1]) / 2
@@ -219,7 +226,7 @@ def _foretold(s: np.ndarray, e: np.ndarray, k: np.ndarray, x: np.ndarray, new: n
         others = [i for i in range(4) if i != j]
         weight = np.prod([(x - at[:, i]) / (at[:, j] - at[:, i]) for i in others], axis=0)
         cubic += weight[:, None] * known[:, j]
-    allowed = FORETOLD_SHARE * np.ptp(known, axis=1) + ROUNDED * np.abs(known).max(axis=1)
+    allowed = FORETOLD_SHARE * np.ptp(known, axis=1) + VALUE_ROUNDING * np.abs(known).max(axis=1)
     return np.asarray((np.abs(new - cubic) <= allowed).all(axis=1))
 
 
@@ -230,8 +237,8 @@ def _unsettled(s: np.ndarray, e: np.ndarray) -> np.ndarray:
     bend = np.abs(np.diff(slope, axis=0) / (s[2:] - s[:-2])[:, None])  # half the second derivative
     most = np.maximum(np.vstack([bend[:1], bend]), np.vstack([bend, bend[-1:]]))
     a, b = e[:-1], e[1:]
-    dip = SAFE * most * width**2 / 4 > np.minimum(np.abs(a), np.abs(b))
-    turn = SAFE * most * width > np.abs(slope)
+    dip = SAFE_DIFFERENCE * most * width**2 / 4 > np.minimum(np.abs(a), np.abs(b))
+    turn = SAFE_DIFFERENCE * most * width > np.abs(slope)
     return np.asarray(np.where(a * b > 0, dip, turn).any(axis=1))
 
 

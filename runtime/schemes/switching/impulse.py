@@ -19,7 +19,7 @@ from runtime.contract.tape import shared
 from runtime.schemes.sparse_lu import solve_symmetric
 from runtime.schemes.switching.times import SwitchTime
 
-DUST = 1e-12  # of the largest rate: less is rounding of a rate that does not jump
+RATE_ROUNDING = 1e-12  # of the largest rate: less is rounding of a rate that does not jump
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ def _may_jump(model: EmittedModel, c: np.ndarray, switches: Sequence[SwitchTime]
     found = ca.Function("velocities", [t], [C_t, _steepness(C_t, t)])(sides.reshape(1, -1))
     values, steepness = (np.asarray(one) for one in found)
     jumps, steep = np.abs(values[:, 1::2] - values[:, 0::2]), np.maximum(steepness[:, 0::2], steepness[:, 1::2])
-    smooth = DUST * np.abs(values).max(axis=1, initial=0.0)[:, None] + steep * (sides[:, 1] - sides[:, 0])
+    smooth = RATE_ROUNDING * np.abs(values).max(axis=1, initial=0.0)[:, None] + steep * (sides[:, 1] - sides[:, 0])
     may = (jumps > smooth).any(axis=0)
     return [one for one, jumping in zip(switches, may.tolist(), strict=True) if jumping]
 
@@ -126,7 +126,7 @@ def _impulse(model: EmittedModel) -> ca.Function:
     q_dot, jump = joined(model, q_i_dot, rates[0]), joined(model, ca.SX.zeros(n_i), rates[1] - rates[0])
     largest = ca.fmax(ca.fmax(ca.norm_inf(q_dot), ca.norm_inf(rates[1])), 1e-300)
     steep = ca.fmax(*(ca.norm_inf(_steepness(one, t)) for one, t in zip(rates, (before, after), strict=True)))
-    jumps = ca.norm_inf(jump) > DUST * largest + steep * (after - before)
+    jumps = ca.norm_inf(jump) > RATE_ROUNDING * largest + steep * (after - before)
     push = ca.SX(0, 1)
     if n_i:
         M_hat = model.evaluate("condensed", **at, q_i_dot=q_i_dot, q_d_dot=rates[0], t=before)["M_hat"]

@@ -27,7 +27,7 @@ from runtime.schemes.switching.stops import AT_REST, Impact, Stops
 PIVOT = 1e-9
 MATRICES = {"M_hat", "G", "by", "A", "Q_hat_R", "holds_R", "b_R", "F_a", "F_f", "F_R"}
 # of the largest rate: what stops one that rests is less; an element whose rate is zero since its G is passes on
-PASSES = 1e-6
+PASSING_RATE = 1e-6
 MOST_TURNS, FOUND = 100, 1e-14  # of forces that are shares of reactions, which at least halve their error in a turn
 
 
@@ -99,7 +99,7 @@ def _once(
     at = _moved(model, at, start + push, c)
     for _ in range(2 if rest.any() else 1):  # the second time what the first one rounded
         own, v = weighed(model, at, c), at["q_i_dot"]
-        most = PASSES * np.abs(own["G"]).max(axis=1) * (1.0 + np.abs(v).max(initial=0.0))
+        most = PASSING_RATE * np.abs(own["G"]).max(axis=1) * (1.0 + np.abs(v).max(initial=0.0))
         stay = rest & (np.abs(own["v_rel"]) <= most)
         at = _moved(model, at, v + _at_rest(own["G"][stay], own["v_rel"][stay]), c)
     own = weighed(model, at, c)  # with the laws of those that move

@@ -16,14 +16,14 @@ import numpy as np
 from runtime.engine.native import Engine, choose_engine
 from runtime.schemes.scheme import direct
 from runtime.schemes.stepper import Stepper
-from runtime.schemes.switching.event_search import MOST_STEPS, first_bracket, first_passage, unsure
+from runtime.schemes.switching.event_search import MOST_PLACES_OF_STEP, first_bracket, first_passage, unsure
 from runtime.schemes.switching.impulse import Impulse, may_give_impulses
-from runtime.schemes.switching.stop_program import KNOWN, Restart, StopProgram, impulse_there
-from runtime.schemes.switching.times import ON_THE_GRID, Breaks, SwitchTime, within
+from runtime.schemes.switching.stop_program import KNOWN_PARTS, Restart, StopProgram, impulse_there
+from runtime.schemes.switching.times import JUMP_AT_STEP, Breaks, SwitchTime, within
 from runtime.schemes.switching.watched import NEVER, Acted, are_kinks, event_slopes, event_values, passed, quiet_until
 
-FAR = 128  # whole steps that are worth a call of the step program alone
-CHUNK = 256  # steps with stops whose parts are looked up at once
+STEPS_WORTH_A_CALL = 128  # whole steps that are worth a call of the step program alone
+STEPS_LOOKED_UP = 256  # steps with stops whose parts are looked up at once
 _LOCK = Lock()
 
 
@@ -93,7 +93,7 @@ class StepsWithStops:
         self._inside, self._waiting, self._number = (at(name).start for name in ("inside", "waiting", "number"))
         self._z[at("t0")] = self.t0
         part = found.program.part
-        self._known = self._z[at(part[0]).start : at(part[-1]).stop].reshape(len(part), KNOWN)
+        self._known = self._z[at(part[0]).start : at(part[-1]).stop].reshape(len(part), KNOWN_PARTS)
         return found
 
     def is_whole(self, z: np.ndarray, end: int) -> bool:
@@ -134,9 +134,9 @@ class StepsWithStops:
         while step < end:
             if whole[self._inside] <= 0 and not 0 <= cursor < len(self._steps):
                 cursor = self._place(step)
-            behind = min(cursor + KNOWN, len(self._steps))
+            behind = min(cursor + KNOWN_PARTS, len(self._steps))
             ahead = (self._steps[cursor] if cursor < behind else self._behind) - step
-            if min(ahead, end - step) >= FAR and self._state[0] == self.t0:
+            if min(ahead, end - step) >= STEPS_WORTH_A_CALL and self._state[0] == self.t0:
                 self.stepper.run(self._state, ready, min(ahead, end - step))
                 step = int(self._state[1])
                 continue
@@ -168,14 +168,14 @@ class StepsWithStops:
         if number == len(grid.broken) and self._behind == sys.maxsize:  # none follows
             return len(self._steps)
         if not self._first <= number < self._first + len(self._numbers) - 1:
-            steps = np.array(grid.broken[number : number + CHUNK], dtype=int)
+            steps = np.array(grid.broken[number : number + STEPS_LOOKED_UP], dtype=int)
             self._first, self._parts = number, self._looked_up(steps)
             self._steps = self._parts[0].astype(int).tolist()
             self._numbers = [*np.searchsorted(self._steps, steps).tolist(), len(self._steps)]
             following = number + len(steps)
             self._behind = grid.broken[following] if following < len(grid.broken) else sys.maxsize
             gaps = np.diff(self._steps, append=self._behind)
-            self._far = [step for step, gap in zip(self._steps, gaps.tolist(), strict=True) if gap > FAR]
+            self._far = [step for step, gap in zip(self._steps, gaps.tolist(), strict=True) if gap > STEPS_WORTH_A_CALL]
             self._jolted = np.flatnonzero(self._parts[-3]).tolist() if len(self._jolts) else []
         return self._numbers[number - self._first]
 
@@ -301,7 +301,7 @@ class _EventStep:
         while True:
             quiet = quiet_until(scheme, z).copy()
             asleep = quiet > start
-            nearly = end - ON_THE_GRID * self.steps.dt
+            nearly = end - JUMP_AT_STEP * self.steps.dt
             wakes = min((float(one) for one in quiet[asleep] if one < nearly), default=None)
             goal = length if wakes is None else wakes - start
             found = self._part(z, start, goal)
@@ -321,7 +321,7 @@ class _EventStep:
             clock = start + s
             z, happened = self._part(z, start, clock - start), ask(before, at(s))
             ends, start, length = self._act(z, clock, happened), clock, end - clock
-            if ends or length <= ON_THE_GRID * self.steps.dt:
+            if ends or length <= JUMP_AT_STEP * self.steps.dt:
                 return z, clock, ends
 
     def _looks(self, z: np.ndarray, start: float, length: float, found: np.ndarray) -> Callable[[float], np.ndarray]:
@@ -368,7 +368,7 @@ class _EventStep:
             0.0,
             length,
             agreements=1,
-            most=MOST_STEPS,
+            most=MOST_PLACES_OF_STEP,
         )
         first = length if of_events is None else of_events[0]
         return (0.0, first) if passed(scheme, at(0.0), at(first), asleep | ~kinks) else of_events

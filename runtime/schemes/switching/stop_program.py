@@ -3,8 +3,8 @@
 An application is one major step. One without stops is the scheme's own step. One with stops is made of parts, each from
 its clock by a step of its own length: a restart, what the step program reads for that length, the step, and what a
 prescribed motion whose velocity jumps at its end does. Behind the last part the state is restarted on the grid, where
-events are looked for. z knows the next KNOWN parts; where they run out within a step, an application ends there, and
-goes on when whoever runs it has given more.
+events are looked for. z knows the next KNOWN_PARTS parts; where they run out within a step, an application ends
+there, and goes on when whoever runs it has given more.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from runtime.schemes.scheme import SIDES, Lasting, Scheme
 from runtime.schemes.switching.impulse import impulse_of
 from runtime.schemes.switching.watched import NEVER, awake_sides, flagged, holds_sides, values_at, watches
 
-KNOWN = 16  # parts
+KNOWN_PARTS = 16  # parts
 # of a part: the step that it is in, its clock [s] and length [s], the same over a major step, is it the last one of the
 # step?, and of that one the clock from which steps go on [s], and t0 for it
 PART = ("step", "start", "length", "share", "last", "clock", "origin")
@@ -30,7 +30,8 @@ IMPULSE = ("jolts", "before", "after")  # may the velocity of a motion jump at i
 
 
 class StopProgram:
-    """Of a scheme whose step was prepared. Fields of z besides `state`, that of the step, and the parts (KNOWN each):
+    """Of a scheme whose step was prepared. Fields of z besides `state`, that of the step, and the parts
+    (KNOWN_PARTS each):
 
     waiting: how many are known; t0: of the grid [s]; whole, parts, back: what is to be done; inside: are parts of the
     step made already?; number: of the step; dt_seen: steps that show the state; ready: what the step program reads for
@@ -43,7 +44,7 @@ class StopProgram:
         self.n_ready = int(prepared.constants.size1_out(0))
         self.part = PART + IMPULSE if impulses else PART
         flags = ("waiting", "t0", "whole", "parts", "back", "inside", "number", "dt_seen", "event_before")
-        sizes = {"state": prepared.z_size, **dict.fromkeys(flags, 1), **dict.fromkeys(self.part, KNOWN)}
+        sizes = {"state": prepared.z_size, **dict.fromkeys(flags, 1), **dict.fromkeys(self.part, KNOWN_PARTS)}
         sizes |= {"inputs": scheme.layout.sizes.get("inputs", 0)}
         if impulses or watches(scheme):
             sizes["push"] = len(scheme.model.q_i)
@@ -64,7 +65,7 @@ class StopProgram:
             (
                 self._stage("plan", self._plan),
                 Until(whole, flag["whole"], 1, usual=1),
-                Until(Sequence((*part, self._stage("next", self._next))), flag["parts"], KNOWN, usual=1),
+                Until(Sequence((*part, self._stage("next", self._next))), flag["parts"], KNOWN_PARTS, usual=1),
                 Until(self._stage("to_grid", self._to_grid), flag["back"], 1, usual=1),
             )
         )
@@ -149,9 +150,9 @@ class StopProgram:
     def _to_grid(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
         """The state on the grid; the part behind it is gone from z, its clock and t0 are in the last places."""
         dt, c = self._dt(c), c[self.n_ready :]
-        found = self._restarted(z, c, dt, z["clock"][KNOWN - 1])
+        found = self._restarted(z, c, dt, z["clock"][KNOWN_PARTS - 1])
         fields = self.scheme.layout.unpack(found["state"][: self.scheme.layout.size])
-        fields |= {"t0": z["origin"][KNOWN - 1], "n": z["number"] + 1}
+        fields |= {"t0": z["origin"][KNOWN_PARTS - 1], "n": z["number"] + 1}
         if watches(self.scheme):
             fields = self._looked(fields, z["event_before"], c, dt)
         return {**found, "state": self._changed(z, self.scheme.layout.pack(fields)), "back": ca.SX(0)}

@@ -27,9 +27,9 @@ from runtime.schemes.switching.enclosure import Enclosure
 
 MOST_TIMES = 100_000
 MOST_PIECES = 1 << 17  # of the run, under way: from then on what is left is judged by the ends of the pieces
-NARROW = 1e-12  # of the run: changes nearer to each other are one, narrower pieces are not halved
-FINEST = 1e-18  # of the run, about zero; elsewhere floats are further apart
-MARGIN = 16 * np.finfo(float).eps  # of a time: conditions written in another way round otherwise
+NARROWEST_PIECE = 1e-12  # of the run: changes nearer to each other are one, narrower pieces are not halved
+LEAST_PIECE = 1e-18  # of the run, about zero; elsewhere floats are further apart
+CONDITION_ROUNDING = 16 * np.finfo(float).eps  # of a time: conditions written in another way round otherwise
 Signs = Callable[[np.ndarray], np.ndarray]
 
 
@@ -78,7 +78,7 @@ def switching_times(model: EmittedModel, c: np.ndarray, t0: float, t_end: float)
                 f"jumps or kinks more than {MOST_TIMES} times from {t0:g} to {t_end:g} s, and steps end at each",
                 "simulate a shorter time, or let it change smoothly",
             )
-    return _merged(found, NARROW * (t_end - t0))
+    return _merged(found, NARROWEST_PIECE * (t_end - t0))
 
 
 def conditions(model: EmittedModel, c: ca.SX, t: ca.SX) -> Iterator[tuple[str, ca.SX]]:
@@ -113,7 +113,7 @@ def _changes(value: ca.SX, t: ca.SX, t0: float, t_end: float) -> list[tuple[floa
     def at(times: np.ndarray) -> np.ndarray:
         return plain(times[:, None])[:, 0]
 
-    around = NARROW * max(t_end - t0, abs(t0), abs(t_end))  # a change at t0 or at t_end shows its two sides
+    around = NARROWEST_PIECE * max(t_end - t0, abs(t0), abs(t_end))  # a change at t0 or at t_end shows its two sides
     low, high = _pieces(Enclosure(with_slope), t0 - around, t_end + around)
     if not len(low):
         return []
@@ -127,7 +127,7 @@ def _changes(value: ca.SX, t: ca.SX, t0: float, t_end: float) -> list[tuple[floa
     after = -_last(-high, -before, lambda x: np.where(rising, at(-x) > 0, at(-x) < 0), np.where(rising, b > 0, b < 0))
     time = before + (after - before) / 2
     inside = (time >= t0 - around) & (time <= t_end + around)
-    margin = MARGIN * np.abs(time)
+    margin = CONDITION_ROUNDING * np.abs(time)
     clocks = np.column_stack([np.clip(time, t0, t_end), before - margin, after + margin])[inside]
     return [(float(one), float(two), float(three)) for one, two, three in clocks]
 
@@ -140,7 +140,7 @@ def _pieces(condition: Enclosure, t0: float, t_end: float) -> tuple[np.ndarray, 
         (value, slope), jumps = condition.bounds(low, high)
         possible = (value[0] <= 0) & (value[1] >= 0)
         one = ((slope[0] > 0) | (slope[1] < 0)) & ~jumps
-        done = possible & (one | (high - low <= NARROW * (t_end - t0)))
+        done = possible & (one | (high - low <= NARROWEST_PIECE * (t_end - t0)))
         kept.append((low[done], high[done]))
         low, high = low[possible & ~done], high[possible & ~done]
         if len(low) > MOST_PIECES:
@@ -167,7 +167,7 @@ def _soon(low: np.ndarray, high: np.ndarray, holds: Signs) -> np.ndarray:
 
 def _last(low: np.ndarray, high: np.ndarray, holds: Signs, at_low: np.ndarray) -> np.ndarray:
     """The last float in [low, high] until which a condition holds, by halving; low where it does not hold there."""
-    low, high, finest = low.copy(), np.where(at_low, high, low), FINEST * (high - low).max(initial=0.0)
+    low, high, finest = low.copy(), np.where(at_low, high, low), LEAST_PIECE * (high - low).max(initial=0.0)
     while True:
         middle = low + (high - low) / 2
         if not np.any((low < middle) & (middle < high) & (high - low > finest)):
@@ -198,8 +198,10 @@ def _merged(found: list[SwitchTime], near: float) -> list[SwitchTime]:
 
 # Which steps of a grid are broken: the times at which something jumps, within steps and at their ends.
 
-ON_THE_GRID = 1e-9  # of a step: a jump that near to the end of a step is there
-LOST = 1e-11  # of a step: by so much a part that ends at a jump may be short, so that its clocks are on their sides
+JUMP_AT_STEP = 1e-9  # of a step: a jump that near to the end of a step is there
+SHORT_PART_ROUNDING = (
+    1e-11  # of a step: by so much a part that ends at a jump may be short, so that its clocks are on their sides
+)
 
 
 @dataclass(frozen=True)
@@ -251,7 +253,7 @@ class Breaks:
             np.array([getattr(one, name) for one in switches], dtype=float) for name in ("time", "before", "after")
         )
         steps = np.floor((times - t0) / dt)
-        near = [np.abs(times - self.ends(k)) <= ON_THE_GRID * dt for k in (steps, steps + 1)]
+        near = [np.abs(times - self.ends(k)) <= JUMP_AT_STEP * dt for k in (steps, steps + 1)]
         there, step = near[0] | near[1], np.where(near[1] & ~near[0], steps + 1, steps).astype(int)
         for one, k, on in zip(switches, step.tolist(), there.tolist(), strict=True):
             (self.on if on else self.inside).setdefault(k, []).append(one)
@@ -292,9 +294,10 @@ class Breaks:
     def parts(self, steps: np.ndarray) -> StepParts:
         """Of broken steps (S,) that follow one another.
 
-        A part is as long as it is between the times at its ends, up to LOST. At a jump its clocks stay on their side:
-        one that ends at a jump starts from a clock so much sooner, one that starts behind a jump ends so much later.
-        What is between two jumps is made in halves, one with the clocks of the first, one with those of the second.
+        A part is as long as it is between the times at its ends, up to SHORT_PART_ROUNDING. At a jump its clocks
+        stay on their side: one that ends at a jump starts from a clock so much sooner, one that starts behind a
+        jump ends so much later. What is between two jumps is made in halves, one with the clocks of the first, one
+        with those of the second.
         """
         own = slice(*np.searchsorted(self._inside[0], [steps[0], steps[-1] + 1]))
         step, time, last, first = (values[own] for values in self._inside)
@@ -309,7 +312,9 @@ class Breaks:
         clocks = np.maximum(after[ends], end[ends])
         length = end - start
         clock, free = np.maximum(behind, start), np.isinf(behind)
-        short = (clock + length - before > LOST * self.dt) & ~(free & (start <= self.t0))  # loads may begin at t0
+        short = (clock + length - before > SHORT_PART_ROUNDING * self.dt) & ~(
+            free & (start <= self.t0)
+        )  # loads may begin at t0
         halved = short & ~free
         length = np.where(short, length / (1 + halved), np.minimum(length, before - clock))
         clock = np.where(short & free, before - length, clock)

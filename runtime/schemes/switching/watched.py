@@ -33,7 +33,7 @@ class Acted(NamedTuple):
 
 
 NEVER = 1e300
-SOON = 8.0  # steps in which a value comes to zero at its present rate, or at that of the step before
+STEPS_TO_ZERO = 8.0  # steps in which a value comes to zero at its present rate, or at that of the step before
 
 
 def watch_events(scheme: Scheme) -> None:
@@ -208,7 +208,7 @@ def next_values(scheme: Scheme, z: Fields, new: ca.SX) -> dict[str, ca.SX]:
     """The fields of values (n_e,) after a step. Only of events that may come to zero soon more is looked at."""
     change, near, declared = new - z["event_values"], ca.SX(0), len(scheme.model.description.events)
     for e, now, before in [*zip(*map(ca.vertsplit, (new, change, z["event_change"])), strict=True)][:declared]:
-        near = ca.fmax(near, ca.fabs(e) <= SOON * ca.fmax(ca.fabs(now), ca.fabs(before)))
+        near = ca.fmax(near, ca.fabs(e) <= STEPS_TO_ZERO * ca.fmax(ca.fabs(now), ca.fabs(before)))
     return {"event_values": new, "event_change": change, "event_near": near}
 
 

@@ -28,9 +28,12 @@ if TYPE_CHECKING:
 
     from runtime.studies.advice.reference import Reference, Trial
 
-HOPELESS = 2.0  # times the operations of the best answer so far: a refinement that needs more is given up
-SHOWN_HOPELESS, SHOWN_LEVELS = 100.0, 3  # the same of what a report always shows, unless so many levels came to the end
-DIGITS = 3  # of an advised step, which is rounded down
+HOPELESS_OPERATIONS = 2.0  # times the operations of the best answer so far: a refinement that needs more is given up
+SHOWN_HOPELESS_OPERATIONS, SHOWN_LEVELS = (
+    100.0,
+    3,
+)  # the same of what a report always shows, unless so many levels came to the end
+STEP_DIGITS = 3  # of an advised step, which is rounded down
 Note = Callable[[str], None]
 
 
@@ -63,8 +66,8 @@ class Candidate:
         if self.answer is None:
             return float("nan")
         exact = self.answer.run.segment.plan.grid.dt_L
-        unit = 10.0 ** (floor(log10(exact)) + 1 - DIGITS)
-        return float(f"{floor(exact / unit * (1 + 1e-9)) * unit:.{DIGITS}g}")
+        unit = 10.0 ** (floor(log10(exact)) + 1 - STEP_DIGITS)
+        return float(f"{floor(exact / unit * (1 + 1e-9)) * unit:.{STEP_DIGITS}g}")
 
 
 @dataclass(frozen=True)
@@ -242,7 +245,7 @@ def _refined(
             if level.status.name == "interrupted":
                 raise KeyboardInterrupt
             few = always and sum(not one.lost for one in levels) < SHOWN_LEVELS
-            if _operations(level) > (SHOWN_HOPELESS if few else HOPELESS) * best:
+            if _operations(level) > (SHOWN_HOPELESS_OPERATIONS if few else HOPELESS_OPERATIONS) * best:
                 break
     except SymgenError as error:  # a scheme that this model does not allow
         return Candidate(method, failure=str(error).splitlines()[0])

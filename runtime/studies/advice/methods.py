@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import ModelError
 from runtime.contract.model import EmittedModel
-from runtime.running.step_refinement import DENSE, Method, affordable
+from runtime.running.step_refinement import DENSE_STEP_OPERATIONS, Method, affordable
 from runtime.schemes.catalogue import SCHEMES
 from runtime.studies.advice.spectrum import StepRatios
 
@@ -76,7 +76,7 @@ def left_out(model: EmittedModel) -> str:
     names = ", ".join(one.scheme for one in ONE_OF_EACH)
     if affordable(model):
         return f"not tried with {n} coordinates: dense methods beside {names}"
-    price = f"{DENSE * n**3 / 1e6:.1f} million operations a step"
+    price = f"{DENSE_STEP_OPERATIONS * n**3 / 1e6:.1f} million operations a step"
     return f"not tried with {n} coordinates: {names} and other dense methods, {price}"
 
 

@@ -25,9 +25,9 @@ from runtime.running.step_refinement import RefinementLevel
 from runtime.solutions.solution import Solution
 from runtime.studies.advice.methods import checked_grades
 
-RTOL, ATOL = 1e-11, 1e-13
-FINE = 2**40  # parts of a motion, of which times are multiples
-LOOSER = 100.0  # its own error is estimated from a path with tolerances this much looser
+REFERENCE_RTOL, REFERENCE_ATOL = 1e-11, 1e-13
+PARTS_OF_MOTION = 2**40  # parts of a motion, of which times are multiples
+LOOSER_TOLERANCES = 100.0  # its own error is estimated from a path with tolerances this much looser
 Path = Callable[[np.ndarray], np.ndarray]
 
 
@@ -92,7 +92,9 @@ def independent_reference(
     refuse_events(model, "comparisons of methods")
     names = checked_grades(model, graded)
     problem = Problem.of(model, t_end, parameters, initial, start)
-    tight, looser = (reference_path(problem, RTOL * factor, ATOL * factor) for factor in (1.0, LOOSER))
+    tight, looser = (
+        reference_path(problem, REFERENCE_RTOL * factor, REFERENCE_ATOL * factor) for factor in (1.0, LOOSER_TOLERANCES)
+    )
     arguments = {"parameters": parameters, "initial": initial, "start": start}
     found = Reference(problem, tight, names, 0.0, arguments)
     times = _times(problem, 100)
@@ -102,7 +104,7 @@ def independent_reference(
 def _times(problem: Problem, count: int) -> np.ndarray:
     """(N,) times of a motion [s], rising, that no vibration is in phase with; the last one is its end."""
     span = problem.t_end - problem.t0
-    return problem.t0 + span / FINE * comparison_steps(FINE, most=count)
+    return problem.t0 + span / PARTS_OF_MOTION * comparison_steps(PARTS_OF_MOTION, most=count)
 
 
 def reference_path(problem: Problem, rtol: float, atol: float) -> Path:
@@ -135,10 +137,12 @@ def reference_path(problem: Problem, rtol: float, atol: float) -> Path:
 
 # A run that was made to be compared: its true error by the reference, what it says of it, CPU time, evaluations.
 
-REPEATS = (5, 100)  # at least, at most
-ENOUGH = 0.03  # s: repeats last this long together; a single run that does is timed once
-LOW = 0.25  # quantile of the repeats that counts: where others run, a clock of CPU time may miss most of a call
-HOPELESS = 1.0  # relative error from which a run counts as failed
+TIMED_REPEATS = (5, 100)  # at least, at most
+ENOUGH_SECONDS = 0.03  # s: repeats last this long together; a single run that does is timed once
+TIME_QUANTILE = (
+    0.25  # quantile of the repeats that counts: where others run, a clock of CPU time may miss most of a call
+)
+FAILED_ERROR = 1.0  # relative error from which a run counts as failed
 
 
 @dataclass(frozen=True)
@@ -173,7 +177,7 @@ def trial_of(label: str, level: RefinementLevel, reference: Reference) -> Trial:
     at = first.plan.t0 + level.reached * dt  # samples alone, evenly spaced, may be in phase with a vibration
     q = np.concatenate([level.compared[0], compared_motion(reference.problem.model, samples)])
     error = reference.error(np.concatenate([at, samples.t]), q)
-    if not reference.worst(error) < HOPELESS:
+    if not reference.worst(error) < FAILED_ERROR:
         return Trial(label, dt, *made, np.inf, np.inf, failure="error above the motion itself")
     errors = {name: error.relative[name] for name in reference.graded}
     ends = reference.at_end(error)
@@ -188,13 +192,13 @@ def compared_motion(model: EmittedModel, samples: Solution) -> np.ndarray:
 def seconds_of(level: RefinementLevel) -> float:
     """CPU time of the steps of a level alone, in one call [s]; of one that passes singular positions, of the run."""
     run, first = level.run, level.run.record.segments[0]
-    if len(run.record.segments) > 1 or run.schedule is not None or level.lost or level.seconds > ENOUGH:
+    if len(run.record.segments) > 1 or run.schedule is not None or level.lost or level.seconds > ENOUGH_SECONDS:
         return level.seconds
     first.stepper.finish()
     z0, times = first.start(run.problem.state.q, run.problem.state.q_dot), list[float]()
-    while len(times) < REPEATS[0] or (len(times) < REPEATS[1] and sum(times) <= ENOUGH):
+    while len(times) < TIMED_REPEATS[0] or (len(times) < TIMED_REPEATS[1] and sum(times) <= ENOUGH_SECONDS):
         z = z0.copy()
         began = time.process_time()
         first.advance(z, level.steps)
         times.append(time.process_time() - began)
-    return float(np.quantile(times, LOW))
+    return float(np.quantile(times, TIME_QUANTILE))

@@ -25,8 +25,8 @@ from runtime.running.monitor import known_slopes
 from runtime.running.problem import Problem
 from runtime.solutions.solution import Solution
 
-STATES = 5  # of the motion at which the equations are linearised
-MOST = 20  # of a ratio of groups: longer steps of the slow ones lose what couples them
+LINEARISED_STATES = 5  # of the motion at which the equations are linearised
+MOST_RATIO = 20  # of a ratio of groups: longer steps of the slow ones lose what couples them
 MOST_SUB_STEPS = 8  # of all coordinates on one linear system
 UNKNOWN = 5  # where a model cannot be linearised
 
@@ -56,7 +56,7 @@ def step_ratios(problem: Problem, motion: Solution | None = None) -> StepRatios:
         return StepRatios((1,) * (count - 1) + (UNKNOWN,) * min(count, 1), UNKNOWN)
     moved = float(moving_rates(problem, motion).max(initial=0.0))
     fastest, needed = frequencies[-1], max(moved, frequencies[0] if count else 0.0)
-    found = tuple(_ratio(b, a, MOST) for a, b in zip(frequencies, frequencies[1:], strict=False))
+    found = tuple(_ratio(b, a, MOST_RATIO) for a, b in zip(frequencies, frequencies[1:], strict=False))
     return StepRatios(found, _ratio(fastest, needed, MOST_SUB_STEPS))
 
 
@@ -95,7 +95,7 @@ def _states(problem: Problem, motion: Solution | None) -> list[State]:
     model = problem.model
     states = [(problem.t0, problem.state.q, problem.state.q_dot)]
     if motion is not None and len(motion.t) > 1:
-        at = np.unique(np.linspace(0, len(motion.t) - 1, STATES).astype(int))
+        at = np.unique(np.linspace(0, len(motion.t) - 1, LINEARISED_STATES).astype(int))
         states += [(float(motion.t[k]), motion.q[k], motion.q_dot[k]) for k in at]
     return [State(t, *independent(model, q, q_dot), loop_part(model, q)) for t, q, q_dot in states]
 

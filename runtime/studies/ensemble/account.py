@@ -16,10 +16,17 @@ from runtime.contract.coordinates import joined, length_rows
 from runtime.contract.model import EmittedModel
 from runtime.contract.status import StatusName
 from runtime.engine.program import Fields
-from runtime.running.monitor import CLOSURE_LIMIT, CONSTRAINT_LIMIT, GROWTH_LIMIT, MOST_DEFLECTION, MOST_TURN, observed
-from runtime.running.singular.singularity_monitor import NEAR_SINGULAR
-from runtime.running.stepped_model import HIGHEST, LOWEST
-from runtime.schemes.scheme import LARGEST, Scheme
+from runtime.running.monitor import (
+    CLOSURE_LIMIT,
+    CONSTRAINT_LIMIT,
+    GROWTH_LIMIT,
+    MOST_DEFLECTION,
+    MOST_TURN_OF_BODY,
+    observed,
+)
+from runtime.running.singular.singularity_monitor import NEAR_SINGULAR_DETERMINANT
+from runtime.running.stepped_model import NO_HIGHEST, NO_LOWEST
+from runtime.schemes.scheme import LARGEST_NUMBER, Scheme
 from runtime.schemes.switching.watched import NEVER, watches
 
 NAME = f"U{max(map(len, get_args(StatusName)))}"  # of a status, as NumPy keeps it
@@ -94,7 +101,7 @@ class LaneAccount:
         """May an event have happened, or has its condition no finite value?"""
         if not watches(self.scheme):
             return ca.SX(0)
-        return ca.logic_or(s["event_step"] < NEVER, ca.logic_not(ca.sum1(ca.fabs(s["event_values"])) < LARGEST))
+        return ca.logic_or(s["event_step"] < NEVER, ca.logic_not(ca.sum1(ca.fabs(s["event_values"])) < LARGEST_NUMBER))
 
     def _monitored(self, z: Fields, s: Fields) -> tuple[ca.SX, dict[str, ca.SX]]:
         """(is the determinant of a loop block small, or has it changed its sign?, what is kept of them).
@@ -107,8 +114,10 @@ class LaneAccount:
             least, most = ca.fmin(ca.fabs(low), ca.fabs(high)), ca.fmax(ca.fabs(low), ca.fabs(high))
             largest[k] = ca.fmax(most, largest[k])
             changed = ca.logic_or(low * high <= 0, z["before"][k] * low < 0)
-            near_singular = ca.logic_or(near_singular, ca.logic_or(least < NEAR_SINGULAR * largest[k], changed))
-        fresh = {"det_low": LOWEST * ca.SX.ones(self.blocks), "det_high": HIGHEST * ca.SX.ones(self.blocks)}
+            near_singular = ca.logic_or(
+                near_singular, ca.logic_or(least < NEAR_SINGULAR_DETERMINANT * largest[k], changed)
+            )
+        fresh = {"det_low": NO_LOWEST * ca.SX.ones(self.blocks), "det_high": NO_HIGHEST * ca.SX.ones(self.blocks)}
         state = self.scheme.layout.pack({**s, **fresh})
         return near_singular, {"scheme": state, "largest": largest, "before": s["det_high"]}
 
@@ -201,6 +210,6 @@ def _bent(model: EmittedModel, p: ca.SX, q_i: ca.SX, q_d: ca.SX) -> ca.SX:
         length = ca.norm_2(extent)
         for _, start, stop in own:
             moved = ca.norm_2(ca.mtimes(drawn["shapes"][:, start:stop], q[modes])) / (MOST_DEFLECTION * length)
-            turned = ca.norm_2(ca.mtimes(drawn["turns"][:, start:stop], q[modes])) / MOST_TURN
+            turned = ca.norm_2(ca.mtimes(drawn["turns"][:, start:stop], q[modes])) / MOST_TURN_OF_BODY
             worst = ca.fmax(worst, ca.fmax(ca.if_else(length > 0, moved, 0), turned))
     return worst

@@ -24,7 +24,15 @@ from runtime.studies.ensemble.ensemble_result import ensemble_result
 from runtime.studies.ensemble.ensemble_spec import DEVICES, EnsembleSpec
 from runtime.studies.ensemble.lane_programs import programs_of
 from runtime.studies.ensemble.lane_runs import LaneResults
-from runtime.studies.ensemble.parts import CHUNK, GPU_CHUNK, Executor, HereExecutor, Maker, in_parts, study_folder
+from runtime.studies.ensemble.parts import (
+    CASES_OF_PART,
+    GPU_CHUNK,
+    Executor,
+    HereExecutor,
+    Maker,
+    in_parts,
+    study_folder,
+)
 from runtime.studies.ensemble.refined_rows import rows_of
 from runtime.studies.ensemble.refinement import refuse_steps
 from runtime.studies.ensemble.starts import columns_by_name, table_of, with_functions
@@ -147,7 +155,7 @@ def ensemble(
             scheme=scheme, m=m, options=options, t0=t0, t_end=t_end, spacing=spacing,
         )  # fmt: skip
         _check_names(spec)
-    usual = GPU_CHUNK if device == "gpu" else CHUNK
+    usual = GPU_CHUNK if device == "gpu" else CASES_OF_PART
     size, tries = _whole("chunk", usual if chunk is None else chunk, 1), _whole("retries", retries, 0)
     if executor is not None and not (hasattr(executor, "submit") or callable(executor)):
         raise ArgumentError("executor", f"{executor!r} has no submit", "give an executor, or a function that makes one")

@@ -15,9 +15,9 @@ from runtime.running.problem import Plan
 from runtime.studies.ensemble.account import REDUCTIONS
 from runtime.studies.ensemble.refinement import Refinement, compared_names, refinement_of
 
-DATA = ("steps", "dt", "seen_steps", "end")  # of a plan's numbers: what lanes are given, not compiled for
+LANE_DATA = ("steps", "dt", "seen_steps", "end")  # of a plan's numbers: what lanes are given, not compiled for
 DEVICES = ("cpu", "gpu")
-LOOK_STEPS, MOST_LOOKS = 250, 16  # a run is looked at about every so many steps, at most so often
+LOOK_STEPS, MOST_LOOKS_OF_RUN = 250, 16  # a run is looked at about every so many steps, at most so often
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +76,7 @@ class EnsembleSpec:
         """Do the two differ in their samples and the number of steps only? Both are data of lanes."""
 
         def of(one: EnsembleSpec) -> tuple[object, ...]:
-            numbers = {name: value for name, value in one.plan.numbers.items() if name not in DATA}
+            numbers = {name: value for name, value in one.plan.numbers.items() if name not in LANE_DATA}
             return numbers, one.plan.end is None, one.start, one.outputs, one.reduced, one.device
 
         return self.model is other.model and of(self) == of(other)
@@ -112,7 +112,7 @@ class EnsembleSpec:
     def looks(self) -> list[int]:
         """Steps after which all lanes are looked at."""
         steps = self.plan.steps
-        count = min(MOST_LOOKS, max(1, steps // LOOK_STEPS))
+        count = min(MOST_LOOKS_OF_RUN, max(1, steps // LOOK_STEPS))
         return sorted({max(1, steps * k // count) for k in range(1, count + 1)})
 
     @property

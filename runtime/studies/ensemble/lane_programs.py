@@ -10,7 +10,7 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from runtime.contract.consistent_state import MAX_ITERATIONS
+from runtime.contract.consistent_state import MAX_ASSEMBLY_ITERATIONS
 from runtime.contract.coordinates import mechanism_length
 from runtime.contract.model import EmittedModel
 from runtime.engine.gpu import GpuCode, the_gpu
@@ -18,16 +18,16 @@ from runtime.engine.native import LaneCode, lane_form, lane_width, once_form, pr
 from runtime.engine.prepare import Prepared, prepare
 from runtime.engine.program import Call, Fields, Layout, Program, Repeat, Sequence, Until, make_stage
 from runtime.operating.given_state import closable, closing, fitting
-from runtime.running.stepped_model import HIGHEST, LOWEST
+from runtime.running.stepped_model import NO_HIGHEST, NO_LOWEST
 from runtime.running.stepping import may_jump
-from runtime.schemes.scheme import LARGEST, Scheme
+from runtime.schemes.scheme import LARGEST_NUMBER, Scheme
 from runtime.schemes.stepper import start_there
 from runtime.schemes.switching.impulse import moves_in_time
 from runtime.schemes.switching.stop_program import StopProgram
 from runtime.schemes.switching.watched import looking, with_events
 from runtime.start.quasi_static import (
-    MAX_STEPS,
-    PASSES,
+    MAX_SETTLING_STEPS,
+    SETTLING_PASSES,
     elastic_residual,
     leading,
     positions,
@@ -226,7 +226,7 @@ def begin_program(
             observed = (("q", q), ("q_dot", q_dot))
             return found | {name: ca.if_else(z["asked"] > 0, value, z[name]) for name, value in observed}
 
-        parts += [Until(stage("begin_close", close), flag, MAX_ITERATIONS, 4), stage("begin_fit", fit)]
+        parts += [Until(stage("begin_close", close), flag, MAX_ASSEMBLY_ITERATIONS, 4), stage("begin_fit", fit)]
     if "settled" in row.sizes:
         parts.append(settle_program(model, row, stage))
     parts.append(stage("begin_ready", lambda z: {"ready": prepared.constants(ca.vertcat(z["c"], z["h"]))}))
@@ -275,7 +275,7 @@ def _started(model: EmittedModel, scheme: Scheme, lane: Layout, z: Fields) -> ca
     fields = scheme.layout.unpack(state)
     blocks = scheme.layout.sizes["det_low"]
     fields |= {"t0": z["t"] + (z["clock"] - z["t"]), "n": ca.SX(0)}
-    fields |= {"det_low": LOWEST * ca.SX.ones(blocks), "det_high": HIGHEST * ca.SX.ones(blocks)}
+    fields |= {"det_low": NO_LOWEST * ca.SX.ones(blocks), "det_high": NO_HIGHEST * ca.SX.ones(blocks)}
     fields = looking(scheme, fields, c)
     empty = {name: ca.SX.zeros(size) for name, size in lane.sizes.items()}
     if "stop_t0" in lane.sizes:
@@ -323,7 +323,7 @@ def settle_program(model: EmittedModel, row: Layout, stage: StageMaker) -> Progr
         if at and rigid:
             q[rigid] = q[rigid] + lead * z["q_i_dot"][rigid]
         open_ = z["settle"] * (z["settle_lead"] > 0 if at else 1)
-        return {"settle_q": q, "settle_t": z["t"] + lead, "settle_open": open_, "settle_work": ca.SX(LARGEST)}
+        return {"settle_q": q, "settle_t": z["t"] + lead, "settle_open": open_, "settle_work": ca.SX(LARGEST_NUMBER)}
 
     def sides(z: Fields) -> tuple[ca.SX, ca.SX]:
         later, before = smooth_sides(model)(z["t"], z["settle_lead"], z["c"])
@@ -361,7 +361,9 @@ def settle_program(model: EmittedModel, row: Layout, stage: StageMaker) -> Progr
         q_d = elastic_residual(model)(z["t"], z["q_i"], z["q_i_dot"], loop(z), z["c"])[3]
         return {"q_d": ca.if_else(z["settle"] > 0, q_d, z["q_d"])}
 
-    solve = Until(stage("settle_step", step), row.slice("settle_open").start, MAX_STEPS, USUAL_STEPS)
+    solve = Until(stage("settle_step", step), row.slice("settle_open").start, MAX_SETTLING_STEPS, USUAL_STEPS)
     parts = [stage("settle_here", lambda z: placed(z, z["q_i"], 0)), solve, stage("settle_ahead", ahead), solve]
     parts += [stage("settle_behind", behind), solve, stage("settle_rate", rate)]
-    return Sequence((stage("settle_begin", begin), Repeat(Sequence(tuple(parts)), PASSES), stage("settle_end", end)))
+    return Sequence(
+        (stage("settle_begin", begin), Repeat(Sequence(tuple(parts)), SETTLING_PASSES), stage("settle_end", end))
+    )

@@ -19,21 +19,21 @@ from runtime.running.problem import Plan
 from runtime.running.time_functions import all_stops
 from runtime.schemes.switching.impulse import may_give_impulses
 from runtime.schemes.switching.steps_with_stops import parts_of
-from runtime.schemes.switching.stop_program import KNOWN
+from runtime.schemes.switching.stop_program import KNOWN_PARTS
 from runtime.schemes.switching.times import Breaks, switching_times
 from runtime.studies.ensemble.account import ALONE, FOUND, NAME, cause_of, judged
 from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.lane_programs import LanePrograms, programs_of
 from runtime.studies.ensemble.starts import Starts
 
-LEAST_JOB = 256  # cases that a thread runs at a time, at least
+LEAST_LANE_JOB = 256  # cases that a thread runs at a time, at least
 JOB_SECONDS = 0.01  # of native code in a job: what Python does for one takes about 0.3 ms, and holds up other threads
-JOB_BYTES = 1 << 23  # of rows and values
+LANE_JOB_BYTES = 1 << 23  # of rows and values
 GPU_JOB_BYTES = 1 << 28  # of a job whose steps a GPU makes
 JOBS_A_WORKER = 16  # where cases are few: no thread waits long for the last one, and Ctrl-C is heard
 SECONDS_PER_OPERATION = 2.5e-11  # of a step of one lane
 GPU_CASES = 100  # that a GPU steps in the time of one lane, at least
-LONGEST_CALL = 0.2  # s, so that Ctrl-C and progress are heard
+SECONDS_OF_CALL = 0.2  # s, so that Ctrl-C and progress are heard
 
 
 TOLD = ("values", "status", "time", "errors", "steps", "steps_of_all_levels")  # of a case
@@ -91,11 +91,11 @@ class LaneRuns:
         """Cases of a job of a study: what one of so many threads runs at a time."""
         programs = self.programs
         if self.spec.device == "gpu":
-            return max(LEAST_JOB, min(cases, GPU_JOB_BYTES // (8 * (programs.row.size + self.spec.width))))
+            return max(LEAST_LANE_JOB, min(cases, GPU_JOB_BYTES // (8 * (programs.row.size + self.spec.width))))
         by_time = JOB_SECONDS / (SECONDS_PER_OPERATION * programs.operations * self.steps)
-        by_room = JOB_BYTES / (8 * (programs.row.size + self.spec.width))
+        by_room = LANE_JOB_BYTES / (8 * (programs.row.size + self.spec.width))
         wanted = ceil(min(by_time, by_room, cases / (JOBS_A_WORKER * workers)))
-        return max(LEAST_JOB, -(-wanted // programs.width) * programs.width)
+        return max(LEAST_LANE_JOB, -(-wanted // programs.width) * programs.width)
 
     def run(self, starts: Starts, stopped: Callable[[], bool] = lambda: False) -> LaneResults | None:
         """All runs of these cases; None if `stopped` said so on the way."""
@@ -210,7 +210,7 @@ class LaneRuns:
         """Steps of a native call."""
         side_by_side = GPU_CASES if self.spec.device == "gpu" else 1
         seconds = SECONDS_PER_OPERATION * self.programs.operations * self.programs.width * blocks / side_by_side
-        return max(1, int(LONGEST_CALL / seconds))
+        return max(1, int(SECONDS_OF_CALL / seconds))
 
     def _first_samples(self, blocks: np.ndarray, cases: int) -> np.ndarray:
         """Room for samples (cases, outputs, times), the first of them there; none where values are reduced."""
@@ -320,20 +320,20 @@ class LaneStops:
             self._of[case], self.clocks[case] = known[key], clocks[known[key]]
         counts = [int(np.unique(parts[0], return_counts=True)[1].max(initial=0)) for parts in self._parts]
         jumps = np.array([parts.shape[1] > 0 for parts in self._parts])
-        self.alone |= (np.array(counts) > KNOWN)[self._of] | (pulses & jumps)[self._of]
+        self.alone |= (np.array(counts) > KNOWN_PARTS)[self._of] | (pulses & jumps)[self._of]
 
     def ahead(self, step: int) -> tuple[np.ndarray, np.ndarray, int]:
-        """(parts (cases, fields, KNOWN) from a step on, how many (cases,), the step that they suffice until)."""
+        """(parts (cases, fields, KNOWN_PARTS) from a step on, how many (cases,), the step that they suffice until)."""
         tables, counts, until = [], [], sys.maxsize
         for parts, steps in zip(self._parts, self._steps, strict=True):
             first = int(np.searchsorted(steps, step))
-            known = parts[:, first : first + KNOWN]
+            known = parts[:, first : first + KNOWN_PARTS]
             counts.append(known.shape[1])
-            tables.append(np.pad(known, ((0, 0), (0, KNOWN - known.shape[1]))))
+            tables.append(np.pad(known, ((0, 0), (0, KNOWN_PARTS - known.shape[1]))))
         for k in np.unique(self._of[~self.alone]):
             first = int(np.searchsorted(self._steps[k], step))
-            if first + KNOWN < len(self._steps[k]):
-                until = min(until, int(self._steps[k][first + KNOWN]))
+            if first + KNOWN_PARTS < len(self._steps[k]):
+                until = min(until, int(self._steps[k][first + KNOWN_PARTS]))
         return np.array(tables)[self._of], np.array(counts)[self._of], until
 
 

@@ -15,8 +15,8 @@ from runtime.contract.model import EmittedModel
 from runtime.engine.program import Call, Fields, Layout, Program, Until, make_stage
 from runtime.engine.program import Sequence as InSequence
 from runtime.results.named_outputs import ORDERS, Column, column
-from runtime.schemes.scheme import LARGEST, Scheme
-from runtime.solutions.observe import CLOSURE_TOLERANCE, MOST_CLOSURES
+from runtime.schemes.scheme import LARGEST_NUMBER, Scheme
+from runtime.solutions.observe import MOST_OBSERVED_CLOSURES, OBSERVED_CLOSURE_TOLERANCE
 
 KERNELS = ("energy", "measures", "reactions")
 
@@ -63,7 +63,7 @@ class Observation:
                     make_stage("observed_rates", layout, c_size, self._rates),
                 )
             )
-            parts.append(Until(body, layout.slice("seen_open").start, MOST_CLOSURES, 1))
+            parts.append(Until(body, layout.slice("seen_open").start, MOST_OBSERVED_CLOSURES, 1))
         parts += [self._kernel_stage(layout, c_size, name) for name in self.kernels]
         if any(one.suffixes for one in self.columns):
             parts.append(make_stage("observed_state", layout, c_size, self._states))
@@ -82,8 +82,8 @@ class Observation:
             e = whole[self.model.places.parameters.ravel().tolist()]
             c, q_d = ca.vertcat(c[: at.start], e, c[at.stop :]), charts.zeroed_dependent(q_d)
         found = self.model.evaluate("closure", q_i=z["seen_i"], q_d=q_d, t=z["seen_t"], c=c)
-        tolerance = CLOSURE_TOLERANCE * ca.fmax(1, ca.norm_inf(q_d))
-        finite = ca.sum1(ca.fabs(found["q_d_next"])) < LARGEST
+        tolerance = OBSERVED_CLOSURE_TOLERANCE * ca.fmax(1, ca.norm_inf(q_d))
+        finite = ca.sum1(ca.fabs(found["q_d_next"])) < LARGEST_NUMBER
         open_ = ca.logic_and(ca.norm_inf(found["C_loop"]) > tolerance, finite)
         return {"seen_open": open_, "seen_d": ca.if_else(open_, found["q_d_next"], q_d)}
 

@@ -29,9 +29,9 @@ from runtime.studies.ensemble.lane_runs import TOLD, LaneResults
 from runtime.studies.ensemble.refined_rows import rows_of
 from runtime.studies.ensemble.refinement import Refinement
 
-CHUNK = 1000  # cases of a part
+CASES_OF_PART = 1000  # cases of a part
 GPU_CHUNK = 1 << 16  # where a GPU makes the steps
-AHEAD = 4  # parts a worker that wait
+WAITING_PARTS = 4  # parts a worker that wait
 WORKERS = 16  # of an executor that does not say how many it has
 HEADER = "study.json"
 PAUSE = 0.005  # s from look to look at what is running
@@ -233,7 +233,7 @@ class _Workers:
         self, job: Job, table: np.ndarray, left: list[int], chunk: int, threads: int, stopped: Callable[[], bool]
     ) -> Iterator[tuple[int, Any]]:
         """(first case, what a worker gave), as they are done."""
-        ahead = AHEAD * (getattr(self._pool, "_max_workers", None) or WORKERS)
+        ahead = WAITING_PARTS * (getattr(self._pool, "_max_workers", None) or WORKERS)
         while (left or self._running) and not stopped():
             try:
                 while left and len(self._running) < ahead:

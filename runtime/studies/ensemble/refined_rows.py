@@ -16,24 +16,39 @@ import numpy as np
 
 from runtime.contract.status import StatusName
 from runtime.results.motion_error import errors_of_many
-from runtime.running.outcome import LARGEST
-from runtime.running.step_refinement import ACCURATE, AFTER_LOST, MOST, RICHARDSON, SAFETY, SHOWN, SOON, STAGNANT
+from runtime.running.outcome import INACCURATE_ERROR
+from runtime.running.step_refinement import (
+    ACCURATE,
+    AFTER_LOST,
+    LEVELS_TO_STAGNATE,
+    MOST_GROWTH,
+    RICHARDSON_SAFETY,
+    SHOWN_ORDER,
+    STAGNANT_DIFFERENCE,
+    TOLERANCE_SAFETY,
+)
 from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.lane_runs import LaneResults
 from runtime.studies.ensemble.rows import Rows
 
 JOB = 1000  # cases of a thread, so that levels are shared
-JOB_BYTES = 1 << 25  # of their samples
-LEAST_JOB = 64
+REFINED_JOB_BYTES = 1 << 25  # of their samples
+LEAST_REFINED_JOB = 64
 MOST_RUNS = 14  # of a case
 LEAST_WHOLE = 3  # levels that come to their end before one is believed
-COARSE = ("diverged", "not_finite", "deflection_too_large", "constraints_lost", "mass_not_positive")  # steps may do it
+LOST_BY_COARSE_STEPS = (
+    "diverged",
+    "not_finite",
+    "deflection_too_large",
+    "constraints_lost",
+    "mass_not_positive",
+)  # steps may do it
 LOST_TWICE, LOST_COARSE = 2, 4  # levels in a row that end alike before a case does; of those that coarse steps cause
-SAME_TIME = 0.02  # of the motion: ends that are one
+ONE_END = 0.02  # of the motion: ends that are one
 LEAST_ORDER = 1.0  # that is shown where an error is extrapolated
 MOST_ORDER = 1.125  # of the method's: what coarse levels may show, whose errors fall faster than its order
 UNBELIEVED = 2.0  # times the steps of a level where nothing is known of its error
-ORDERS = np.linspace(0.05, 12.0, 240)  # that are looked for
+SEARCHED_ORDERS = np.linspace(0.05, 12.0, 240)  # that are looked for
 NAME = f"U{max(map(len, get_args(StatusName)))}"
 
 
@@ -53,8 +68,8 @@ class RefinedRows(Rows):
 
     def job(self, cases: int, workers: int) -> int:
         """Cases that a thread takes at a time."""
-        by_room = JOB_BYTES // (8 * max(1, self.spec.width))
-        return max(LEAST_JOB, min(JOB, by_room, -(-cases // workers)))
+        by_room = REFINED_JOB_BYTES // (8 * max(1, self.spec.width))
+        return max(LEAST_REFINED_JOB, min(JOB, by_room, -(-cases // workers)))
 
     def level(self, steps: int) -> Rows:
         """Runs with so many steps in each unit."""
@@ -95,7 +110,7 @@ class RefinedCases:
         self._whole = np.zeros(cases, dtype=int)  # levels in a row that came to their ends
         self._lost = np.zeros(cases, dtype=int)  # the same of those that did not, in the same way
         self._ratio = np.full(cases, 2.0)  # of the last two levels
-        self._differs = np.full((cases, SOON), np.nan)  # of levels from those before, the last one first
+        self._differs = np.full((cases, LEVELS_TO_STAGNATE), np.nan)  # of levels from those before, the last one first
         self._raw = np.full(cases, np.nan)  # the last one
         self._error = np.full(cases, np.nan)  # on the safe side
         self._kept = LaneResults.none_yet(spec, cases)
@@ -130,14 +145,14 @@ class RefinedCases:
         model, tolerance = self._spec.model, self._asked.tolerance
         relative, rates = errors_of_many(model, motion, self._last[w])
         estimated = relative.max(axis=1)
-        asked = np.maximum(estimated, rates.max(axis=1) * tolerance / (ACCURATE * LARGEST))
+        asked = np.maximum(estimated, rates.max(axis=1) * tolerance / (ACCURATE * INACCURATE_ERROR))
         both = whole & (self._whole[w] > 0)
         ratio = np.where(both, steps / np.maximum(self._last_whole[w], 1), 2.0)
         raw, before, third = self._raw[w], self._differs[w, 0], both & (self._whole[w] > 1)
         with np.errstate(all="ignore"):
             shown = np.where(third, shown_orders(raw / asked, self._ratio[w], ratio), 0.0)
             raw_now = asked.copy()
-            shows = third & (asked < before) & (shown > SHOWN * self._order)
+            shows = third & (asked < before) & (shown > SHOWN_ORDER * self._order)
             richer = np.maximum(2.0, ratio ** np.minimum(shown, self._order) - 1)
             # levels that agree by chance: no less than the pair before lets expect
             expected = before * (1 - ratio ** -float(self._order)) / (self._ratio[w] ** self._order - 1)
@@ -145,7 +160,9 @@ class RefinedCases:
             falls = third & (shown > LEAST_ORDER)
             share = np.where(falls, 1 / (ratio ** np.minimum(shown, MOST_ORDER * self._order) - 1), 1.0)
         asked = np.where(chance, expected, asked)
-        self._error[w] = np.where(both, asked * np.where(shows, np.minimum(0.5, RICHARDSON / richer), 1.0), np.nan)
+        self._error[w] = np.where(
+            both, asked * np.where(shows, np.minimum(0.5, RICHARDSON_SAFETY / richer), 1.0), np.nan
+        )
         share = np.where(both, share, np.nan)
         self._kept.errors[w, 0] = estimated * share
         off = self._of_outputs(values, self._kept.values[w])
@@ -178,7 +195,7 @@ class RefinedCases:
     ) -> None:
         """What the level gave, and how it ended."""
         kept, plan = self._kept, self._spec.plan
-        near = np.abs(kept.time[w] - found.time) <= SAME_TIME * (plan.t_end - plan.t0)
+        near = np.abs(kept.time[w] - found.time) <= ONE_END * (plan.t_end - plan.t0)
         alike = ~whole & (kept.status[w] == found.status) & near
         self._lost[w] = np.where(whole, 0, np.where(alike, self._lost[w] + 1, 1))
         self._whole[w] = np.where(whole, self._whole[w] + 1, 0)
@@ -194,18 +211,18 @@ class RefinedCases:
         """Which cases are done, and the next level of the others."""
         error, tolerance = self._error[w], self._asked.tolerance
         done = whole & (self._whole[w] >= LEAST_WHOLE) & (error <= tolerance)
-        ends = np.where(np.isin(self._kept.status[w], COARSE), LOST_COARSE, LOST_TWICE)
+        ends = np.where(np.isin(self._kept.status[w], LOST_BY_COARSE_STEPS), LOST_COARSE, LOST_TWICE)
         least = np.nanmin(np.where(np.isnan(self._differs[w, 3:]), np.inf, self._differs[w, 3:]), axis=1)
-        stagnant = whole & (self._taken[w] >= SOON) & ~(self._differs[w, 0] < STAGNANT * least)
+        stagnant = whole & (self._taken[w] >= LEVELS_TO_STAGNATE) & ~(self._differs[w, 0] < STAGNANT_DIFFERENCE * least)
         done |= (self._lost[w] >= ends) | stagnant | (self._taken[w] >= MOST_RUNS)
         done |= self._kept.status[w] == "not_assembled"
         with np.errstate(all="ignore"):
             wanted = error.copy()
             # two levels: at what the third would leave were the order to show
             gain = np.maximum(2.0, self._ratio[w] ** self._order - 1)
-            wanted = np.where(self._whole[w] == 2, wanted * np.minimum(0.5, RICHARDSON / gain), wanted)
-            factor = (wanted / (SAFETY * tolerance)) ** (1 / self._order)
-        factor = np.where(np.isfinite(factor), np.clip(factor, 2 ** (1 / self._order), MOST), UNBELIEVED)
+            wanted = np.where(self._whole[w] == 2, wanted * np.minimum(0.5, RICHARDSON_SAFETY / gain), wanted)
+            factor = (wanted / (TOLERANCE_SAFETY * tolerance)) ** (1 / self._order)
+        factor = np.where(np.isfinite(factor), np.clip(factor, 2 ** (1 / self._order), MOST_GROWTH), UNBELIEVED)
         factor = np.where(whole, factor, AFTER_LOST)
         levels = self._asked.levels
         following = levels[np.minimum(np.searchsorted(levels, np.ceil(steps * factor)), len(levels) - 1)]
@@ -228,6 +245,6 @@ def shown_orders(fall: np.ndarray, first: np.ndarray, second: np.ndarray) -> np.
     """The orders (cases,) that three levels show whose differences fall by `fall`, see
     runtime/running/step_refinement.py.
     """
-    table = (first[:, None] ** ORDERS - 1) / (1 - second[:, None] ** -ORDERS)
-    shown = ORDERS[np.minimum((table < fall[:, None]).sum(axis=1), len(ORDERS) - 1)]
+    table = (first[:, None] ** SEARCHED_ORDERS - 1) / (1 - second[:, None] ** -SEARCHED_ORDERS)
+    shown = SEARCHED_ORDERS[np.minimum((table < fall[:, None]).sum(axis=1), len(SEARCHED_ORDERS) - 1)]
     return np.asarray(np.where(fall > table[:, 0], shown, 0.0))

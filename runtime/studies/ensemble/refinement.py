@@ -20,13 +20,13 @@ from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import EmittedModel
 from runtime.running.comparison_times import comparison_steps
 from runtime.running.planning import make_plan
-from runtime.running.problem import AUTO, ROUNDING, Plan, Problem, span_of, tolerance_of
+from runtime.running.problem import AUTO, SPAN_ROUNDING, Plan, Problem, span_of, tolerance_of
 from runtime.running.step_refinement import Method, RefinementLevel, StepRefinement, chosen_method
 from runtime.schemes.options import SchemeError
 
 FIRST_SHARE = 4  # the first level has this part of the steps that the middle case needs
 UNITS = 8  # of the first level: so finely levels are graded
-AIM = 0.3  # of the tolerance: a middle case that went below it did more than it had to
+AIMED_SHARE = 0.3  # of the tolerance: a middle case that went below it did more than it had to
 GRADE = 1.1  # from level to level: a level near what a case needs is a level whose error is told closely
 BUDGET = 60  # times the steps that all levels of the middle case took: what a case may take
 MOST_LEVEL = 10**6  # steps a unit
@@ -91,12 +91,16 @@ def refinement_of(
     assert wanted is not None
     begin, end = span_of(model, t0, t_end)
     apart = end - begin if spacing is None else min(spacing, end - begin)
-    base = ceil((end - begin) / apart - ROUNDING)
+    base = ceil((end - begin) / apart - SPAN_ROUNDING)
     method, levels, first = _middle(model, names, table, wanted, scheme, m, options, (begin, end), start)
     steps = first
     if levels:
         answer, order = levels[-1], levels[-1].run.plan.scheme.order
-        shorter = np.clip((answer.error / (AIM * wanted)) ** (1 / order), AIM, 1.0) if answer.error > 0 else 1.0
+        shorter = (
+            np.clip((answer.error / (AIMED_SHARE * wanted)) ** (1 / order), AIMED_SHARE, 1.0)
+            if answer.error > 0
+            else 1.0
+        )
         steps = max(first, ceil(answer.steps * float(shorter) / FIRST_SHARE))
     every = max(1, steps // (UNITS * base))
     units, length = base * every, apart / every

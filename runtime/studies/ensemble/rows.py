@@ -17,7 +17,7 @@ from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.lane_runs import LaneResults, LaneRuns, finished
 from runtime.studies.ensemble.starts import CaseStarts
 
-AHEAD = 3  # jobs a thread that wait, so that none is idle
+WAITING_JOBS = 3  # jobs a thread that wait, so that none is idle
 
 
 class Rows:
@@ -55,7 +55,7 @@ class Rows:
         with ThreadPoolExecutor(workers, thread_name_prefix="symgen ensemble") as pool:
             waiting: deque[tuple[int, Future[LaneResults | None]]] = deque()
             while True:
-                while len(waiting) < workers * AHEAD and (span := next(jobs, None)) is not None:
+                while len(waiting) < workers * WAITING_JOBS and (span := next(jobs, None)) is not None:
                     waiting.append((span[0], pool.submit(self.of, *span, stopped)))
                 if not waiting:
                     return

@@ -29,8 +29,8 @@ if TYPE_CHECKING:
 
 TENFOLD = float(np.log(10.0))
 SHARE_OF_FREQUENCY = 1e-4  # growth below this share of a mode's frequency is the change of the mechanism in a step
-BISECTIONS = 9
-MOST_LOOKS = 10_000  # steps, and states, of a chart
+CHART_BISECTIONS = 9
+MOST_CHART_LOOKS = 10_000  # steps, and states, of a chart
 Progress = Callable[[float, float], None]
 
 
@@ -104,7 +104,7 @@ class StabilityStudy:
         return StabilityCurve(self.m, np.asarray(dts), radius, growth, stable, limit, bool(stable.all()), windows)
 
     def _edge(self, low: float, high: float, stable_low: bool) -> float:
-        for _ in range(BISECTIONS):
+        for _ in range(CHART_BISECTIONS):
             middle = (low * high) ** 0.5
             if self.at(middle)[2] == stable_low:
                 low = middle
@@ -115,7 +115,7 @@ class StabilityStudy:
 
 # States along a trajectory, at which stability and frequencies are looked at.
 
-RTOL, ATOL = 1e-7, 1e-10
+CHART_RTOL, CHART_ATOL = 1e-7, 1e-10
 
 
 def states_along(
@@ -133,8 +133,8 @@ def states_along(
         model,
         t_end=t_end,
         times=places * t_end,
-        rtol=RTOL,
-        atol=ATOL,
+        rtol=CHART_RTOL,
+        atol=CHART_ATOL,
         parameters=parameters,
         initial=initial,
         start=start,
@@ -155,7 +155,7 @@ def usual_steps(
 # ---- The chart over all ratios, as a table and a picture.
 
 USUAL_RATIOS = (1, 2, 3, 4, 6, 8, 12, 16)
-STATES, POINTS = 16, 20
+CHART_STATES, CHART_POINTS = 16, 20
 
 
 @dataclass(frozen=True)
@@ -236,8 +236,8 @@ def stability_chart(
     *,
     m: list[list[int]] | None = None,
     dt_range: tuple[float, float] | None = None,
-    points: int = POINTS,
-    states: int = STATES,
+    points: int = CHART_POINTS,
+    states: int = CHART_STATES,
     options: Mapping[str, Any] | None = None,
     t_end: float | None = None,
     parameters: Mapping[str, float] | None = None,
@@ -298,8 +298,8 @@ def stability_chart(
     if not end > 0:
         raise ModelError(f"t_end must be a positive time, not {t_end!r}")
     for count, what in ((points, "points"), (states, "states")):
-        if not 1 <= count <= MOST_LOOKS:
-            raise ArgumentError(what, f"cannot be {count}", f"give 1 to {MOST_LOOKS}")
+        if not 1 <= count <= MOST_CHART_LOOKS:
+            raise ArgumentError(what, f"cannot be {count}", f"give 1 to {MOST_CHART_LOOKS}")
     if dt_range is not None and not (len(dt_range) == 2 and 0 < dt_range[0] < dt_range[1]):
         raise ArgumentError("dt_range", f"cannot be {dt_range!r}", "give the shortest and the longest step [s]")
     c = model.constants(model.parameter_vector(parameters))

@@ -146,8 +146,8 @@ def _in_sequence(parts: list[Advance]) -> Advance:
 # the step are compared with those of the exact motion over the same time, which a much finer exponential step gives.
 
 VANISHED = 0.5  # multipliers below this have no counterpart in the motion that could grow
-FINER = 4  # exact motion: this many exponential steps
-ROUNDING = 1e-9
+EXACT_STEPS = 4  # exact motion: this many exponential steps
+MULTIPLIER_ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
@@ -194,7 +194,7 @@ class StepSpectrum:
 class ExactMotion:
     """Multipliers of the exact motion over a time, pairs of a mode together, slow modes first; kept for reuse.
 
-    A motion over dt goes on from the longest shorter one that is known, by steps of at most dt / FINER.
+    A motion over dt goes on from the longest shorter one that is known, by steps of at most dt / EXACT_STEPS.
     """
 
     def __init__(self, model: EmittedModel, c: np.ndarray) -> None:
@@ -225,7 +225,7 @@ class ExactMotion:
         known = self._reached.setdefault(state.t, [self._step.start(state)])
         place = bisect(known, dt, key=lambda one: one.t)
         before = known[place - 1]
-        steps = int(np.ceil(FINER * (dt - before.t) / dt - ROUNDING))
+        steps = int(np.ceil(EXACT_STEPS * (dt - before.t) / dt - MULTIPLIER_ROUNDING))
         reached = self._step.on(before, dt, steps)
         if np.isfinite(reached.matrix).all():
             known.insert(place, reached)

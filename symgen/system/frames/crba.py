@@ -23,7 +23,7 @@ from symgen.system.frames.joint_transforms import JointTransform
 from symgen.system.frames.spatial_algebra import NOTHING, Force, FrameMotion, Inertia, Motion, gather, no_masses
 from symgen.system.frames.tree import GROUND, FrameTree
 
-FEW = 3  # coordinates before a flexible body, up to which their twists may be the shorter way
+FEW_COORDINATES = 3  # coordinates before a flexible body, up to which their twists may be the shorter way
 
 Meetings = Mapping[tuple[int, int], dict[int, Motion]]  # by frame and one of its transforms: twists by column
 Momenta = dict[int, Force]
@@ -110,7 +110,7 @@ def _meetings(tree: FrameTree) -> Meetings:
             known = {column: _through(transform, twist) for column, twist in known.items()}
             own = transform.twists
             if modes & own.keys():
-                if 0 < len(known) <= FEW and len(known) < len(modes):
+                if 0 < len(known) <= FEW_COORDINATES and len(known) < len(modes):
                     found[k, place] = dict(known)
                 modes = set()
             known |= own
