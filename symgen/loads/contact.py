@@ -64,7 +64,9 @@ class Contact(Load):
         back = [-one for one in force]
         row = m.generalised((a, force, cross(levers[0], force)), (b, back, cross(levers[1], back)))
         lost = push.lost + held * m.dot(slip, slip)
-        return LoadEffect(row, push.stored, dissipated=lost, action=m.action(force, cross(levers[0], force)))
+        rubs = held * m.dot(slip, slip) ** 0.5
+        acts = m.action(force, cross(levers[0], force))
+        return LoadEffect(row, push.stored, dissipated=lost, action=acts, touching=(push.force, rubs, away))
 
     def _normal(self, m: Acting, b: Any, d: Vector) -> tuple[Vector, Any]:
         """(n towards the ball, distance of its centre [m])."""

@@ -34,6 +34,7 @@ class LoadEffect:
     action: force [N] and moment [N m] in world axes on the load's marker, or on marker b: x, y and about z in a plane,
     three and three in space.
     along: of a load along a beam, see `LoadRecord`.
+    touching: of a contact its normal force, the size of its friction [N], and the speed apart of what touches [m/s].
     size: of a load that `Load.directed` names a direction of, the signed force [N] or moment [N m] in it.
     """
 
@@ -45,6 +46,7 @@ class LoadEffect:
     action: Sequence[Any] = ()
     along: tuple[float, ...] = ()
     size: Any = None
+    touching: Sequence[Any] = ()
 
 
 @dataclass(frozen=True)

@@ -29,6 +29,7 @@ from symgen.schema.fields import (
 )
 from symgen.schema.texts import Text
 
+AXES_OF_FORCES = ("x", "y", "z")
 KNOWN_BY = {  # which shapes of a beam know a section force
     "normal_force": "axial",
     "shear_force": "lateral",
@@ -230,14 +231,15 @@ class ExpressionMeasure(_Measure):
 class ForceMeasure(_Measure):
     """Force [N] or moment [N m] of the load `of`, along its own line or about its own axis, or a component of it.
 
+    Or of the compliant stops and the play of a joint, on body b along its coordinate, and of a coupling with play.
     component: "own": of a spring or a line what pulls the markers together; of an effort what acts on marker b along
-    the coordinate; of a torque, or a rotational spring, what turns the marker, or marker b, on. Or x, y, z of what acts
-    at the marker, or marker b. axes: "world", or a marker in whose axes the component is taken.
+    the coordinate; of a torque, or a rotational spring, what turns the marker, or marker b, on. "normal", "friction": of
+    a contact, what presses and the size of what rubs. Or x, y, z of what acts at the marker, or marker b. axes: "world", or a marker in whose axes the component is taken.
     """
 
     type: Literal["force", "moment"]
     of: Name
-    component: Literal["own", "x", "y", "z"] = "own"
+    component: Literal["own", "normal", "friction", "x", "y", "z"] = "own"
     axes: AxesRef = WORLD
 
     @property
@@ -248,19 +250,30 @@ class ForceMeasure(_Measure):
     @property
     def note(self) -> str:
         """Load, component and axes."""
-        if self.component == "own":
-            return f"{self.type} of {self.of}"
+        if self.component not in AXES_OF_FORCES:
+            return f"{self.type} of {self.of}" + (f", {self.component}" if self.component != "own" else "")
         return f"{self.type} of {self.of}, {self.component} in the axes of {self.axes}"
 
     def faults(self, scene: Any) -> Iterator[Fault]:
         """What is no load, has no such force, or no direction of its own."""
         loads = {load.name: load for load in scene.loads}
+        if (kind := pushing(scene).get(self.of)) is not None:
+            if self.type != kind:
+                yield Fault("type", f"'{self.of}' has a {kind}", f'take "{kind}"')
+            elif self.component != "own" or self.axes != WORLD:
+                yield Fault("component", f"the {kind} of '{self.of}' is along its coordinate", "leave it out")
+            return
         if self.of not in loads:
             yield self._no_load(scene, [*loads])
             return
         load = loads[self.of]
         kind = load.reaction_kind(scene)
-        if self.type not in kind:
+        if self.component in ("normal", "friction"):
+            if load.type != "contact" or self.type != "force":
+                yield Fault("component", f"only the force of a contact has a {self.component} part", "take x, y or z")
+            elif self.axes != WORLD:
+                yield Fault("axes", "are of x, y and z", "leave them out")
+        elif self.type not in kind:
             yield Fault("type", f"the {load.type} '{self.of}' has a {kind} only", f'take "{kind}"')
         elif self.component == "own" and not load.directed:
             yield Fault("component", f"the {load.type} '{self.of}' has no line of its own", "take x, y or z")
@@ -277,6 +290,20 @@ class ForceMeasure(_Measure):
                 "of", f"the force of '{self.of}' follows from accelerations, which measures do not know", remedy
             )
         return Fault("of", f"there is no load '{self.of}'", did_you_mean(self.of, loads))
+
+
+def pushing(scene: Any) -> dict[str, str]:
+    """Joints and couplings with compliant stops or play, by name: have they a "force" or a "moment"?"""
+    found = {}
+    for joint in scene.joints:
+        limits, backlash = getattr(joint, "limits", None), getattr(joint, "backlash", None)
+        if backlash is not None or (limits is not None and not limits.rigid):
+            found[joint.name] = "moment" if joint.motions[0].kind == "angle" else "force"
+    for coupling in scene.couplings:
+        if coupling.backlash is not None:
+            turns = scene.joint_of(coupling.named[0])[1].kind == "angle"
+            found[coupling.name] = "moment" if turns else "force"
+    return found
 
 
 def known_late(measures: Iterable[_Measure]) -> set[str]:

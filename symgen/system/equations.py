@@ -202,6 +202,8 @@ class Equations:
     felt_columns: those of them that forces depend on, by measures of coordinates, with those that they follow from.
     Energies [J] and powers [W] are scalars.
     rotors: of motors, which M and Q_v hold. elements: of friction, whose laws Q_F holds, and rigid stops.
+    one_sided: by `joint.stop_force`, ... the force [N or N m] and the velocity of what pushes and never pulls, with SI
+    units.
     springs: loads that are linear springs, by name. joint_columns: coordinates of joints; gravity: its components
     [m/s^2]; measure_units: SI unit of each measure. u: the entries of the inputs by name, each a symbol.
     load_forces: generalised force of each load and each joint's friction, by its name. beams: their mode sets;
@@ -231,6 +233,7 @@ class Equations:
     springs: dict[str, LinearSpring] = field(default_factory=dict)
     rotors: list[Rotor] = field(default_factory=list)
     elements: list[Element] = field(default_factory=list)
+    one_sided: dict[str, tuple[ca.SX, str]] = field(default_factory=dict)
     measures: dict[str, ca.SX] = field(default_factory=dict)
     body_columns: dict[str, list[int]] = field(default_factory=dict)
     joint_columns: frozenset[int] = frozenset()

@@ -209,6 +209,12 @@ class Mechanism(Generic[Marker]):
             self._add_effect(load.name, effect)
             equations.load_actions[load.name] = effect.action
             equations.load_spans[load.name] = [min(part, MOST_POWER) for part in effect.along]
+            if effect.touching:
+                parts = zip(("normal_force", "friction_force", "normal_velocity"), effect.touching, strict=True)
+                units = ("N", "N", "m/s")
+                equations.one_sided |= {
+                    f"{load.name}.{part}": (value, unit) for (part, value), unit in zip(parts, units, strict=True)
+                }
             if effect.size is not None:
                 equations.load_sizes[load.name] = effect.size
         self._add_late_measures()
@@ -272,13 +278,14 @@ class Mechanism(Generic[Marker]):
         backlash = getattr(joint, "backlash", None)
         if limits is None and backlash is None:
             return
-        own = self.space.coordinate_row(f"{joint.name}.{(joint.motions or ())[0].name}")
+        (motion, *_) = joint.motions or ()
+        own, turns = self.space.coordinate_row(f"{joint.name}.{motion.name}"), motion.kind == "angle"
         if backlash is not None:
-            self._add_one_sided(joint.name, own.C_q, self._backlash(joint.name, backlash, own))
+            self._add_one_sided(joint.name, "backlash", own, self._backlash(joint.name, backlash, own), turns)
         if limits is not None:
             self._bound_limits(joint.name, limits)
             if not limits.rigid:
-                self._add_one_sided(joint.name, own.C_q, self._limits(joint.name, limits, own))
+                self._add_one_sided(joint.name, "stop", own, self._limits(joint.name, limits, own), turns)
 
     def _add_elements(self) -> None:
         """Friction and rigid stops of joints, whose limits may depend on measures and states."""
@@ -353,8 +360,16 @@ class Mechanism(Generic[Marker]):
         fixed = self.table.environment().keys()
         return not self.scene.expression(value, item, names).names <= fixed
 
-    def _add_one_sided(self, name: str, row: Row, sides: Sequence[tuple[int, Push]]) -> None:
-        self._add_effect(name, against(row, sides))
+    def _add_one_sided(
+        self, name: str, kind: str, own: ConstraintRow, sides: Sequence[tuple[int, Push]], turns: bool
+    ) -> None:
+        """kind: "stop" or "backlash", of which the force along the direction, and its velocity, are outputs."""
+        self._add_effect(name, against(own.C_q, sides))
+        force = -sum((side * push.force for side, push in sides), ca.SX(0))
+        self.equations.one_sided |= {
+            f"{name}.{kind}_force": (force, "N m" if turns else "N"),
+            f"{name}.{kind}_velocity": (self._rate(own), "rad/s" if turns else "m/s"),
+        }
         for _, push in sides:
             for value in push.kinks:
                 self.reader.switch(name, value)
@@ -430,7 +445,10 @@ class Mechanism(Generic[Marker]):
         if coupling.backlash is None:
             eq.constraints.append(row)
         else:
-            self._add_one_sided(coupling.name, row.C_q, self._backlash(coupling.name, coupling.backlash, row))
+            turns = self.scene.joint_of(coupling.named[0])[1].kind == "angle"
+            self._add_one_sided(
+                coupling.name, "backlash", row, self._backlash(coupling.name, coupling.backlash, row), turns
+            )
 
     def _at_start(self, values: list[ca.SX]) -> list[float]:
         """At the coordinates that the scene gives for the start, the others at rest, at default parameters."""
@@ -482,6 +500,9 @@ class Mechanism(Generic[Marker]):
             if measure.name in late:
                 self._add_measure(measure)
         self._in_order()
+        eq = self.equations
+        eq.measures |= {name: value for name, (value, _) in eq.one_sided.items()}
+        eq.measure_units |= {name: unit for name, (_, unit) in eq.one_sided.items()}
 
     def _in_order(self) -> None:
         """Measures as the scene has them, states behind them."""
@@ -530,8 +551,13 @@ class Mechanism(Generic[Marker]):
         return ca.jtimes(value, moving, ca.vertcat(*eq.q_dot, 1, *(eq.u[f"{name}_dot"] for name in rated)))
 
     def _force_of(self, measure: ForceMeasure) -> ca.SX:
-        """Of a load: along its own line, or a component."""
+        """Of a load: along its own line, or a component; of a contact; of what pushes in a joint or a coupling."""
         eq, size = self.equations, len(self.space.axes)
+        if measure.component in ("normal", "friction"):
+            return eq.one_sided[f"{measure.of}.{measure.component}_force"][0]
+        if measure.of not in eq.load_actions:
+            parts = [eq.one_sided.get(f"{measure.of}.{kind}_force") for kind in ("stop", "backlash")]
+            return sum((part[0] for part in parts if part is not None), ca.SX(0))
         if measure.component == "own":
             return ca.SX(eq.load_sizes[measure.of])
         action = list(eq.load_actions[measure.of])
