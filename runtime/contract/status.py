@@ -60,7 +60,8 @@ EventKind = Literal[
 class Event:
     """Something that happened during a run, at a time [s], told in plain words; of events of the scene with their name
     and direction (rising or falling). Kinks of loads, at which steps end without a word, are in no solution.
-    impulse: what a stop gave in an impact, away from it [N s or N m s].
+    Of an impact impulse: what a stop gave, away from it [N s or N m s]; before, after: the rates of its gap [m/s or
+    rad/s]; energy_lost [J].
     """
 
     time: float
@@ -69,6 +70,9 @@ class Event:
     name: str = ""
     direction: str = ""
     impulse: float = 0.0
+    before: float = 0.0
+    after: float = 0.0
+    energy_lost: float = 0.0
 
     def __str__(self) -> str:
         return f"t = {self.time:.9g} s: {self.text}"

@@ -38,8 +38,8 @@ class JointFriction:
 @dataclass(frozen=True, repr=False)
 class JointStop:
     """Over N samples: force (N,) on body b along the joint's coordinate [N or N m] while a stop is closed, else zero;
-    where friction holds there too, of both. impulses (k, 2): time of each impact [s], and what it gave to the body
-    along the coordinate [N s or N m s]. at_rest: for how long a stop was closed, between samples [s].
+    where friction holds a rigid one there too, of both. impulses (k, 2): time of each impact [s], and what it gave to
+    the body along the coordinate [N s or N m s]. at_rest: for how long a stop was closed, between samples [s].
     """
 
     force: np.ndarray
@@ -54,7 +54,7 @@ class JointStop:
 
 @arguments()
 def joint_stop(solution: Samples, joint: str) -> JointStop:
-    """Read what the rigid stops of a joint did off a run.
+    """Read what the stops of a joint did off a run.
 
     Parameters
     ----------
@@ -72,7 +72,13 @@ def joint_stop(solution: Samples, joint: str) -> JointStop:
     ------
     ModelError
         For a joint that has none.
+
+    Notes
+    -----
+    Impulses of compliant stops follow from the samples, see `run.impacts()`.
     """
+    if f"{joint}.stop_force" in solution.model.measures:
+        return _compliant_stop(solution, joint)
     rows = stopping(solution.model)
     solution.column_of(joint, list(rows), "joint with rigid stops")
     ends = [one for one in solution.model.mode_events if one.side and one.row == rows[joint]]
@@ -85,6 +91,17 @@ def joint_stop(solution: Samples, joint: str) -> JointStop:
     ]
     at_rest = float(np.diff(solution.t)[closed[1:] & closed[:-1]].sum())
     force = np.where(closed, solution.frictions[:, rows[joint], 0], 0.0)
+    return JointStop(force, np.array(hits).reshape(-1, 2), at_rest)
+
+
+def _compliant_stop(solution: Samples, joint: str) -> JointStop:
+    """Its force is a measure."""
+    from runtime.results.impacts import impacts
+
+    force = solution.measures[:, solution.model.measures.index(f"{joint}.stop_force")]
+    pressed = force != 0
+    hits = [(one.time, one.side * one.impulse) for one in impacts(solution) if one.where == f"{joint}.stop"]
+    at_rest = float(np.diff(solution.t)[pressed[1:] & pressed[:-1]].sum())
     return JointStop(force, np.array(hits).reshape(-1, 2), at_rest)
 
 

@@ -258,7 +258,9 @@ class EventHandler:
 
     def _tell_hits(self, found: Any, at: Mapping[str, np.ndarray], c: np.ndarray, t: float, before: float) -> None:
         """Impacts on stops at t [s], the energy that they took; before [s]: what is seen there is before them."""
-        model, lost = self.own.model, ""
+        from runtime.schemes.switching.settle import losses, losses_text
+
+        model, lost, each = self.own.model, "", losses(self.own.model, at, c, found)
         if model.has("energy"):
             ends = [(at["q_i_dot"], at["q_d_dot"]), (at["q_i_dot"] + found.push, found.q_d_dot)]
             q, rates = whole(model, at["q_i"], at["q_d"]), [whole(model, *one) for one in ends]
@@ -266,13 +268,12 @@ class EventHandler:
             earlier, gained = self.own.impulses.get(before), kinetic[1] - kinetic[0]
             jump = Impulse(gained + (0.0 if earlier is None else earlier.energy), rates[1] - rates[0])
             self.own.impulses[before] = jump
-            from runtime.schemes.switching.settle import losses
-
-            lost = losses(model, at, c, found, gained)
-        for impact in found.impacts:
+            lost = losses_text(model, sum(each), gained)
+        for impact, own in zip(found.impacts, each, strict=True):
             name = model.mode_events[impact.k].name
             text = f"{name} is hit at {-impact.before:.6g} and left at {impact.after:.6g}{lost}"
-            self.reported.append(Event(t, "impact", text, name, impulse=impact.impulse))
+            speeds = {"before": impact.before, "after": impact.after}
+            self.reported.append(Event(t, "impact", text, name, impulse=impact.impulse, **speeds, energy_lost=own))
             if impact.rests is not None:
                 text = f"{name}: its bounces are over, summed from t = {t:.9g} s on"
                 self.reported.append(Event(t + impact.rests, "rest", text, name))

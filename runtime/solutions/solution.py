@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from runtime.results.export import write_npz as _write_npz
     from runtime.results.friction import joint_friction as _joint_friction
     from runtime.results.friction import joint_stop as _joint_stop
+    from runtime.results.impacts import impacts as _impacts
     from runtime.results.section_forces import section_forces as _section_forces
     from runtime.results.stresses import beam_stresses as _beam_stresses
     from runtime.results.stresses import stresses as _stresses
@@ -72,7 +73,7 @@ class Solution(Samples):
     """The result of a run: samples of the motion, how it ended, how far it is off, and what can be made of them.
 
     status, error, events, balance, stats: how it went. t (N,) [s]; q, q_dot, q_ddot (N, n) [m, rad; per s, s^2];
-    `run["name"]` (N,): any column. joint_force, load_force, motor, friction, section_forces,
+    `run["name"]` (N,): any column. joint_force, load_force, motor, friction, stop, impacts, section_forces,
     stresses, beam_stresses; view, plot, page, ...
     """
 
@@ -89,6 +90,7 @@ class Solution(Samples):
         beam_stresses = _beam_stresses
         friction = _joint_friction
         stop = _joint_stop
+        impacts = _impacts
         body_motion = _body_motion
         save = _write_npz
         export = _export
@@ -161,6 +163,12 @@ class Solution(Samples):
             from runtime.results.friction import joint_stop
 
             return joint_stop
+
+        @LazyMethod
+        def impacts():
+            from runtime.results.impacts import impacts
+
+            return impacts
 
         @LazyMethod
         def body_motion():

@@ -233,8 +233,9 @@ class ForceMeasure(_Measure):
 
     Or of the compliant stops and the play of a joint, on body b along its coordinate, and of a coupling with play.
     component: "own": of a spring or a line what pulls the markers together; of an effort what acts on marker b along
-    the coordinate; of a torque, or a rotational spring, what turns the marker, or marker b, on. "normal", "friction": of
-    a contact, what presses and the size of what rubs. Or x, y, z of what acts at the marker, or marker b. axes: "world", or a marker in whose axes the component is taken.
+    the coordinate; of a torque, or a rotational spring, what turns the marker, or marker b, on. "normal", "friction":
+    of a contact, what presses and the size of what rubs. Or x, y, z of what acts at the marker, or marker b.
+    axes: "world", or a marker in whose axes the component is taken.
     """
 
     type: Literal["force", "moment"]

@@ -125,11 +125,15 @@ def _beyond(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray, mo
     return np.asarray(elements(model, at, c)["margin"] < 0)
 
 
-def losses(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray, found: Settled, gained: float) -> str:
-    """What stops took, -sum p (v- + v+) / 2 [J]; what energy `gained` besides comes by the impulses of drives."""
+def losses(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray, found: Settled) -> list[float]:
+    """What each stop that is struck took, -p (v- + v+) / 2 [J]."""
     own, impacts = elements(model, at, c), [(model.mode_events[one.k], one.impulse) for one in found.impacts]
     passing = own["v_rel"] + 0.5 * own["G"] @ found.push
-    lost = -sum(one.side * p * float(passing[one.row]) for one, p in impacts)
+    return [-one.side * p * float(passing[one.row]) for one, p in impacts]
+
+
+def losses_text(model: EmittedModel, lost: float, gained: float) -> str:
+    """What energy is `gained` besides what is lost comes by the impulses of drives."""
     given = f", work done by the prescribed motion: {gained + lost:.6g} J" if moves_in_time(model) else ""
     return f", {lost:.6g} J lost{given}"
 
