@@ -114,9 +114,9 @@ def impacts(solution: Samples) -> Impacts:
         if one.kind == "impact"
     ]
     for name, velocity in compliant(solution.model).items():
-        columns = (solution.measures[:, solution.model.measures.index(one)] for one in (name, velocity))
+        force, v = (solution.measures[:, solution.model.measures.index(one)] for one in (name, velocity))
         where = name.removesuffix("_force").replace(".normal", ".contact")
-        found += _of_samples(solution.t, *columns, where=where)
+        found += _of_samples(solution.t, force, v, where)
     return Impacts(tuple(sorted(found, key=lambda one: one.time)))
 
 
@@ -131,7 +131,7 @@ def _of_samples(t: np.ndarray, force: np.ndarray, velocity: np.ndarray, where: s
     """Each stretch of samples with a force of one sign, between samples without."""
     sign = np.sign(force)
     starts = np.flatnonzero((sign[1:] != sign[:-1]) & (sign[1:] != 0)) + 1
-    for first in starts:
+    for first in starts.tolist():
         stretch = sign[first:] == sign[first]
         last = first + (int(stretch.argmin()) if not stretch.all() else len(stretch)) - 1
         if last + 1 >= len(t):
@@ -162,7 +162,7 @@ def _edge(t: np.ndarray, force: np.ndarray, k: int, way: int) -> float:
     outside, inside = float(t[k + way]), k - way
     if 0 <= inside < len(t) and force[inside] * force[k] > 0 and abs(force[inside]) > abs(force[k]):
         found = float(t[k] - force[k] * (t[inside] - t[k]) / (force[inside] - force[k]))
-        return float(np.clip(found, *sorted((outside, float(t[k])))))
+        return min(max(found, min(outside, float(t[k]))), max(outside, float(t[k])))
     return (outside + float(t[k])) / 2
 
 
