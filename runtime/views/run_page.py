@@ -275,7 +275,8 @@ def _events(solution: Solution) -> Html:
 
 
 def _parameters(solution: Solution) -> Html:
-    """What a person declared; data of shapes stay out, values of a call are marked."""
+    """What a person declared; data of shapes and what the run decided stay out, values of a call are marked."""
+    decided = {*solution.driven, *_set_by_events(solution)}
     values = zip(solution.model.parameters, solution.parameters, strict=True)
     rows = [
         (
@@ -286,7 +287,7 @@ def _parameters(solution: Solution) -> Html:
             entry.meaning,
         )
         for entry, value in values
-        if entry.kind != "data" and entry.name not in solution.driven and (not entry.array or value != entry.default)
+        if entry.kind != "data" and entry.name not in decided and (not entry.array or value != entry.default)
     ]
     return table(("parameter", "value", "in the scene", "unit", "meaning"), rows, (1, 2))
 
@@ -299,6 +300,8 @@ def _reproduce(solution: Solution) -> Html:
     parts.append(code(_lines(settings)))
     if driven:
         parts.append(paragraph(f"Inputs that Python drove, and that these lines lack: {', '.join(driven)}."))
+    if acted := sorted(_set_by_events(solution)):
+        parts.append(paragraph(f"Set by events, and at the start as the scene has them: {', '.join(acted)}."))
     if 0 < len(scene) <= MOST_SCENE:
         parts.append(folded("scene.toml", code(scene)))
     else:
@@ -320,15 +323,26 @@ def _settings(solution: Solution) -> dict[str, Any]:
         found |= {"options": options} if options else {}
     if len(solution.t) > 2:
         found["seen_every"] = float(f"{np.median(np.diff(solution.t)):.12g}")
+    decided = {*solution.driven, *_set_by_events(solution), *_modes(solution)}  # in the run, not before it
     for what, inputs in (("parameters", False), ("inputs", True)):
         values = zip(solution.model.parameters, solution.parameters, strict=True)
         changed = {
             entry.name: float(value)
             for entry, value in values
-            if (entry.kind == "input") is inputs and value != entry.default and entry.name not in solution.driven
+            if (entry.kind == "input") is inputs and value != entry.default and entry.name not in decided
         }
         found |= {what: changed} if changed else {}
     return found | _start(solution)
+
+
+def _modes(solution: Solution) -> set[str]:
+    """Inputs that the run sets by itself: what sticks, which stops are closed."""
+    return {entry.name for entry in solution.model.description.inputs if entry.hidden}
+
+
+def _set_by_events(solution: Solution) -> set[str]:
+    """Inputs and parameters that actions of events set, whose values at the end are not those of the start."""
+    return {name for event in solution.model.description.events for name in event.sets} - _modes(solution)
 
 
 def _changed_options(solution: Solution) -> dict[str, Any]:

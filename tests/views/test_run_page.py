@@ -228,6 +228,28 @@ def test_inputs_of_python_are_named_as_missing(tmp_path: Path) -> None:
     assert "inputs={'push': 3.0}" in fixed.lines[0]
 
 
+@pytest.mark.long
+def test_what_stops_and_events_set_is_no_setting(tmp_path: Path) -> None:
+    """A ball bounces on a rigid stop, and an event sets the wind: the lines make the same motion from the scene."""
+    scene = (
+        Scene("ball")
+        .input("wind", 0.0, "N")
+        .gravity(0, -9.81)
+        .rigid("ball", mass=1.0, inertia=1.0)
+        .ground(markers={"up": {"angle": np.pi / 2}})
+        .prismatic("fall", "ground.up", "ball.origin", limits={"lower": 0.0, "restitution": 0.5})
+        .force("wind", "ball.origin", 0.0, "wind")
+        .initial({"ball.y": 1.0, "ball.theta": np.pi / 2})
+        .event("late", when="t - 0.3", action={"wind": 1.0})
+    )
+    model = scene.model()
+    run = model.simulate(t_end=1.0, scheme="rk4", dt=1e-3)
+    assert run.parameters[[one.name for one in model.parameters].index("wind")] == 1.0
+    lines = read(run, tmp_path).lines[1]
+    assert "inputs" not in lines and "parameters" not in lines
+    assert "Set by events, and at the start as the scene has them: wind." in (tmp_path / "page.html").read_text("utf-8")
+
+
 def test_a_run_that_kept_outputs_shows_these(tmp_path: Path) -> None:
     """A pendulum let go at rest: its angle is largest at the start; reactions were not kept."""
     run = simulate(load_model(generated_folder("pendulum")), t_end=0.2, outputs=["rod.theta"])
