@@ -14,8 +14,9 @@ from benchmarks.harness.result import Line, Result
 from benchmarks.scenes.arm import arm
 from runtime.contract.coordinates import followed
 from runtime.model import Model
+from runtime.running.method_choice import Method
 from runtime.running.problem import Problem
-from runtime.running.step_refinement import Method, StepRefinement
+from runtime.running.step_refinement import StepRefinement
 from runtime.studies.advice.reference import Reference
 
 CASES = ((10, 1.0), (10, 10.0), (10, 100.0), (10, 1000.0), (20, 100.0), (40, 100.0))  # links, factor on E

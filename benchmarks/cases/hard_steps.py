@@ -16,7 +16,7 @@ from benchmarks.harness.result import Line, Result
 from benchmarks.harness.tolerance_runs import KEPT, Case
 from benchmarks.scenes.hard_suite import CASES, HARD_SUITE, HardCase
 from runtime.model import Model
-from runtime.running.step_refinement import Method
+from runtime.running.method_choice import Method
 from runtime.studies.advice.methods import stiff_methods
 from runtime.studies.advice.reference import Reference, Trial
 

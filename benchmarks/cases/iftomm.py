@@ -13,7 +13,7 @@ from benchmarks.harness.result import Line, Result
 from benchmarks.harness.timing import interleave
 from runtime.contract.status import Status
 from runtime.model import Model
-from runtime.running.step_refinement import Method
+from runtime.running.method_choice import Method
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import Stepper

@@ -13,7 +13,7 @@ from benchmarks.harness.result import Line, Result
 from benchmarks.scenes.hard_suite import HARD_SUITE
 from runtime import simulate
 from runtime.model import Model
-from runtime.running.step_refinement import Method
+from runtime.running.method_choice import Method
 from runtime.studies.advice.reference import Reference
 from symgen.scene import Scene, SceneRecord
 

@@ -30,7 +30,7 @@ from benchmarks.scenes.hard_suite import CASES, HARD_SUITE, HardCase
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import SymgenError
 from runtime.model import Model
-from runtime.running.step_refinement import Method
+from runtime.running.method_choice import Method
 from runtime.schemes.stage_equations import StageEquations
 from runtime.studies.advice.methods import stiff_methods
 from runtime.studies.advice.reference import Reference, Trial

@@ -19,8 +19,9 @@ from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.tolerance_runs import Case, SampledRefinement, cheapest, runs_of_an_oracle
 from benchmarks.scenes.hard_suite import CASES, HARD_SUITE
+from runtime.running.method_choice import chosen_method
 from runtime.running.run_options import RunOptions
-from runtime.running.step_refinement import RefinementLevel, chosen_method
+from runtime.running.step_refinement import RefinementLevel
 
 TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
 SMALLEST = {"CASES": (replace(HARD_SUITE["overdamped"], t_end=0.1),), "TOLERANCES": (1e-2,)}

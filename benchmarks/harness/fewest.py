@@ -6,7 +6,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from runtime.running.step_refinement import FIRST_LEVEL_STEPS, Method, StepRefinement
+from runtime.running.method_choice import FIRST_LEVEL_STEPS, Method
+from runtime.running.step_refinement import StepRefinement
 from runtime.studies.advice.reference import Reference, Trial, trial_of
 
 REFINEMENTS = 4  # halvings of the interval (in logarithm) between too few steps and enough

@@ -15,9 +15,10 @@ from runtime.engine.rows import evaluate
 from runtime.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import floored
+from runtime.running.method_choice import FIRST_LEVEL_STEPS, Method
 from runtime.running.problem import Plan, Problem
 from runtime.running.run_options import RunOptions
-from runtime.running.step_refinement import FIRST_LEVEL_STEPS, Method, RefinementLevel, StepRefinement
+from runtime.running.step_refinement import RefinementLevel, StepRefinement
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 from runtime.schemes.stepper import Stepper

@@ -207,7 +207,7 @@ def _made_once(problem: Problem, wanted: str) -> str:
 
     Raises SchemeError where that scheme cannot tell its own steps' lengths.
     """
-    from runtime.running.step_refinement import chosen_method
+    from runtime.running.method_choice import chosen_method
 
     name = str(chosen_method(problem)[0].scheme if wanted == AUTO else wanted)
     if "error_of" in scheme_kind(name).options.names():

@@ -2,7 +2,8 @@
 enough.
 
 The error of a level is measured as that of any run: by what it differs from the level before. Which method is refined
-is decided by the operations that its first level takes; `auto`, advice and comparisons read such refinements.
+is decided in method_choice.py by the operations that its first level takes; `auto`, advice and comparisons read
+such refinements.
 
 It is step refinement by the global error, with Richardson extrapolation
 where the order of the truncation error shows (E. Hairer, S. P. Norsett, G. Wanner: Solving Ordinary Differential
@@ -21,13 +22,13 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.log import REFINEMENT
 from runtime.contract.model import EmittedModel
 from runtime.contract.status import Event, Status
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.running.comparison_times import comparison_steps, refined, shared
 from runtime.running.fastest_mode import RESOLVED_ANGLE, fastest_mode, slopes_at_start
+from runtime.running.method_choice import FIRST_LEVEL_STEPS, TOLERANCE_SAFETY, Method, chosen_method, stable_steps
 from runtime.running.outcome import (
     INACCURATE_ERROR,
     chattering_of,
@@ -52,17 +53,12 @@ from runtime.running.problem import (
 from runtime.running.record import ComparisonTimes, among
 from runtime.running.run import Run, start_run
 from runtime.running.run_options import RunOptions
-from runtime.running.time_functions import OfTime, force_of_time
+from runtime.running.steps_for_loads import steps_for_loads
 from runtime.running.turns import frequency_at_start, frequency_at_states
-from runtime.schemes.catalogue import scheme_kind
-from runtime.schemes.options import LARGE_SYSTEM, SchemeError
-from runtime.schemes.scheme import Scheme, evaluation_operations
-from runtime.schemes.switching.times import switching_times
+from runtime.schemes.options import SchemeError
 from runtime.solutions.solution import Solution
 
-FIRST_LEVEL_STEPS = 20  # steps of a first level, at least
 SEES_SHORT = 8  # steps in the time in which a load acts
-TOLERANCE_SAFETY = 0.9  # of a tolerance, and of a stability limit
 MOST_GROWTH = 2.5  # times the steps of the level before
 AFTER_LOST = 3.0  # the same, where the motion was lost
 MOST_FINER = 10.0  # the same, where its steps turned a loop too far
@@ -74,45 +70,13 @@ MOST_LEVEL_STEPS = 10**8
 MOST_OPERATIONS_OF_LEVELS = 10**12  # of all levels: some minutes
 MOST_RESOLVING = 10**10  # operations of a level that resolves the fastest mode: seconds
 STAGNANT_DIFFERENCE = 0.5  # of a difference: levels that do not come below it any more will not
-LEVELS_TO_STAGNATE, UNRESOLVED_LEVELS_TO_STAGNATE = (
-    6,
-    11,
-)  # levels before that is said, and where the motion is not resolved yet
+LEVELS_TO_STAGNATE = 6  # levels before that is said
+UNRESOLVED_LEVELS_TO_STAGNATE = 11  # the same, where the motion is not resolved yet
 RICHARDSON_SAFETY = 3.0  # times the error by extrapolation where the order shows: on the safe side
 ACCURATE = 0.5  # of the error from which a run is not accurate: what nobody has graded stays below
 BEFORE_END = 50  # steps before the end of a level that stops early, from which on its end can be believed
 END_KNOWN = 2  # steps of a level, to which the time of its end is known
 MOST_ENDING = 10**10  # operations of levels that stop early, each at another time: seconds
-EXPLICIT_METHODS = ("dopri5", "rk4")
-HANDICAP = {"rk4": 2}  # times the steps that a method of lower order is expected to take
-# operations of a step: evaluations, and times n, n^2, n^3 of n coordinates; counted on the hard suite, to a factor
-# 1.6
-PRICES = {
-    "dopri5": (6.5, 0, 0, 0),
-    "rk4": (4.0, 0, 0, 0),
-    "exponential_rk4": (4.5, 300, 20, 0),
-    "exponential": (4.0, 500, 300, 10),
-}
-
-
-@dataclass(frozen=True)
-class Method:
-    """A scheme with ratios m and options; first: steps of its first level, 0 for as many as it needs."""
-
-    scheme: str
-    m: tuple[int, ...] | None = None
-    options: Mapping[str, Any] = field(default_factory=dict)
-    first: int = 0
-
-    @property
-    def label(self) -> str:
-        """The name, with m and options where they were chosen."""
-        ratios = f" m={','.join(map(str, self.m))}" if self.m else ""
-        return self.scheme + ratios + "".join(f" {_word(name, value)}" for name, value in self.options.items())
-
-
-def _word(name: str, value: Any) -> str:
-    return value if isinstance(value, str) else f"{name}={value[0] if isinstance(value, tuple) else value}"
 
 
 @dataclass(frozen=True)
@@ -276,7 +240,7 @@ class StepRefinement:
     def first(self, method: Method) -> int:
         """Steps of a first level: such as see what loads do, within the stability limit at the start."""
         scheme = self.plan(method, FIRST_LEVEL_STEPS).scheme
-        return max(_steps_for_loads(self.problem), _stable_steps(scheme, slopes_at_start(self.problem), self.span))
+        return max(steps_for_loads(self.problem), stable_steps(scheme, slopes_at_start(self.problem), self.span))
 
     def _sampling_the_way(self, level: RefinementLevel) -> int:
         """Steps, in units, that see what acts on a short part of the way that a level took."""
@@ -497,34 +461,6 @@ def _doubted(answer: RefinementLevel, levels: list[RefinementLevel]) -> MotionEr
     )
 
 
-# ---- which method ------------------------------------------------------------------------------------------------
-
-
-def chosen_method(problem: Problem) -> tuple[Method, str]:
-    """The method whose first level takes the fewest operations, and why; nothing is compiled for it."""
-    return problem.model.of_numbers("method", problem.numbers, lambda: _chosen(problem))
-
-
-def _chosen(problem: Problem) -> tuple[Method, str]:
-    slopes, compared = slopes_at_start(problem), _steps_for_loads(problem)
-    prices: list[tuple[float, Method]] = []
-    evaluation = 0
-    for name in (*EXPLICIT_METHODS, *_exponentials(problem.model)):
-        kind, steps = scheme_kind(name), max(FIRST_LEVEL_STEPS, compared)
-        if kind.make.limited():
-            span = problem.t_end - problem.t0
-            scheme = kind.build(name, problem.model, span / FIRST_LEVEL_STEPS, None, {})
-            steps = max(steps, _stable_steps(scheme, slopes, span))
-            evaluation = evaluation or evaluation_operations(scheme)
-        method = Method(name, first=steps)
-        if name == EXPLICIT_METHODS[0] and steps <= max(FIRST_LEVEL_STEPS, compared):
-            return method, f"{name}: the motion is not stiff"
-        prices.append((steps * HANDICAP.get(name, 1) * _price(name, evaluation, len(problem.model.q_i)), method))
-    price, best = min(prices, key=lambda one: one[0])
-    others = ", ".join(f"{one.scheme} {other / price:.3g}" for other, one in prices if one is not best)
-    return best, f"{best.scheme}: the motion is stiff; operations of a first level, relative to it: {others}"
-
-
 def usual_steps(model: EmittedModel, t0: float, t_end: float | None) -> tuple[str, float]:
     """(scheme, step [s]) with which the motion of a model as its scene has it meets the tolerance of `auto`; kept.
 
@@ -543,96 +479,3 @@ def usual_steps(model: EmittedModel, t0: float, t_end: float | None) -> tuple[st
         return plan.name, plan.grid.dt_L
 
     return model.derived(f"usual_steps {t0} {t_end}", found)
-
-
-def _price(name: str, evaluation: int, n: int) -> float:
-    """Operations of a step with n coordinates, about."""
-    evaluations, *of_size = PRICES[name]
-    return float(evaluations * evaluation + sum(factor * n**power for power, factor in enumerate(of_size, start=1)))
-
-
-def _stable_steps(scheme: Scheme, slopes: tuple[np.ndarray, np.ndarray] | None, span: float) -> int:
-    """Steps of a first level: within the stability limit at the start."""
-    limit = scheme.step_limit(*slopes) if slopes is not None and scheme.limited() else None
-    if limit is None:
-        return FIRST_LEVEL_STEPS
-    sub_steps = scheme.grid.h[0] / scheme.grid.h[-1]
-    return max(FIRST_LEVEL_STEPS, ceil(span / (TOLERANCE_SAFETY * limit.h * sub_steps)))
-
-
-def _steps_for_loads(problem: Problem) -> int:
-    c = problem.model.constants(problem.p)
-    return steps_that_see_loads(problem.model, c, problem.state, problem.t0, problem.t_end)
-
-
-def _exponentials(model: EmittedModel) -> list[str]:
-    """Methods for stiff motion that the model can be stepped with, and that are not dear by its size."""
-    found = ["exponential_rk4"] if model.has("deflections") else []
-    n = len(model.q_i)
-    small = model.has("residual_jacobian") and (n <= LARGE_SYSTEM if found else affordable(model))
-    return [*found, "exponential"] if small else found
-
-
-DENSE_STEP_OPERATIONS = 12  # operations of a step with dense matrices, over n^3
-MOST_DENSE = 400_000  # operations of such a step: some 30 s of the compiler
-
-
-def affordable(model: EmittedModel) -> bool:
-    """Is a step with dense matrices short enough to be compiled?"""
-    return DENSE_STEP_OPERATIONS * len(model.q_i) ** 3 <= MOST_DENSE
-
-
-# How many steps see what loads do. Coarse motions that miss a load agree with each other, as do those that see a fast
-# one at like phases. So forces along q_i, which are known functions of time while all else is held as at the start,
-# are integrated twice as steps see them, by Simpson's rule, and once by FINE steps. So many steps are enough from
-# which on that is off by SEES at most.
-
-FINE_STEPS, COARSE_STEPS = 8192, 4  # numbers of steps that are compared, by factors of two
-SEES = 0.02  # of what a force alone would move in the whole time (RMS)
-VARIES = 1e-6  # of its largest value: a force that changes by less is constant
-MOST_LEGS = 50  # between jumps; where there are more, steps see them
-
-
-def steps_that_see_loads(model: EmittedModel, c: np.ndarray, state: ConsistentState, t0: float, t_end: float) -> int:
-    """The least number of steps over the time [s], which end where loads jump; 0 where no force depends on time."""
-    switches = switching_times(model, c, t0, t_end)
-    function = force_of_time(model, c, state) if len(switches) < MOST_LEGS else None
-    if function is None:
-        return 0
-    inside = [one for one in switches if t0 < one.time < t_end]
-    legs = list(zip([t0, *(one.after for one in inside)], [*(one.before for one in inside), t_end], strict=True))
-    fine = _moved_by_loads(function, legs, FINE_STEPS)
-    varies = np.ptp(fine[2], axis=1) > VARIES * np.abs(fine[2]).max(axis=1)
-    if not varies.any():
-        return 0
-    exact, size = fine[1][varies], fine[1][varies].std(axis=1)
-    least, steps = FINE_STEPS, FINE_STEPS // 2
-    while steps >= COARSE_STEPS:
-        at, found, _ = _moved_by_loads(function, legs, steps)
-        off = found[varies] - np.array([np.interp(at, fine[0], row) for row in exact])
-        if not (np.sqrt(np.mean(off**2, axis=1)) <= SEES * size).all():
-            break
-        least, steps = steps, steps // 2
-    return least
-
-
-def _moved_by_loads(
-    forces_at: OfTime, legs: Sequence[tuple[float, float]], steps: int
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(times of ends of steps, what each force alone moves until then, forces that were seen), (n_i, .) each."""
-    span = legs[-1][1] - legs[0][0]
-    times, rises, moves, compared = [np.array([legs[0][0]])], [], [], []
-    for begin, end in legs:
-        count = max(1, round(steps * (end - begin) / span))
-        t = np.linspace(begin, end, 2 * count + 1)
-        forces, h = forces_at(t), (end - begin) / count
-        first, middle, last = forces[:, 0:-1:2], forces[:, 1::2], forces[:, 2::2]
-        rises.append(h / 6 * (first + 4 * middle + last))
-        moves.append(h * h / 6 * (first + 2 * middle))
-        times.append(t[2::2])
-        compared.append(forces)
-    ends, rise, move = np.concatenate(times), np.concatenate(rises, axis=1), np.concatenate(moves, axis=1)
-    none = np.zeros((len(rise), 1))
-    rate = np.concatenate([none, np.cumsum(rise, axis=1)], axis=1)
-    place = np.cumsum(rate[:, :-1] * np.diff(ends) + move, axis=1)
-    return ends, np.concatenate([none, place], axis=1), np.concatenate(compared, axis=1)

@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from runtime import Model, simulate
-from runtime.running.step_refinement import steps_that_see_loads
+from runtime.running.steps_for_loads import steps_that_see_loads
 from runtime.start.start_state import start_state
 from symgen.scene import Scene, SceneRecord
 from tests.support.scenes import on_hinge

@@ -15,8 +15,9 @@ from benchmarks.scenes.arm import arm
 from runtime import Model, SchemeError, simulate
 from runtime.contract.errors import ModelError
 from runtime.results.motion_error import amplitudes
+from runtime.running.method_choice import Method, affordable
 from runtime.running.singular.crossing import MOST_CROSSING_EVALUATIONS, BranchLost, TightIntegrator
-from runtime.running.step_refinement import Method, StepRefinement, affordable
+from runtime.running.step_refinement import StepRefinement
 from runtime.studies.advice import methods
 from runtime.studies.advice.advise import Advice, NoAdvice, advice_data, advice_lines, advise, advised_command
 from runtime.studies.advice.methods import candidates, left_out

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from runtime import SCHEMES, Model, simulate
+from runtime.running.method_choice import Method
 from runtime.running.problem import Problem
-from runtime.running.step_refinement import Method
 from runtime.studies.advice.methods import always_reported, candidates
 from runtime.studies.advice.report import as_markdown, report
 from runtime.studies.advice.spectrum import StepRatios, group_frequencies, moving_rates, step_ratios

@@ -18,8 +18,9 @@ from runtime.contract.cards import card, line, table
 from runtime.contract.coordinates import Initial
 from runtime.contract.errors import NoResult, SymgenError
 from runtime.contract.model import EmittedModel
+from runtime.running.method_choice import Method, chosen_method
 from runtime.running.problem import AUTO, Problem, tolerance_of
-from runtime.running.step_refinement import Method, RefinementLevel, StepRefinement, chosen_method
+from runtime.running.step_refinement import RefinementLevel, StepRefinement
 from runtime.studies.advice.methods import always_reported, candidates, checked_grades, left_out, multirate
 from runtime.studies.advice.spectrum import step_ratios
 

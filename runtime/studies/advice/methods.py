@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import ModelError
 from runtime.contract.model import EmittedModel
-from runtime.running.step_refinement import DENSE_STEP_OPERATIONS, Method, affordable
+from runtime.running.method_choice import DENSE_STEP_OPERATIONS, Method, affordable
 from runtime.schemes.catalogue import SCHEMES
 from runtime.studies.advice.spectrum import StepRatios
 

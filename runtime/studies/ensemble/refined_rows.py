@@ -16,6 +16,7 @@ import numpy as np
 
 from runtime.contract.status import StatusName
 from runtime.results.motion_error import errors_of_many
+from runtime.running.method_choice import TOLERANCE_SAFETY
 from runtime.running.outcome import INACCURATE_ERROR
 from runtime.running.step_refinement import (
     ACCURATE,
@@ -25,7 +26,6 @@ from runtime.running.step_refinement import (
     RICHARDSON_SAFETY,
     SHOWN_ORDER,
     STAGNANT_DIFFERENCE,
-    TOLERANCE_SAFETY,
 )
 from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.lane_runs import LaneResults

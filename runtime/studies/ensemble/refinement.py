@@ -19,9 +19,10 @@ from runtime.contract.coordinates import followed
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import EmittedModel
 from runtime.running.comparison_times import comparison_steps
+from runtime.running.method_choice import Method, chosen_method
 from runtime.running.planning import make_plan
 from runtime.running.problem import AUTO, SPAN_ROUNDING, Plan, Problem, span_of, tolerance_of
-from runtime.running.step_refinement import Method, RefinementLevel, StepRefinement, chosen_method
+from runtime.running.step_refinement import RefinementLevel, StepRefinement
 from runtime.schemes.options import SchemeError
 
 FIRST_SHARE = 4  # the first level has this part of the steps that the middle case needs
