@@ -25,7 +25,7 @@ from runtime.operating.functions import PointFunctions
 from runtime.operating.given_state import given_position, given_state
 from runtime.running.inputs import Schedule
 from runtime.running.outcome import with_limits
-from runtime.running.problem import seen_every_of, steps_until
+from runtime.running.problem import dividing_step, seen_every_of, steps_until
 from runtime.running.time_functions import refuse_position_jumps
 from runtime.schemes.options import SchemeError
 from runtime.schemes.switching.impulse import impulse_at, impulse_text
@@ -81,6 +81,7 @@ def driven_solution(
 
 def _instants(t0: float, t_end: float, dt: float) -> np.ndarray:
     """(N,) dt apart from t0 on, and the end where that is nearer [s]."""
+    dt = dividing_step(t0, t_end, dt)
     found = steps_until(t0, t_end, dt)
     times = t0 + dt * np.arange(found["steps"] + 1)
     if found["end"] is not None:

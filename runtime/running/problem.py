@@ -161,6 +161,7 @@ MOST_KEPT = 20_000  # samples of a run for which no time between them is asked
 MAX_STEPS = 1e15
 DISTINCT_TIMES = 2.0**-49  # dt over a time, at least
 STEP_COUNT_ROUNDING = 1e-6  # of a step: t_end / dt is a whole number up to this
+SAME_END = 2.0**-48  # of a time: sums of steps end there up to rounding
 
 
 @dataclass(frozen=True)
@@ -273,8 +274,11 @@ def checked_plan(
     """
     ratios = None if m is None else _whole_numbers(m)
     built = scheme_kind(scheme).build(scheme, model, dt, ratios, options or {})
-    grid = built.grid
     t0, end = span_of(model, t0, t_end)
+    dividing = dividing_step(t0, end, built.grid.dt_L)
+    if dividing != built.grid.dt_L:
+        built = scheme_kind(scheme).build(scheme, model, dividing, ratios, options or {})
+    grid = built.grid
     spacing = own_spacing(model, t0, end) if seen_every is None else seen_every
     every = max(1, round(spacing / grid.dt_L))
     if grid.dt_L > (end - t0) * (1 + STEP_COUNT_ROUNDING):
@@ -297,6 +301,17 @@ def steps_until(t0: float, end: float, dt: float) -> dict[str, Any]:
     count = (end - t0) / dt
     steps = max(1, ceil(count - STEP_COUNT_ROUNDING))
     return {"steps": steps, "end": end if steps - count > STEP_COUNT_ROUNDING else None}
+
+
+def dividing_step(t0: float, end: float, dt: float) -> float:
+    """dt, or the step that divides the span where dt does up to `STEP_COUNT_ROUNDING` [s].
+
+    A third of a second written with seven digits is meant as a third, and a run ends at its end.
+    """
+    steps = steps_until(t0, end, dt)
+    exact = (end - t0) / steps["steps"]
+    told_apart = abs(exact - dt) * steps["steps"] > SAME_END * max(abs(t0), abs(end))
+    return exact if steps["end"] is None and told_apart else dt
 
 
 def refuse_alike(t0: float, end: float, dt: float) -> None:

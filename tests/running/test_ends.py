@@ -57,6 +57,17 @@ def test_the_last_step_is_shorter(model: Model) -> None:
     np.testing.assert_allclose([run["cart.x"][-1], run["cart.x_dot"][-1]], state, rtol=1e-12)
 
 
+@pytest.mark.parametrize("scheme", ["rk4", "single_rate", "printed", "radau"])
+@pytest.mark.parametrize(("t0", "end", "dt", "steps"), [(0.0, 1.0, 0.0999999999, 10), (2.0, 3.0, 0.2500000001, 4)])
+def test_steps_that_divide_but_for_their_last_digits_end_at_the_end(
+    model: Model, scheme: str, t0: float, end: float, dt: float, steps: int
+) -> None:
+    """They ended 1e-9 s before it, or 4e-10 s past it."""
+    run = model.simulate(scheme=scheme, t0=t0, t_end=end, dt=dt, seen_every=0.0, error="off", force=True)
+    assert len(run.t) == steps + 1 and run.t[-1] == pytest.approx(end, rel=1e-15)
+    np.testing.assert_allclose(np.diff(run.t), (end - t0) / steps, rtol=1e-13)
+
+
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_each_method_is_as_right_at_the_end_as_before_it(model: Model, scheme: str) -> None:
     run = model.simulate(scheme=scheme, dt=DT, t_end=T_END, seen_every=0.0)
