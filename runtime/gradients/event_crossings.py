@@ -15,11 +15,14 @@ from runtime.contract.signals import SINCE
 from runtime.gradients.course import ALIKE_SLOPES, EventCrossing, Hold
 from runtime.gradients.impacts import rows_of
 from runtime.gradients.start_of_run import StartedRun
+from runtime.gradients.switches import MEETING
 from runtime.running.events import EventHandler, LocatedEvents, state_of
 from runtime.running.problem import Plan
 from runtime.running.stepped_model import SteppedModel
+from runtime.schemes.scheme import direct
+from runtime.schemes.switching.stop_program import loop_guess
 from runtime.schemes.switching.times import JUMP_AT_STEP
-from runtime.schemes.switching.watched import are_kinks, values_at, watched_events, watches
+from runtime.schemes.switching.watched import NEVER, are_kinks, held_kinks, values_at, watched_events, watches
 
 BATCH = 64  # steps after which events are looked at
 NEARER, NEARINGS = 16.0, 7  # steps end before a kink, and begin behind it, nearer by that factor so many times
@@ -149,12 +152,13 @@ class EventCrossings:
         scheme, found = own.plan.scheme, list[EventCrossing]()
         t, values = float(start[0] + start[1] * self._plan.grid.dt_L), start[scheme.layout.slice("event_values")]
         for one in made:
-            acting = [k for k in one.events if self._events[k].sets or self._events[k].mode]
+            acting = [k for k in one.events if self._events[k].sets or self._events[k].mode or self._jumps(own, one, k)]
             if not acting:
                 found.append(EventCrossing(one.t))
                 continue
             sets = any(self._events[k].sets for k in acting)
-            if len(acting) > 1 and (sets or not self._alike(one, acting)):
+            beside = sets or any(k in held_kinks(scheme) for k in acting)
+            if len(acting) > 1 and (beside or not self._alike(one, acting)):
                 raise NoResult(
                     f"events {', '.join(self._events[k].name for k in acting)} of model {self._model.name}",
                     f"act at one time, t = {one.t:.6g} s, and move apart with what is differentiated by",
@@ -163,6 +167,24 @@ class EventCrossings:
             way = abs(float(values[acting[0]])) / max(one.t - t, 1e-300) if one is made[0] else 0.0
             found.append(EventCrossing(one.t, acting[0], GRAZING * way, sets, *self._settled(own, one)))
         return found
+
+    def _jumps(self, own: SteppedModel, one: LocatedEvents, k: int) -> bool:
+        """Does a force jump at kink k, so that its time counts?"""
+        scheme, held = own.plan.scheme, held_kinks(own.plan.scheme)
+        if k not in held:
+            return False
+
+        def build() -> ca.Function:
+            z, c, side = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size), ca.SX.sym("side", len(held))
+            shown, fields = scheme.observer(z=z, c=c), scheme.layout.unpack(z)
+            equations = scheme.equations(c, {**fields, "side": side})
+            motion = equations.close_well(shown["q_i"], loop_guess(scheme, shown["q_d"]), shown["t"])
+            return ca.Function("held", [z, c, side], [ca.densify(equations.accelerations(motion, shown["q_i_dot"]))])
+
+        z, c = one.observed.z[: scheme.layout.size], one.observed.c
+        at = np.where(np.array([*held]) == k, NEVER, 0.0)
+        low, high = (direct(scheme, "accelerations on a side", build)(z, c, side) for side in (-at, at))
+        return bool(np.abs(high - low).max() > MEETING * max(np.abs(high).max(), np.abs(low).max()))
 
     def _settled(self, own: SteppedModel, one: LocatedEvents) -> Sequence[Any]:
         """Modes, push, rows and struck of what elements did, see EventCrossing."""

@@ -2,7 +2,7 @@
 
 Where a force switches (`where`, `sign`, `step`) at a fixed time, the derivative of the run is that of its branches.
 Where the time of a jump moves with a parameter or with the motion, the motion's derivative has a further part that no
-branch shows. So the conditions in Q_hat that depend on either are watched along the run; where one changes, the step is
+branch shows (saltation). Steps that end at the jump have it, see turns.py; other jumps are refused. So the conditions in Q_hat that depend on either are watched along the run; where one changes, the step is
 halved down to that place, and the two branches are compared there. Branches that meet (a spring that goes slack) are
 right.
 """
@@ -25,9 +25,11 @@ from runtime.gradients.start_of_run import StartedRun
 from runtime.running.problem import Plan
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.switching.times import has_switching_times
+from runtime.schemes.switching.watched import held_kinks
 
 SWITCHING = (ca.OP_LT, ca.OP_LE, ca.OP_EQ, ca.OP_NE, ca.OP_SIGN, ca.OP_FLOOR, ca.OP_CEIL, ca.OP_FMOD)
 SWITCH_HALVINGS = 60
+SAME_JUMP = 1e-6  # of a step: a jump so near to one whose time counts is that one
 MEETING = 1e-6  # of the force: branches that differ by less meet
 
 
@@ -53,6 +55,9 @@ class Switches:
         if self._switch_conditions is None:
             return
         stepping, z = NativeProgram(self._program.step), started.z.copy()
+        kinks = held_kinks(self._plan.scheme)
+        crossings = (stop.turn.crossing for stop in course.stops if stop.turn is not None)
+        known = np.array([one.clock for one in crossings if one is not None and one.event in kinks])
         for stop in course.stops:
             ready = turned(stop, z, started)
             c, constants = self._constants(z, ready), ready[: self._plan.scheme.c_size]
@@ -62,7 +67,7 @@ class Switches:
                 stepping.run(z, ready, 1)
                 after = self._at(z, constants)
                 for k in np.flatnonzero(held != self._conditions(after, c)):
-                    self._compare(int(k), before, after, held, c)
+                    self._compare(int(k), before, after, held, c, known)
                 before = after
 
     def _constants(self, z: np.ndarray, ready: np.ndarray) -> np.ndarray:
@@ -85,14 +90,21 @@ class Switches:
         assert self._switch_conditions is not None
         return np.asarray(self._switch_conditions.conditions(at, c)).ravel()
 
-    def _compare(self, k: int, before: np.ndarray, after: np.ndarray, held: np.ndarray, c: np.ndarray) -> None:
-        """The forces of both branches where condition k changes between two states."""
+    def _compare(
+        self, k: int, before: np.ndarray, after: np.ndarray, held: np.ndarray, c: np.ndarray, known: np.ndarray
+    ) -> None:
+        """The forces of both branches where condition k changes between two states; known: of which times the
+        derivatives are in that of the run [s].
+        """
         assert self._switch_conditions is not None
         low, high = 0.0, 1.0
         for _ in range(SWITCH_HALVINGS):
             middle = (low + high) / 2
             at = before + middle * (after - before)
             low, high = (middle, high) if self._conditions(at, c)[k] == held[k] else (low, middle)
+        dt = self._plan.grid.dt_L
+        if len(known) and np.abs(known - (before[0] + high * (after[0] - before[0]))).min() <= SAME_JUMP * dt:
+            return
         at, until = (before + share * (after - before) for share in (high, low))
         values = (self._conditions(at, c), self._conditions(until, c))
         Q = [np.asarray(self._switch_conditions.forces(at, c, one)).ravel() for one in values]

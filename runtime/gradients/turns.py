@@ -29,7 +29,7 @@ from runtime.gradients.impacts import sizes, thrown
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.gradients.start_of_run import StartedRun
 from runtime.schemes.switching.stop_program import loop_guess, restarted, with_steps
-from runtime.schemes.switching.watched import values_at, watched_events
+from runtime.schemes.switching.watched import NEVER, held_kinks, values_at, watched_events
 
 IMPACT_MISMATCH = 1e-6  # of the largest rate: impacts at one time that are none after another
 TURN_DATA = (
@@ -230,13 +230,23 @@ class TurnProgram:
         w = (fields.get("inputs"), self._inputs(z, fields, observed, ca.SX(0)))
         q_i, v, loop = self._motion(z, fields, c)
         rates, a = (v, v + z["push"] if self._struck else v), []
-        for clock, inputs, rate in zip(t, w, rates, strict=True):
-            equations = self._scheme.equations(c, {**fields, "inputs": inputs} if inputs is not None else fields)
+        sides = self._sides(z, observed)
+        for clock, inputs, rate, side in zip(t, w, rates, sides, strict=True):
+            held = {**fields, **({} if inputs is None else {"inputs": inputs}), **side}
+            equations = self._scheme.equations(c, held)
             a.append(equations.accelerations(equations.close_well(q_i, loop, clock), rate))
         found = {"ends": a[0], "begins": a[1]}
         if self._struck:
             found["thrown"] = thrown(self._scheme.equations(c, fields), (q_i, loop, t[0]), v, z["rows"], z["struck"])
         return found | {"value": observed["events"], "rate": observed["slopes"]} if observed else found
+
+    def _sides(self, z: Fields, observed: dict[str, ca.SX]) -> tuple[dict[str, ca.SX], dict[str, ca.SX]]:
+        """Of the jump by the motion that counts, before and behind the turn; nothing where none does."""
+        held = held_kinks(self._scheme)
+        if not observed or not held:
+            return {}, {}
+        side = NEVER * ca.sign(observed["slopes"]) * z["acts"][held]
+        return {"side": -side}, {"side": side}
 
     def _inputs(self, z: Fields, fields: Fields, observed: dict[str, ca.SX], moved: ca.SX) -> ca.SX | None:
         """The inputs (n_w,) behind the turn, whose time moves by so much; None where there are none."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import casadi as ca
 import numpy as np
 import pytest
 
@@ -93,3 +94,28 @@ def test_a_jump_at_the_end_of_a_step(model_of: Build, scheme: str) -> None:
     assert forward[0] == pytest.approx(difference, rel=1e-8)
     moved = (course(1.0, T + 1e-4)[-1] - course(1.0, T - 1e-4)[-1]) / 2e-4
     assert forward[1] == pytest.approx(moved, rel=1e-4)
+
+
+def pushed_beyond() -> SceneRecord:
+    """1 kg that slides into a push which begins at `edge` and ends at `edge` + 1."""
+    scene = Scene("pushed_beyond").parameter("edge", 0.5, "m").parameter("push", 10.0, "N")
+    scene.rigid("block", mass=1.0, inertia=0.1).prismatic("rail", "ground.origin", "block.origin")
+    scene.measure("x", "coordinate", "block.x").force("f", "block.origin", "where(edge < x < edge + 1, push, 0)", 0.0)
+    return scene.rates({"block.x": 1.0}).simulation(t_end=1.2, dt=0.03, scheme="rk4").build()
+
+
+@pytest.mark.every_push("rk4-forward")
+@pytest.mark.parametrize("mode", ["forward", "reverse"])
+@pytest.mark.parametrize("scheme", ["rk4", "exponential", "single_rate", "radau"])
+def test_a_push_that_begins_and_ends_at_a_place(model_of: Build, scheme: str, mode: str) -> None:
+    """By hand: v = sqrt(v0^2 + 2 push) behind it, x from the times (edge - x0) / v0 and (v - v0) / push on the way."""
+    at = ca.SX.sym("at", 4)
+    edge, push, x, v = ca.vertsplit(at)
+    left = ca.sqrt(v**2 + 2 * push)
+    end = ca.vertcat(edge + 1 + left * (1.2 - (edge - x) / v - (left - v) / push), left)
+    exact = ca.Function("exact", [at], [end, ca.jacobian(end, at)])([0.5, 10.0, 0.0, 1.0])
+    by = ["edge", "push", "block.x", "block.x_dot"]
+    for k, name in enumerate(("block.x", "block.x_dot")):
+        found = gradient(model_of(pushed_beyond()), End(name), by, scheme=scheme, mode=mode)
+        assert found.value == pytest.approx(float(exact[0][k]), abs=1e-8)
+        np.testing.assert_allclose(found.derivatives, np.asarray(exact[1])[k], atol=2e-7)

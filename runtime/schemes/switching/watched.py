@@ -62,6 +62,12 @@ def holds_sides(scheme: Scheme) -> bool:
     return locates_kinks(scheme) and bool(scheme.model.description.held)
 
 
+def held_kinks(scheme: Scheme) -> list[int]:
+    """Which of the watched events are the kinks whose sides are held, in the order of these."""
+    first = len(scheme.model.description.events)
+    return [first + k for k in scheme.model.description.held] if holds_sides(scheme) else []
+
+
 def awake_sides(scheme: Scheme, z: Fields, side: ca.SX, t: ca.SX) -> ca.SX:
     """(n_side,) of these sides zero where a kink is not looked for at t [s], so that steps cross it as it is."""
     first = len(scheme.model.description.events)
