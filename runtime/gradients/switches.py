@@ -2,9 +2,9 @@
 
 Where a force switches (`where`, `sign`, `step`) at a fixed time, the derivative of the run is that of its branches.
 Where the time of a jump moves with a parameter or with the motion, the motion's derivative has a further part that no
-branch shows (saltation). Steps that end at the jump have it, see turns.py; other jumps are refused. So the conditions in
-Q_hat that depend on either are watched along the run; where one changes, the step is halved down to that place, and the
-two branches are compared there. Branches that meet (a spring that goes slack) are right.
+branch shows (saltation). Steps that end at the jump have it, see turns.py; other jumps are refused. So the conditions
+in Q_hat that depend on either are watched along the run; where one changes, the step is halved down to that place, and
+the two branches are compared there. Branches that meet (a spring that goes slack) are right.
 """
 
 from __future__ import annotations
