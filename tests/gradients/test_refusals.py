@@ -32,8 +32,8 @@ def test_jumps_that_move_apart_are_refused(model_of: Build) -> None:
 
 @pytest.mark.long
 def test_a_jump_that_the_motion_decides_is_refused_and_a_bend_is_not(model_of: Build) -> None:
-    """x'' = 1 until x = 0.1, then more: by a jump of the force, or by a spring that begins there. A jump that steps cross
-    is refused; where they end there its time is that of x = 0.1, sqrt(0.2).
+    """x'' = 1 until x = 0.1, then more: by a jump of the force, or by a spring that begins there. A jump that steps
+    cross is refused; where they end there its time is that of x = 0.1, sqrt(0.2).
     """
     run = {"scheme": "rk4", "dt": 0.01}
     jump = model_of(sliding("where(place < 0.1, 1, k)", k=5.0))
