@@ -17,7 +17,8 @@ MOST_ERROR = 0.02  # at which methods are compared
 def plate_demo(out: str | None, t_end: float | None) -> Outcome:
     """Simulate the plate, draw its regions and its motion, and report every method's error against its time.
 
-    Leaves regions.png, motion.png, fields.png, error_time.png, methods.md, methods.csv, report.json and run.npz.
+    Leaves page.html, regions.png, motion.png, fields.png, error_time.png, methods.md, methods.csv, report.json and
+    run.npz.
     """
     from symgen.scenes.plate import plate_scene
 
@@ -30,6 +31,7 @@ def plate_demo(out: str | None, t_end: float | None) -> Outcome:
         progress.note("drawing ...")
         files: dict[str, Callable[[Path], object]] = {
             "regions.png": run.plot_regions, "motion.png": run.plot, "fields.png": run.plot_fields, "run.npz": run.save,
+            "page.html": run.page,
         }  # fmt: skip
         for name, write in files.items():
             write(folder / name)
