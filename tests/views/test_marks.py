@@ -52,6 +52,8 @@ def test_marks_stand_where_the_scene_has_them(model_of: Build, space: str) -> No
     hubs = [record["bodies"][joints["mesh"][end][0]]["name"] for end in "ab"]
     radii = dict(zip(hubs, joints["mesh"]["wheels"], strict=True))
     assert radii == {"a": pytest.approx(0.2, abs=1e-12), "b": pytest.approx(0.4, abs=1e-12)}
+    changes = [event for event in run.events if event.kind in ("impact", "mode")]
+    assert record["marks"] == [[pytest.approx(event.time, abs=1e-8), int(event.kind == "mode")] for event in changes]
     assert record["box"][1][0] >= 1.9 - 1e-9 and joints["fast"]["held"] is None and joints["fast"]["ends"] == []
     t = np.frombuffer(base64.b64decode(record["t"]))
     held = np.frombuffer(base64.b64decode(joints["table"]["held"]), dtype="<f4")

@@ -10,12 +10,15 @@ import numpy as np
 from runtime.contract.coordinates import at_home, parts, rate_parts
 from runtime.contract.records import packed
 from runtime.results.friction import rubbing, stopping
+from runtime.results.impacts import impacts
 from runtime.views.film import is_spatial
 from runtime.views.mechanism import Scenery
 
 if TYPE_CHECKING:
     from runtime.solutions.solution import Solution
 
+KINDS = ("impact", "mode", "event")
+MOST_MARKS = 500
 WHEELS = 0.8  # of the distance between wheels that turn alike: both radii together
 
 
@@ -32,6 +35,14 @@ def ends_of(solution: Solution, shown: Scenery, joint: Mapping[str, Any]) -> lis
         x = shown.axes(joint["marker_b"])[0][:, 0]
         at = float(np.arctan2(x @ axes[:, 1], x @ axes[:, 0]))
     return [at - side * float(gaps[own[side]]) if side in own else None for side in (1, -1)]
+
+
+def time_marks(solution: Solution) -> list[list[float]]:
+    """[time, kind] of impacts (0), changes of mode (1) and events (2), for the time axes; evenly fewer of very many."""
+    found = [(one.time, 0.0) for one in impacts(solution)]
+    found += [(one.time, float(KINDS.index(one.kind))) for one in solution.events if one.kind in KINDS[1:]]
+    kept = sorted(found)[:: 1 + len(found) // MOST_MARKS]
+    return [[round(float(t), 9), kind] for t, kind in kept if np.isfinite(t)]
 
 
 def _stops(solution: Solution) -> list[Any]:

@@ -15,7 +15,7 @@ from runtime.views import curves
 from runtime.views.curves import COLOURS, Curves, force_vectors, moment_vectors
 from runtime.views.film import is_spatial, shortest_tree, up_axis
 from runtime.views.mechanism import GROUND, Body, Points, Scenery, Solid, scenery
-from runtime.views.viewer.marks import ends_of, held, wheels, with_wheels
+from runtime.views.viewer.marks import ends_of, held, time_marks, wheels, with_wheels
 
 if TYPE_CHECKING:
     from runtime.solutions.solution import Solution
@@ -310,6 +310,7 @@ def view_record(
             ),
         ],
         **drawn,
+        "marks": time_marks(solution),
         "curve_t": packed(np.round(solution.t[kept], 15), "<f8"),
         "curves": [
             _group(group, solution.t[kept], solution, beside) for group in (_curves(solution) if with_curves else [])

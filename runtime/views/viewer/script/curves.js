@@ -33,6 +33,16 @@ function chart(group) {
       draw: [(self) => {
         const x = self.valToPos(state.t, "x", true), { top, height } = self.bbox;
         self.ctx.save();
+        self.ctx.setLineDash([]);
+        for (const [t, kind] of run.marks) { // impacts, changes of mode, events: short lines on the time axis
+          const at = self.valToPos(t, "x", true);
+          self.ctx.strokeStyle = ["#d55e00", "#0072b2", "#6b7280"][kind];
+          self.ctx.lineWidth = 1;
+          self.ctx.beginPath();
+          self.ctx.moveTo(at, top + height - 7);
+          self.ctx.lineTo(at, top + height);
+          self.ctx.stroke();
+        }
         self.ctx.strokeStyle = "#dc2626";
         self.ctx.lineWidth = 1.5;
         self.ctx.setLineDash([]);
