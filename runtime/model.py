@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from runtime.operating.equilibrium import equilibrium as _equilibrium
     from runtime.operating.linearise import linearise as _linearise
     from runtime.operating.modes import modes as _modes
+    from runtime.orbits.cases import fit_periodic as _fit_periodic
+    from runtime.orbits.cases import periodic_cases as _periodic_cases
     from runtime.orbits.continuation import periodic_over as _periodic_over
     from runtime.orbits.periodic import periodic as _periodic
     from runtime.running.driven import quasi_static_motion as _quasi_static_motion
@@ -47,8 +49,8 @@ class Model(EmittedModel):
     """A mechanism ready to run: its equations as CasADi functions, and the studies that can be made of them.
 
     Runs: simulate, resume, ensemble, stepper, lanes. States: equilibrium, modes, linearise, campbell,
-    unbalance_response, quasi_static_motion. Motions that repeat: periodic, periodic_over. Derivatives: gradient,
-    output_jacobian, fit. Methods: advise, report, stability. Modelling: convergence. Dynamics: mass_matrix, coriolis,
+    unbalance_response, quasi_static_motion. Motions that repeat: periodic, periodic_over, periodic_cases,
+    fit_periodic. Derivatives: gradient, output_jacobian, fit. Methods: advise, report, stability. Modelling: convergence. Dynamics: mass_matrix, coriolis,
     gravity, inverse_dynamics, forward_dynamics, jacobian, ode. Names: q_i, q_d, coordinates, parameters, inputs,
     measures, joints, constraints. Functions: function, evaluate. Handed on: export_c, export_fmu, to_jax.
     """
@@ -65,6 +67,8 @@ class Model(EmittedModel):
         unbalance_response = _unbalance_response
         periodic = _periodic
         periodic_over = _periodic_over
+        periodic_cases = _periodic_cases
+        fit_periodic = _fit_periodic
         quasi_static_motion = _quasi_static_motion
         gradient = _gradient
         output_jacobian = _output_jacobian
@@ -140,6 +144,18 @@ class Model(EmittedModel):
             from runtime.orbits.continuation import periodic_over
 
             return periodic_over
+
+        @LazyMethod
+        def periodic_cases():
+            from runtime.orbits.cases import periodic_cases
+
+            return periodic_cases
+
+        @LazyMethod
+        def fit_periodic():
+            from runtime.orbits.cases import fit_periodic
+
+            return fit_periodic
 
         @LazyMethod
         def quasi_static_motion():

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from scipy import stats
@@ -89,8 +89,35 @@ def fit(
     return fit_prepared(prepared, data, bounds=bounds, guess=guess, deviation=deviation)
 
 
+class Predicts(Protocol):
+    """What is fitted: outputs (N, n_y) at times t (N,) [s], and their slopes by x (n,)."""
+
+    @property
+    def model(self) -> EmittedModel:
+        """The mechanism."""
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """Names of what was measured."""
+
+    @property
+    def by(self) -> tuple[str, ...]:
+        """Names of what is fitted."""
+
+    @property
+    def x0(self) -> np.ndarray:
+        """Where the search begins, if nothing else is said."""
+
+    @property
+    def t(self) -> np.ndarray:
+        """Times of the outputs [s]."""
+
+    def jacobian(self, x: Any) -> OutputJacobian:
+        """Outputs and slopes there. Raises NoResult."""
+
+
 def fit_prepared(
-    run: DifferentiableRun,
+    run: Predicts,
     data: Mapping[str, Any],
     *,
     bounds: Bounds | None = None,
@@ -137,7 +164,7 @@ def fit_prepared(
 class _Search:
     """Residuals and their Jacobian by x over its scale; each run is made once, with its derivatives."""
 
-    def __init__(self, run: DifferentiableRun, measurements: Measured, scale: np.ndarray) -> None:
+    def __init__(self, run: Predicts, measurements: Measured, scale: np.ndarray) -> None:
         self._run, self._measurements, self.scale = run, measurements, scale
         self._at: tuple[np.ndarray, OutputJacobian | None] | None = None
         self._far = 0.0
@@ -337,13 +364,13 @@ class Measured:
         return np.asarray(((outputs - self.values) * self.weights).ravel())
 
 
-def measured(run: DifferentiableRun, data: Mapping[str, Any], deviation: float | Mapping[str, Any] | None) -> Measured:
+def measured(run: Predicts, data: Mapping[str, Any], deviation: float | Mapping[str, Any] | None) -> Measured:
     """Raises ArgumentError for data of another length, at other times, with NaN, or too few of them."""
     samples, names = len(run.t), run.outputs
     missing = [name for name in names if name not in data]
     if missing:
         raise ArgumentError(f"data of {missing[0]}", "are missing", f"give {', '.join(names)}")
-    if "t" in data:
+    if "t" in data and isinstance(run, DifferentiableRun):
         times = _column(data["t"], "t", samples)
         off = float(np.abs(times - run.t).max())
         if not off <= TIME_OF_STEP * run.plan.grid.dt_L:

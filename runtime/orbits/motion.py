@@ -193,7 +193,7 @@ def _gradient(motion: PeriodicMotion, of: Objective, by: Sequence[str]) -> Gradi
         raise ArgumentError(f"by {unknown[0]!r}", f"is no parameter of model {model.name}", "see model.parameters")
     states, n = motion.states, len(motion.x)
     shown = tuple(states.outputs)
-    run = _gradient_run(motion, tuple(dict.fromkeys((*of.outputs, *shown))), [*states.names, *by])
+    run = gradient_run(motion, tuple(dict.fromkeys((*of.outputs, *shown))), [*states.names, *by])
     x = run.x0.copy()
     x[:n] = motion.x
     first = run.gradient(of, x)
@@ -209,7 +209,7 @@ def _gradient(motion: PeriodicMotion, of: Objective, by: Sequence[str]) -> Gradi
     return replace(first, by=tuple(by), derivatives=found, mode="reverse")
 
 
-def _gradient_run(motion: PeriodicMotion, outputs: Sequence[str], by: Sequence[str]) -> DifferentiableRun:
+def gradient_run(motion: PeriodicMotion, outputs: Sequence[str], by: Sequence[str]) -> DifferentiableRun:
     """One period of a motion, seen at every step; what is prepared is kept by the model, unless inputs drive it."""
     model = motion.model
 
