@@ -33,6 +33,9 @@ REDUCED = {  # of the values over one period, its end left out
 }
 
 
+TOLERANCE, WRONG = 1e-6, 0.1  # errors over amplitudes: that of `periodic`; of given steps, none is a motion beyond it
+
+
 @arguments()
 def periodic_cases(model: EmittedModel, parameters: Any, reduce: Mapping[str, str | Sequence[str]], **how: Any) -> Any:
     """Find the motion that repeats in each of many cases: a study of steady states instead of transients.
@@ -51,7 +54,8 @@ def periodic_cases(model: EmittedModel, parameters: Any, reduce: Mapping[str, st
     Returns
     -------
     xarray.Dataset or dict of str to ndarray
-        Over `case`: `<output>_<reduction>`, `status` ("completed", or "no_motion" with NaN), `stability`, `error` [1],
+        Over `case`: `<output>_<reduction>`, `status` ("completed"; "inaccurate" beyond the tolerance, with given
+        steps beyond 0.1; "no_motion", with NaN), `stability`, `error` [1],
         `period` [s], `multiplier` (the largest by size), and what was varied; a dictionary without xarray.
 
     Raises
@@ -78,7 +82,15 @@ def periodic_cases(model: EmittedModel, parameters: Any, reduce: Mapping[str, st
         found.append(motion)
         if motion is not None:
             rows[k] = _reduced(motion, wanted)
-    return _result(model, names, table, wanted, rows, found)
+    limit = WRONG if "steps" in how else float(how.get("tolerance", TOLERANCE))
+    return _result(model, names, table, wanted, rows, found, limit)
+
+
+def _status(motion: PeriodicMotion | None, limit: float) -> str:
+    """Of a case whose error may be so large [1]."""
+    if motion is None:
+        return "no_motion"
+    return "inaccurate" if motion.error.largest > limit else "completed"
 
 
 def _reductions(reduce: Mapping[str, str | Sequence[str]]) -> list[tuple[str, str]]:
@@ -117,6 +129,7 @@ def _result(
     wanted: Sequence[tuple[str, str]],
     rows: np.ndarray,
     found: Sequence[PeriodicMotion | None],
+    limit: float,
 ) -> Any:
     from importlib.util import find_spec
 
@@ -135,7 +148,7 @@ def _result(
     for key, (meaning, unit, of) in number.items():
         values = np.array([np.nan if one is None else float(of(one)) for one in found])
         arrays[key] = values, {"long_name": meaning, "units": unit}
-    arrays["status"] = np.array(["no_motion" if one is None else "completed" for one in found]), {"long_name": "status"}
+    arrays["status"] = np.array([_status(one, limit) for one in found]), {"long_name": "status"}
     arrays["stability"] = np.array(["" if one is None else one.stability for one in found]), {"long_name": "stability"}
     units = {one.name: one.unit for one in model.parameters}
     varied = {name: (table[:, k], {"units": units[name]} if units[name] else {}) for k, name in enumerate(names)}
