@@ -50,9 +50,10 @@ class Model(EmittedModel):
 
     Runs: simulate, resume, ensemble, stepper, lanes. States: equilibrium, modes, linearise, campbell,
     unbalance_response, quasi_static_motion. Motions that repeat: periodic, periodic_over, periodic_cases,
-    fit_periodic. Derivatives: gradient, output_jacobian, fit. Methods: advise, report, stability. Modelling: convergence. Dynamics: mass_matrix, coriolis,
-    gravity, inverse_dynamics, forward_dynamics, jacobian, ode. Names: q_i, q_d, coordinates, parameters, inputs,
-    measures, joints, constraints. Functions: function, evaluate. Handed on: export_c, export_fmu, to_jax.
+    fit_periodic. Derivatives: gradient, output_jacobian, fit. Methods: advise, report, stability. Modelling:
+    convergence. Dynamics: mass_matrix, coriolis, gravity, inverse_dynamics, forward_dynamics, jacobian, ode. Names:
+    q_i, q_d, coordinates, parameters, inputs, measures, joints, constraints. Functions: function, evaluate. Handed on:
+    export_c, export_fmu, to_jax.
     """
 
     # Each of these is the function that it names, with the model as its first argument.

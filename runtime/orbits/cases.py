@@ -7,7 +7,7 @@ A fit needs the slopes of the motion that stays periodic: with x0(p) where F(x0,
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -24,7 +24,7 @@ from runtime.orbits.shooting import NoPeriodicMotion
 from runtime.running.columns import columns_of
 from runtime.studies.ensemble.starts import columns_by_name, table_of
 
-REDUCED = {  # of the values over one period, its end left out
+REDUCED: dict[str, Callable[[np.ndarray], Any]] = {  # of the values over one period, its end left out
     "max": np.max,
     "min": np.min,
     "peak": lambda y: np.abs(y).max(),
@@ -140,7 +140,7 @@ def _result(
     for k, (name, how) in enumerate(wanted):
         label = {**labels[name], "long_name": f"{how} of {labels[name]['long_name']} over a period"}
         arrays[f"{name}_{how}"] = rows[:, k], label
-    number = {
+    number: dict[str, tuple[str, str, Callable[[PeriodicMotion], float]]] = {
         "error": ("estimated error of the motion over its amplitudes", "1", lambda one: one.error.largest),
         "period": ("period", "s", lambda one: one.period),
         "multiplier": ("size of the largest Floquet multiplier", "1", lambda one: one.floquet.largest),
