@@ -29,8 +29,6 @@ if TYPE_CHECKING:
     from runtime.operating.equilibrium import equilibrium as _equilibrium
     from runtime.operating.linearise import linearise as _linearise
     from runtime.operating.modes import modes as _modes
-    from runtime.orbits.cases import fit_periodic as _fit_periodic
-    from runtime.orbits.cases import periodic_cases as _periodic_cases
     from runtime.orbits.continuation import periodic_over as _periodic_over
     from runtime.orbits.periodic import periodic as _periodic
     from runtime.running.driven import quasi_static_motion as _quasi_static_motion
@@ -43,6 +41,8 @@ if TYPE_CHECKING:
     from runtime.studies.ensemble.ensemble import ensemble as _ensemble
     from runtime.studies.ensemble.lane_stepper import lanes as _lanes
     from runtime.studies.stability.chart import stability_chart as _stability_chart
+    from runtime.studies.steady_states import fit_periodic as _fit_periodic
+    from runtime.studies.steady_states import periodic_cases as _periodic_cases
 
 
 class Model(EmittedModel):
@@ -148,13 +148,13 @@ class Model(EmittedModel):
 
         @LazyMethod
         def periodic_cases():
-            from runtime.orbits.cases import periodic_cases
+            from runtime.studies.steady_states import periodic_cases
 
             return periodic_cases
 
         @LazyMethod
         def fit_periodic():
-            from runtime.orbits.cases import fit_periodic
+            from runtime.studies.steady_states import fit_periodic
 
             return fit_periodic
 

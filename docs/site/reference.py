@@ -53,8 +53,8 @@ TOPICS: dict[str, list[str]] = {
         "runtime.orbits.periodic.periodic",
         "runtime.orbits.motion.PeriodicMotion",
         "runtime.orbits.continuation.periodic_over",
-        "runtime.orbits.cases.periodic_cases",
-        "runtime.orbits.cases.fit_periodic",
+        "runtime.studies.steady_states.periodic_cases",
+        "runtime.studies.steady_states.fit_periodic",
         "runtime.orbits.branch.PeriodicBranch",
     ],
     "Derivatives and fits": [

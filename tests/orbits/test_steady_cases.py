@@ -10,7 +10,7 @@ import pytest
 
 from runtime import Model
 from runtime.contract.errors import ArgumentError, NoResult
-from runtime.orbits.cases import SteadyRun
+from runtime.studies.steady_states import SteadyRun
 from symgen.scene import Scene, SceneRecord
 
 Build = Callable[[SceneRecord], Model]

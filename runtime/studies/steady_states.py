@@ -18,7 +18,7 @@ from runtime.contract.errors import ArgumentError, NoResult
 from runtime.contract.model import EmittedModel
 from runtime.gradients.differentiable_run import OutputJacobian
 from runtime.gradients.fit import Bounds, Fit, fit_prepared
-from runtime.orbits.motion import SINGULAR, PeriodicMotion, gradient_run
+from runtime.orbits.motion import SINGULAR_SENSITIVITY, PeriodicMotion, gradient_run
 from runtime.orbits.periodic import periodic
 from runtime.orbits.shooting import NoPeriodicMotion
 from runtime.running.columns import columns_of
@@ -268,7 +268,7 @@ class SteadyRun:
         F_p = states.slopes(found.values[-1, last], np.eye(len(shown)), motion.found.shot.ends[-1]) @ end[:, n:]
         matrix = np.eye(n) - motion.found.shot.monodromy
         singular = np.linalg.svd(matrix, compute_uv=False)
-        if singular[-1] <= SINGULAR * singular[0]:
+        if singular[-1] <= SINGULAR_SENSITIVITY * singular[0]:
             raise NoPeriodicMotion(
                 f"model {self.model.name}",
                 "the motion has no derivative: a Floquet multiplier is 1",
