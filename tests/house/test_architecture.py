@@ -44,7 +44,7 @@ RUNTIME_PACKAGES = {
     "export": "contract engine schemes start baselines running",
     "gradients": "contract engine schemes start results solutions operating running views",
     "orbits": "contract schemes results solutions operating running gradients views",
-    "studies": "baselines contract engine schemes start results solutions operating running views",
+    "studies": "baselines contract engine schemes start results solutions operating running gradients orbits views",
     "structures": "contract engine results views",
     "model": "contract operating baselines running export gradients orbits studies views",
     "": "contract schemes results solutions operating baselines running gradients orbits studies views model",
