@@ -98,7 +98,7 @@ def event_driven(t_end: float) -> np.ndarray:
     [{}, {"tolerance": 1e-8}, {"scheme": "rk4", "dt": 1e-3}, {"scheme": "dopri5", "tolerance": 1e-9},
      {"scheme": "radau", "dt": 1e-3}, {"scheme": "exponential", "dt": 1e-3}],
 )  # fmt: skip
-@pytest.mark.every_push(0)
+@pytest.mark.every_push("how0")
 def test_three_clutches_by_ramps_that_overlap(model_of: Build, how: dict[str, Any]) -> None:
     run = model_of(train().simulation(t_end=2.0).build()).simulate(t_end=2.0, **how)
     right = event_driven(2.0)
