@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from scipy.optimize import minimize
 
-from runtime.gradients.objectives import Largest
+from runtime.gradients import Largest
 from symgen import Scene
 
 WIDTH, BOUND, SPEEDS = 0.012, 40.0, (20.0, 30.0, 40.0, 50.0)  # m, MPa, rad/s

@@ -27,7 +27,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from runtime.baselines.scipy_methods import reference_solution
     from runtime.contract.consistent_state import InitialStateError
-    from runtime.contract.errors import ModelError, SymgenError
+    from runtime.contract.errors import ArgumentError, ModelError, NoResult, SymgenError
     from runtime.contract.files import OutputError
     from runtime.contract.records import Group
     from runtime.contract.status import Status
@@ -56,6 +56,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "SCHEMES",
+    "ArgumentError",
     "DifferentiableRun",
     "Equilibrium",
     "Group",
@@ -64,6 +65,7 @@ __all__ = [
     "Model",
     "ModelError",
     "NoEquilibrium",
+    "NoResult",
     "Options",
     "Sampled",
     "OutputError",
@@ -97,6 +99,8 @@ __all__ = [
 _HOMES = {
     "reference_solution": "baselines.scipy_methods",
     "InitialStateError": "contract.consistent_state",
+    "ArgumentError": "contract.errors",
+    "NoResult": "contract.errors",
     "SymgenError": "contract.errors",
     "OutputError": "contract.files",
     "load_model": "model",

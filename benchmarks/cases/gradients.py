@@ -11,7 +11,7 @@ from benchmarks.harness.timing import Timing, interleave
 from runtime import DifferentiableRun, load_model
 from runtime.engine.derivatives import LaneArrays, Recorder, TangentCode, most_lanes
 from runtime.engine.native import NativeProgram
-from runtime.gradients.objectives import End
+from runtime.gradients import End
 from runtime.gradients.start_of_run import Beginning
 from runtime.model import Model
 from symgen.scenes import generated_folder

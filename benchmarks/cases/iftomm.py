@@ -11,14 +11,13 @@ import numpy as np
 from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.timing import interleave
-from runtime.contract.status import Status
+from runtime import Solution, Status
 from runtime.model import Model
 from runtime.running.method_choice import Method
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import Stepper
 from runtime.solutions.observe import observe_samples
-from runtime.solutions.solution import Solution
 from runtime.start.start_state import start_state
 from symgen.scene import SceneRecord
 from symgen.scenes.linkages import n_four_bar

@@ -27,8 +27,8 @@ from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result, Skipped
 from benchmarks.harness.timing import interleave
 from benchmarks.scenes.hard_suite import CASES, HARD_SUITE, HardCase
+from runtime import SymgenError
 from runtime.contract.coordinates import followed
-from runtime.contract.errors import SymgenError
 from runtime.model import Model
 from runtime.running.method_choice import Method
 from runtime.schemes.stage_equations import StageEquations

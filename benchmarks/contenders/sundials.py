@@ -15,18 +15,16 @@ import casadi as ca
 import numpy as np
 
 from benchmarks.contenders.external import External
+from runtime import ArgumentError, ModelError, Solution, Status
 from runtime.baselines.condensed_ode import CondensedOde, Start, observed_solution, start_of
 from runtime.baselines.scipy_methods import Impulses
-from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import EmittedModel
-from runtime.contract.status import Status
 from runtime.contract.tape import shared
 from runtime.engine.c_source import find_compiler
 from runtime.engine.llvm_code import find_llvm
 from runtime.schemes.sparse_lu import Number, factor, solve, solve_symmetric
 from runtime.schemes.switching.impulse import moves_in_time
 from runtime.schemes.switching.times import SwitchTime, switching_times
-from runtime.solutions.solution import Solution
 
 # ---- What SUNDIALS integrates, with exact derivatives: y' = f(t, y) for CVODES, and M_hat a = Q_hat beside it
 # for IDAS.

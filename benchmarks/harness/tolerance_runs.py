@@ -10,6 +10,7 @@ from math import gcd
 import numpy as np
 
 from benchmarks.scenes.hard_suite import HardCase
+from runtime import SchemeError
 from runtime.contract.coordinates import followed, independent, loop_part, whole
 from runtime.engine.rows import evaluate
 from runtime.model import Model
@@ -20,7 +21,6 @@ from runtime.running.problem import Plan, Problem
 from runtime.running.run_options import RunOptions
 from runtime.running.step_refinement import RefinementLevel, StepRefinement
 from runtime.schemes.catalogue import scheme_kind
-from runtime.schemes.options import SchemeError
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.times import SwitchTime, switching_times
 

@@ -12,10 +12,8 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.scenes.hard_suite import HARD_SUITE, HardCase
-from runtime import load_model
-from runtime.baselines.scipy_methods import reference_solution
+from runtime import Solution, load_model, reference_solution
 from runtime.model import Model
-from runtime.solutions.solution import Solution
 from symgen.generate import generate
 from tests.support.modes import modes_at
 

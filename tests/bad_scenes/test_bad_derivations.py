@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import InitialStateError, ModelError, SchemeError, load_model, simulate
-from runtime.contract.errors import ArgumentError, SymgenError
+from runtime import ArgumentError, InitialStateError, ModelError, SchemeError, SymgenError, load_model, simulate
 from runtime.model import Model
 from symgen.generate import generate
 from symgen.pipeline import derive

@@ -7,9 +7,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from runtime import simulate
+from runtime import Solution, simulate
 from runtime.model import Model
-from runtime.solutions.solution import Solution
 from symgen.scene import SceneRecord
 from symgen.scenes.spatial import heavy_top, tumbling_body
 

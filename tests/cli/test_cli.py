@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from runtime.solutions.solution import Solution
+from runtime import Solution
 from symgen.cli import main
 from symgen.cli.outcome import Progress
 

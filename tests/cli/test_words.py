@@ -8,9 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from runtime import simulate
-from runtime.contract.errors import ModelError
-from runtime.schemes.options import SchemeError
+from runtime import ModelError, SchemeError, simulate
 from symgen.cli import main
 from symgen.cli.table import parser
 from symgen.scene import SceneError, SceneRecord

@@ -8,8 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runtime import load_model, simulate
-from runtime.contract.errors import ModelError
+from runtime import ModelError, load_model, simulate
 from runtime.model import Model
 from symgen.cli import main
 from symgen.cli.runs import results_of

@@ -9,13 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import load_model, simulate
+from runtime import Solution, load_model, simulate
 from runtime.engine import kept_programs
 from runtime.engine.object_cache import ObjectCache
 from runtime.model import Model
 from runtime.schemes import scheme as schemes
 from runtime.schemes import stepper
-from runtime.solutions.solution import Solution
 from symgen.generate import generate
 from symgen.scenes import generated_folder
 from tests.support.input_scenes import cart

@@ -7,14 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runtime import load_model, simulate
+from runtime import SchemeError, Solution, load_model, simulate
 from runtime.engine import prepare, program
 from runtime.engine.llvm_code import program_length
 from runtime.schemes import linear_propagation
 from runtime.schemes.catalogue import scheme_kind
-from runtime.schemes.options import SchemeError
 from runtime.schemes.stepper import Stepper
-from runtime.solutions.solution import Solution
 from symgen.scenes import generated_folder
 
 

@@ -13,7 +13,7 @@ from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.llvm_code import BEST, FIRST_EFFORT, Effort, Processor, host
 from runtime.engine.native import NativeProgram
 from runtime.engine.program import Form
-from runtime.gradients.objectives import End
+from runtime.gradients import End
 from runtime.model import Model
 from tests.support.step_programs import StepProgram, step_program
 

@@ -20,7 +20,7 @@ from runtime.engine.llvm_code import BEST, FIRST_EFFORT
 from runtime.engine.native import LaneCode, blocks_of, choose_engine
 from runtime.engine.program import Call, Form, operations_per_step
 from runtime.engine.rows import ManyPoints
-from runtime.gradients.objectives import End
+from runtime.gradients import End
 from runtime.model import Model
 from runtime.schemes.switching.enclosure import TableBounds
 from symgen.generate import generate

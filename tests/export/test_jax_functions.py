@@ -10,9 +10,8 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from runtime import DifferentiableRun, Model, ModelError, simulate
-from runtime.contract.errors import ArgumentError
-from runtime.gradients.objectives import Formula
+from runtime import ArgumentError, DifferentiableRun, Model, ModelError, simulate
+from runtime.gradients import Formula
 from symgen.scene import Scene, SceneRecord
 from tests.support.input_scenes import cart
 from tests.support.model_values import random_states

@@ -9,9 +9,8 @@ import pytest
 import scipy.sparse as sp
 from numpy.testing import assert_allclose
 
-from symgen.fe import FlexibleBody, LineMesh, Material, Section
+from symgen.fe import FEStructure, FlexibleBody, LineMesh, Material, Section
 from symgen.fe.frame import frame_structure
-from symgen.fe.structure import FEStructure
 
 LENGTH, WIDE, FLAT = 0.8, 0.016, 0.008
 MATERIAL = Material(E=2.0e11, nu=0.25, rho=8000.0)

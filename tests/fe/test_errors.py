@@ -11,9 +11,8 @@ import pytest
 import scipy.sparse as sp
 import skfem
 
-from symgen.fe import STEEL, FiniteElementError, FlexibleBody, LineMesh, Material, Section
+from symgen.fe import STEEL, FEStructure, FiniteElementError, FlexibleBody, LineMesh, Material, Section
 from symgen.fe.frame import frame_structure
-from symgen.fe.structure import FEStructure
 
 N = 11
 SECTION = Section.rectangle(0.02, 0.01)

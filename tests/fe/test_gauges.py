@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from runtime import ensemble, plots, simulate
-from runtime.contract.errors import ArgumentError, ModelError
+from runtime import ArgumentError, ModelError, ensemble, plots, simulate
 from symgen.fe import FiniteElementError, FlexibleBody, LineMesh, Section
 from symgen.generate import model_of
 from symgen.scene import Scene, SceneError, SceneRecord

@@ -9,11 +9,11 @@ import pytest
 import skfem
 from numpy.testing import assert_allclose
 
-from symgen.fe import FlexibleBody, Material
+from symgen.fe import FEStructure, FlexibleBody, Material
 from symgen.fe.inertia import inertia_integrals, nodal_inertia, scalar_mass
 from symgen.fe.report import RigidCheck, body_report
 from symgen.fe.stresses import solid_structure
-from symgen.fe.structure import FEStructure, structure
+from symgen.fe.structure import structure
 
 pytestmark = pytest.mark.long
 

@@ -8,10 +8,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from symgen.fe import FlexibleBody
+from symgen.fe import FiniteElementError, FlexibleBody
 from symgen.fe.connecting_rod import BIG_EYE, connecting_rod
 from symgen.fe.stresses import boundary_triangles
-from symgen.fe.structure import FiniteElementError
 from tests.fe.test_solids import FACES, MATERIAL, SIZE, hexahedra, tetrahedra
 
 AREA = 2 * float(SIZE[0] * SIZE[1] + SIZE[1] * SIZE[2] + SIZE[2] * SIZE[0])

@@ -8,8 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runtime import DifferentiableRun, Model, ModelError, SymgenError, fit
-from runtime.contract.errors import ArgumentError, NoResult
+from runtime import ArgumentError, DifferentiableRun, Model, ModelError, NoResult, SymgenError, fit
 from runtime.gradients.fit import fit_prepared
 from symgen.scene import SceneRecord
 from tests.gradients.test_gradients import sliding

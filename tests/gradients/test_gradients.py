@@ -8,10 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import SCHEMES, DifferentiableRun, Model, gradient, output_jacobian, simulate
-from runtime.contract.consistent_state import InitialStateError
-from runtime.gradients import passes
-from runtime.gradients.objectives import End, Formula, Integral, Largest, SquaredError
+from runtime import SCHEMES, DifferentiableRun, InitialStateError, Model, gradient, output_jacobian, simulate
+from runtime.gradients import End, Formula, Integral, Largest, SquaredError, passes
 from symgen.scene import Scene, SceneRecord
 from tests.running.test_inputs import cart
 from tests.support import complex_step

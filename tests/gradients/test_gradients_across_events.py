@@ -8,11 +8,9 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from runtime import DifferentiableRun, Model, gradient, output_jacobian, simulate
-from runtime.contract.errors import ArgumentError, NoResult
-from runtime.gradients import passes
+from runtime import ArgumentError, DifferentiableRun, Model, NoResult, gradient, output_jacobian, simulate
+from runtime.gradients import End, passes
 from runtime.gradients.differentiable_run import OutputJacobian
-from runtime.gradients.objectives import End
 from symgen.scene import Scene, SceneRecord
 from tests.support.scenes import on_rail
 

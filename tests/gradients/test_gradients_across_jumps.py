@@ -8,10 +8,8 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from runtime import DifferentiableRun, Model, gradient, simulate
-from runtime.gradients import passes
-from runtime.gradients.objectives import End
-from runtime.schemes.catalogue import SCHEMES
+from runtime import SCHEMES, DifferentiableRun, Model, gradient, simulate
+from runtime.gradients import End, passes
 from symgen.scene import Scene, SceneRecord
 from tests.gradients.test_gradients import sliding
 

@@ -11,10 +11,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from runtime import DifferentiableRun, Model, fit, gradient, output_jacobian, simulate
-from runtime.contract.errors import ArgumentError, NoResult
-from runtime.gradients.objectives import End
-from runtime.schemes.catalogue import SCHEMES
+from runtime import SCHEMES, ArgumentError, DifferentiableRun, Model, NoResult, fit, gradient, output_jacobian, simulate
+from runtime.gradients import End
 from symgen.scene import Scene, SceneRecord
 from tests.laws.test_friction_from_scratch import LOOP, four_bar_scene
 

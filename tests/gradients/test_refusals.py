@@ -7,9 +7,18 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from runtime import DifferentiableRun, InitialStateError, Model, ModelError, Sampled, SymgenError, gradient
-from runtime.contract.errors import ArgumentError, NoResult
-from runtime.gradients.objectives import End, SquaredError
+from runtime import (
+    ArgumentError,
+    DifferentiableRun,
+    InitialStateError,
+    Model,
+    ModelError,
+    NoResult,
+    Sampled,
+    SymgenError,
+    gradient,
+)
+from runtime.gradients import End, SquaredError
 from symgen.scene import Scene, SceneRecord
 from tests.gradients.test_gradients import sliding
 from tests.running.test_inputs import cart, crane

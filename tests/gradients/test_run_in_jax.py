@@ -10,10 +10,8 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from runtime import DifferentiableRun, Model, as_jax
-from runtime.contract.errors import ArgumentError
-from runtime.gradients import run_in_jax
-from runtime.gradients.objectives import Formula
+from runtime import ArgumentError, DifferentiableRun, Model, as_jax
+from runtime.gradients import Formula, run_in_jax
 
 jax = pytest.importorskip("jax", reason="needs the extra jax: pip install 'symgen[jax]'")
 import jax.numpy as jnp  # noqa: E402

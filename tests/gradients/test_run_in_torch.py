@@ -8,8 +8,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from runtime import DifferentiableRun, Model, as_torch
-from runtime.contract.errors import ArgumentError, NoResult
+from runtime import ArgumentError, DifferentiableRun, Model, NoResult, as_torch
 
 Load = Callable[[str], Model]
 BY = ["slider.mass", "crank.theta_dot", "rod.mass"]

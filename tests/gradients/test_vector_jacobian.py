@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import DifferentiableRun, Model
-from runtime.contract.errors import ArgumentError, NoResult
+from runtime import ArgumentError, DifferentiableRun, Model, NoResult
 from runtime.gradients import passes
 from symgen.scene import Scene, SceneRecord
 

@@ -19,7 +19,7 @@ import pytest
 import generated
 import runtime
 import symgen
-from runtime.schemes.catalogue import SCHEMES
+from runtime import SCHEMES
 from symgen import scene
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -13,8 +13,8 @@ from typing import get_args
 
 import pytest
 
+from runtime import SCHEMES
 from runtime.contract.status import StatusName
-from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.printed import INTERPOLATIONS
 from symgen.cli import main
 from symgen.cli.table import COMMANDS

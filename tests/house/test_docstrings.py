@@ -9,12 +9,10 @@ from typing import Any, get_overloads
 
 import pytest
 
+from runtime import SCHEMES, DifferentiableRun, Solution
 from runtime.contract.lazy_method import LazyMethod
-from runtime.gradients.differentiable_run import DifferentiableRun
 from runtime.model import Model
 from runtime.running.stepping import ModelStepper
-from runtime.schemes.catalogue import SCHEMES
-from runtime.solutions.solution import Solution
 from symgen import Scene
 from symgen.urdf import read
 

@@ -8,8 +8,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from benchmarks.scenes.arm import arm
+from runtime import SCHEMES
 from runtime.model import Model
-from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.stage_equations import LinearisedEquations
 from symgen.notation.fields import FIELDS
 from symgen.notation.symbols import SYMBOLS, Notation, table

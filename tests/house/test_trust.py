@@ -13,10 +13,9 @@ from typing import Any
 
 import pytest
 
-from runtime import load_model, simulate
-from runtime.contract.errors import LONGEST_MESSAGE, SymgenError
+from runtime import SCHEMES, SymgenError, load_model, simulate
+from runtime.contract.errors import LONGEST_MESSAGE
 from runtime.contract.records import GROUPED_SCHEMES, SCHEME_NAMES
-from runtime.schemes.catalogue import SCHEMES
 from symgen.cli import main
 from symgen.generate import generate
 from symgen.scene import Scene, SceneError, SceneRecord
@@ -60,7 +59,7 @@ import os, sys
 from pathlib import Path
 from runtime.contract import files
 from symgen.generate import generate
-from symgen.mechanism.scene import SceneRecord
+from symgen import SceneRecord
 from symgen.scenes.pendulums import pendulum
 
 text, real = pendulum().to_toml(), os.replace

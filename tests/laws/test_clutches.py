@@ -12,9 +12,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from runtime import Model, ensemble, gradient
-from runtime.gradients.objectives import End
+from runtime.gradients import End
+from symgen import SceneError
 from symgen.scene import Scene, SceneRecord
-from symgen.schema.errors import SceneError
 
 Build = Callable[[SceneRecord], Model]
 J = np.array([1.0, 0.7, 0.4])

@@ -8,9 +8,8 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from runtime import simulate
+from runtime import SCHEMES, simulate
 from runtime.model import Model
-from runtime.schemes.catalogue import SCHEMES
 from runtime.solutions import observe
 from runtime.solutions.observe import assemble_solution
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from runtime import simulate
-from runtime.solutions.solution import Solution
+from runtime import Solution, simulate
 from runtime.views.film import film
 from runtime.views.viewer.record import view_record
 from symgen.generate import model_of

@@ -11,8 +11,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from runtime import Model, Solution, ensemble, equilibrium, simulate
-from runtime.contract.consistent_state import InitialStateError
+from runtime import InitialStateError, Model, Solution, ensemble, equilibrium, simulate
 from runtime.contract.orientations import (
     angle_motion,
     angle_rates,

@@ -7,10 +7,10 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from runtime import SchemeError
 from runtime.model import Model
 from runtime.schemes import exponential
 from runtime.schemes.catalogue import scheme_kind
-from runtime.schemes.options import SchemeError
 from tests.support.order_case import OrderCase
 from tests.support.prepared_runs import PreparedRuns
 

@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import Model, simulate
-from runtime.solutions.solution import Solution
+from runtime import Model, Solution, simulate
 from symgen.scene import Scene, SceneRecord
 from tests.support.time_stepping import Law, Links, Mechanism, Rails, Stop, moreau
 

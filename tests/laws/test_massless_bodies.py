@@ -9,8 +9,8 @@ import pytest
 
 from runtime import reference_solution, simulate
 from runtime.model import Model
+from symgen import SceneError
 from symgen.scene import Scene, SceneRecord
-from symgen.schema.errors import SceneError
 
 Build = Callable[[SceneRecord], Model]
 CRANK, ROD = 0.2, 0.6

@@ -9,11 +9,10 @@ import numpy as np
 import pytest
 
 from benchmarks.contenders.sundials import sundials_solution
-from runtime import Solution, reference_solution, simulate
+from runtime import SchemeError, Solution, reference_solution, simulate
 from runtime.engine.c_source import find_compiler
 from runtime.engine.llvm_code import find_llvm
 from runtime.model import Model
-from runtime.schemes.options import SchemeError
 from runtime.schemes.radau import NODES, SHIFTS, A
 
 pytestmark = pytest.mark.long

@@ -14,14 +14,12 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from runtime import equilibrium, linearise, resume, simulate
+from runtime import DifferentiableRun, Solution, equilibrium, linearise, resume, simulate
 from runtime.contract.coordinates import independent
 from runtime.contract.tape import as_function
-from runtime.gradients.differentiable_run import DifferentiableRun
 from runtime.model import Model
 from runtime.operating.mode_solver import state_at
 from runtime.schemes.catalogue import scheme_kind
-from runtime.solutions.solution import Solution
 from runtime.studies.stability.spectra import StepSpectrum
 from symgen.pipeline import derive
 from symgen.scene import Scene, SceneError, SceneRecord

@@ -13,13 +13,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import simulate
+from runtime import SCHEMES, simulate
 from runtime.model import Model
 from runtime.running.planning import make_plan
 from runtime.running.singular import exchange
 from runtime.running.singular.exchange import carried, variant_of
 from runtime.running.stepped_model import SteppedModel
-from runtime.schemes.catalogue import SCHEMES
 from symgen.scene import Scene, SceneRecord
 from symgen.variants import generate_variant
 

@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import linearise, simulate
-from runtime.contract.errors import ModelError
+from runtime import ModelError, linearise, simulate
 from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 

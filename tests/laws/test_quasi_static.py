@@ -7,8 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from runtime import equilibrium, simulate
-from runtime.contract.consistent_state import InitialStateError
+from runtime import InitialStateError, equilibrium, simulate
 from runtime.model import Model
 from runtime.start.start_state import start_state
 from symgen.scene import Scene, SceneRecord

@@ -9,11 +9,10 @@ import numpy as np
 import pytest
 import scipy.linalg
 
-from runtime import simulate
+from runtime import Solution, simulate
 from runtime.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.schemes.catalogue import scheme_kind
-from runtime.solutions.solution import Solution
 from runtime.studies.stability import chart as limits
 from runtime.studies.stability.chart import StabilityStudy, states_along
 from runtime.studies.stability.spectra import ExactMotion, StepSpectrum

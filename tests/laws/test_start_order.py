@@ -11,14 +11,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from runtime import Model
-from runtime.contract.consistent_state import (
-    Assembly,
-    ConsistentState,
-    GivenValues,
-    InitialStateError,
-    consistent_state,
-)
+from runtime import InitialStateError, Model
+from runtime.contract.consistent_state import Assembly, ConsistentState, GivenValues, consistent_state
 from runtime.operating.given_state import given_state
 from symgen.scene import Scene, SceneRecord
 

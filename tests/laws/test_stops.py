@@ -10,8 +10,8 @@ import pytest
 
 from runtime import ensemble, simulate
 from runtime.model import Model
+from symgen import SceneError
 from symgen.scene import Scene, SceneRecord
-from symgen.schema.errors import SceneError
 
 Build = Callable[[SceneRecord], Model]
 

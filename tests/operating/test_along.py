@@ -8,8 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runtime import plots, simulate
-from runtime.contract.errors import ArgumentError
+from runtime import ArgumentError, plots, simulate
 from runtime.model import Model
 from runtime.operating.campbell import frequencies_along
 

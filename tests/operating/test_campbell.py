@@ -10,8 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runtime import campbell, modes, unbalance_response
-from runtime.contract.errors import ModelError, NoResult
+from runtime import ModelError, NoResult, campbell, modes, unbalance_response
 from runtime.model import Model
 from runtime.views.plots import campbell_picture
 from symgen.scene import Scene, SceneRecord

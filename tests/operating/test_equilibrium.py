@@ -9,9 +9,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from runtime import NoEquilibrium, equilibrium, linearise, modes, simulate
-from runtime.contract.consistent_state import InitialStateError
-from runtime.contract.errors import ModelError
+from runtime import InitialStateError, ModelError, NoEquilibrium, equilibrium, linearise, modes, simulate
 from runtime.model import Model
 from runtime.start.start_state import start_state
 from symgen.scene import Scene, SceneRecord

@@ -7,10 +7,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from runtime import Model, simulate
-from runtime.contract.errors import ModelError
+from runtime import Model, ModelError, NoEquilibrium, simulate
 from runtime.operating.dynamics import Dynamics
-from runtime.operating.equilibrium import NoEquilibrium
 from symgen.scene import Scene, SceneRecord
 
 Build = Callable[[SceneRecord], Model]

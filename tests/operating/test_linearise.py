@@ -8,8 +8,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from runtime import equilibrium, linearise, mode_motion
-from runtime.contract.errors import ModelError
+from runtime import ModelError, equilibrium, linearise, mode_motion
 from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 from symgen.scenes.beams import hub_beam

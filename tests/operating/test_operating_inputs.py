@@ -9,11 +9,9 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from runtime import ensemble, equilibrium, gradient, linearise, simulate
-from runtime.contract.errors import ArgumentError
-from runtime.gradients.objectives import End
+from runtime import ArgumentError, NoEquilibrium, ensemble, equilibrium, gradient, linearise, simulate
+from runtime.gradients import End
 from runtime.model import Model
-from runtime.operating.equilibrium import NoEquilibrium
 from symgen.scene import Scene, SceneRecord
 from tests.support.input_scenes import cart, crane, wave
 from tests.support.scenes import on_hinge

@@ -9,13 +9,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from runtime import Model
+from runtime import Model, NoEquilibrium, equilibrium, linearise
 from runtime.operating.balance import Balance, Clamped, balanced, trimmed
 from runtime.operating.campbell import ModeState, tracked
-from runtime.operating.equilibrium import NoEquilibrium, equilibrium, is_steady
+from runtime.operating.equilibrium import is_steady
 from runtime.operating.functions import PointFunctions, PointValues
 from runtime.operating.linearisation import modal_analysis
-from runtime.operating.linearise import linearise
 from symgen.scene import Scene, SceneRecord
 
 UNIT = np.eye(2)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from runtime import Model, periodic, periodic_over
-from runtime.gradients.objectives import Integral
+from runtime.gradients import Integral
 from symgen.scene import Scene, SceneRecord
 
 pytestmark = pytest.mark.long

@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from runtime import Model, periodic, periodic_over
-from runtime.gradients.objectives import End
+from runtime.gradients import End
 from symgen.scene import Scene, SceneRecord
 
 Build = Callable[[SceneRecord], Model]

@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from runtime import Model, periodic, periodic_over
-from runtime.contract.errors import ArgumentError
+from runtime import ArgumentError, Model, periodic, periodic_over
 from symgen.scene import Scene, SceneRecord
 
 Build = Callable[[SceneRecord], Model]

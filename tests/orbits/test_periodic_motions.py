@@ -11,10 +11,8 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import root
 from scipy.special import mathieu_a, mathieu_b
 
-from runtime import Model, periodic, periodic_over, simulate
-from runtime.contract.consistent_state import InitialStateError
-from runtime.contract.errors import ArgumentError
-from runtime.gradients.objectives import Integral, Largest
+from runtime import ArgumentError, InitialStateError, Model, periodic, periodic_over, simulate
+from runtime.gradients import Integral, Largest
 from runtime.orbits.shooting import NoPeriodicMotion
 from symgen.scene import Scene, SceneRecord
 

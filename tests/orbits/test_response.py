@@ -7,8 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from runtime import Model, periodic
-from runtime.contract.errors import ArgumentError
+from runtime import ArgumentError, Model, periodic
 from symgen.scene import Scene, SceneRecord
 
 Build = Callable[[SceneRecord], Model]

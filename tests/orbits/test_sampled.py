@@ -10,9 +10,8 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from runtime import Model, Sampled, periodic, periodic_over
-from runtime.contract.errors import ArgumentError
-from runtime.gradients.objectives import Integral
+from runtime import ArgumentError, Model, Sampled, periodic, periodic_over
+from runtime.gradients import Integral
 from symgen.scene import Scene, SceneRecord
 
 Build = Callable[[SceneRecord], Model]

@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import Model, periodic
-from runtime.gradients.differentiable_run import DifferentiableRun
-from runtime.gradients.objectives import Largest
+from runtime import DifferentiableRun, Model, periodic
+from runtime.gradients import Largest
 from runtime.orbits import motion as orbit
 from symgen.scene import Scene, SceneRecord
 

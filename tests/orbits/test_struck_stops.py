@@ -9,9 +9,8 @@ import pytest
 from scipy.linalg import expm
 from scipy.optimize import fsolve
 
-from runtime import Model, periodic, periodic_over
-from runtime.contract.errors import ModelError
-from runtime.gradients.objectives import Integral
+from runtime import Model, ModelError, periodic, periodic_over
+from runtime.gradients import Integral
 from symgen.scene import Scene, SceneRecord
 
 Build = Callable[[SceneRecord], Model]

@@ -8,8 +8,7 @@ from typing import Any
 
 import pytest
 
-from runtime import simulate
-from runtime.contract.status import Status
+from runtime import Status, simulate
 from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 from tests.running.test_fast_loops import slider_crank

@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import ensemble, simulate
-from runtime.contract.errors import ArgumentError, ModelError
+from runtime import ArgumentError, ModelError, ensemble, simulate
 from runtime.export.c_bundle import exported
-from runtime.gradients.objectives import Formula
+from runtime.gradients import Formula
 from runtime.model import Model
 from tests.support.input_scenes import cart
 

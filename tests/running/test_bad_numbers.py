@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import Model, ModelError, Sampled, SchemeError, simulate
-from runtime.contract.errors import ArgumentError
+from runtime import ArgumentError, Model, ModelError, Sampled, SchemeError, simulate
 from symgen.scene import SceneRecord
 
 Build = Callable[[SceneRecord], Model]

@@ -7,11 +7,10 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from runtime import equilibrium, simulate
-from runtime.contract.errors import ModelError
+from runtime import ModelError, equilibrium, simulate
 from runtime.model import Model
+from symgen import SceneError
 from symgen.scene import Scene, SceneRecord
-from symgen.schema.errors import SceneError
 
 Build = Callable[[SceneRecord], Model]
 HEIGHT, WIDTH, LENGTH = 0.02, 0.01, 1.0

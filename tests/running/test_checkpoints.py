@@ -12,12 +12,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import ModelError, SchemeError, Solution, load_model, resume, simulate
-from runtime.contract.errors import ArgumentError
-from runtime.contract.files import OutputError
+from runtime import SCHEMES, ArgumentError, ModelError, OutputError, SchemeError, Solution, load_model, resume, simulate
 from runtime.model import Model
 from runtime.running.checkpoint import Checkpoint, read_checkpoint
-from runtime.schemes.catalogue import SCHEMES
 from symgen.generate import generate
 from symgen.scenes import SCENES
 

@@ -8,8 +8,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from runtime import SchemeError, simulate
-from runtime.contract.errors import ModelError
+from runtime import ModelError, SchemeError, simulate
 from runtime.model import Model
 from runtime.studies.stability.chart import stability_chart
 from symgen.cli import main

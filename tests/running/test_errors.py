@@ -12,8 +12,7 @@ import pytest
 
 import runtime
 import symgen
-from runtime import SymgenError
-from runtime.contract.errors import NoResult
+from runtime import NoResult, SymgenError
 from symgen.cli import main
 from symgen.cli.table import COMMANDS
 from symgen.scene import SceneError

@@ -9,10 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import Model, ModelError, ensemble, resume, simulate
-from runtime.contract.errors import ArgumentError
+from runtime import SCHEMES, ArgumentError, Model, ModelError, ensemble, resume, simulate
 from runtime.running.checkpoint import read_checkpoint
-from runtime.schemes.catalogue import SCHEMES
 from runtime.studies.advice.reference import independent_reference
 from symgen.scene import Scene, SceneError, SceneRecord
 from tests.support.scenes import on_rail

@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import Model, ModelError, Solution, ensemble, simulate
-from runtime.schemes.catalogue import SCHEMES
+from runtime import SCHEMES, Model, ModelError, Solution, ensemble, simulate
 from runtime.schemes.switching.complementarity import complementary
 from symgen.scene import Scene, SceneError, SceneRecord
 

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 from runtime import Model, ensemble
+from symgen import SceneError
 from symgen.scene import Scene, SceneRecord
-from symgen.schema.errors import SceneError
 
 Build = Callable[[SceneRecord], Model]
 

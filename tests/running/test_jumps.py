@@ -11,8 +11,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from runtime import Model, ModelError, ensemble, resume, simulate
-from runtime.schemes.catalogue import SCHEMES
+from runtime import SCHEMES, Model, ModelError, ensemble, resume, simulate
 from symgen.scene import Scene, SceneRecord, s_curve, trapezoid
 from tests.support.scenes import driven_bob, on_hinge
 

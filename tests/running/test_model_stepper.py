@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from runtime import SchemeError, equilibrium, simulate
-from runtime.contract.errors import ArgumentError, ModelError
+from runtime import ArgumentError, ModelError, SchemeError, equilibrium, simulate
 from runtime.model import Model
 from symgen.scene import SceneRecord
 from tests.support.scenes import on_rail

@@ -12,13 +12,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runtime import resume, simulate
-from runtime.contract.errors import ArgumentError
-from runtime.contract.files import STALE, OutputError, replacing, write_text
+from runtime import ArgumentError, OutputError, SchemeError, resume, simulate
+from runtime.contract.files import STALE, replacing, write_text
 from runtime.model import Model
 from runtime.results.stream import ROWS, StreamFile, read_blocks
 from runtime.running.checkpoint import Checkpoint
-from runtime.schemes.options import SchemeError
 from symgen.scenes.pendulums import pendulum
 
 Load = Callable[[str], Model]

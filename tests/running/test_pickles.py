@@ -11,9 +11,8 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from runtime import load_model, simulate
+from runtime import ModelError, load_model, simulate
 from runtime.contract import loading
-from runtime.contract.errors import ModelError
 from runtime.model import Model
 from symgen.generate import generate
 from symgen.scene import SceneRecord

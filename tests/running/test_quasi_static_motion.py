@@ -7,8 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from runtime import SchemeError, quasi_static_motion
-from runtime.contract.errors import ModelError
+from runtime import ModelError, SchemeError, quasi_static_motion
 from runtime.model import Model
 from symgen.scene import Scene, SceneRecord
 

@@ -8,8 +8,7 @@ from typing import Any
 
 import pytest
 
-from runtime import SchemeError
-from runtime.contract.errors import ArgumentError
+from runtime import ArgumentError, SchemeError
 from runtime.model import Model
 from symgen.scene import Scene, SceneError, SceneRecord
 from tests.support.random_calls import deep, faults, machine, targets

@@ -11,10 +11,9 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from runtime import Model, ModelError, simulate
+from runtime import SCHEMES, Model, ModelError, simulate
 from runtime.export.c_bundle import exported
-from runtime.gradients.objectives import End
-from runtime.schemes.catalogue import SCHEMES
+from runtime.gradients import End
 from symgen.scene import Scene, SceneError, SceneRecord
 
 Build = Callable[[SceneRecord], Model]

@@ -8,8 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runtime import Model, Sampled, resume, simulate
-from runtime.schemes.catalogue import SCHEMES
+from runtime import SCHEMES, Model, Sampled, resume, simulate
 from symgen.scene import Scene, SceneRecord
 
 Build = Callable[[SceneRecord], Model]

@@ -9,9 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import Model, ModelError, ensemble, simulate
-from runtime.contract.consistent_state import InitialStateError
-from runtime.schemes.catalogue import SCHEMES
+from runtime import SCHEMES, InitialStateError, Model, ModelError, ensemble, simulate
 from runtime.schemes.switching.settle import settled
 from symgen.scene import Scene, SceneError, SceneRecord
 

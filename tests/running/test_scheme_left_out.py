@@ -7,9 +7,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from runtime import ensemble, output_jacobian, simulate
+from runtime import SchemeError, ensemble, output_jacobian, simulate
 from runtime.model import Model
-from runtime.schemes.options import SchemeError
 from symgen.scene import Scene, SceneRecord
 
 Build = Callable[[SceneRecord], Model]

@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import Solution, simulate
-from runtime.contract.errors import ArgumentError, ModelError
+from runtime import ArgumentError, ModelError, Solution, simulate
 from runtime.model import Model
 from symgen.bodies.beam_sets import missing_share
 from symgen.cli import main

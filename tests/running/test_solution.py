@@ -12,9 +12,8 @@ import numpy as np
 import pytest
 from scipy.io import loadmat
 
-from runtime import load_model, simulate
-from runtime.contract.errors import ModelError
-from runtime.contract.files import OutputError, replacing, write_text
+from runtime import Group, ModelError, OutputError, Solution, Status, linearise, load_model, simulate
+from runtime.contract.files import replacing, write_text
 from runtime.contract.records import (
     BodyRecord,
     Constraint,
@@ -22,16 +21,12 @@ from runtime.contract.records import (
     Description,
     Drawing,
     FunctionSpec,
-    Group,
     Measure,
     Parameter,
     PointRecord,
 )
-from runtime.contract.status import Status
 from runtime.model import Model
-from runtime.operating.linearise import linearise
 from runtime.results.export import as_json
-from runtime.solutions.solution import Solution
 from runtime.views.report import run_report
 from symgen import Scene
 from symgen.scenes import generated_folder

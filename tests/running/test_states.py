@@ -20,7 +20,7 @@ from runtime import (
     resume,
     simulate,
 )
-from runtime.gradients.objectives import End
+from runtime.gradients import End
 from runtime.model import Model
 from symgen.scene import Scene, SceneError, SceneRecord
 from tests.support.augmented import augmented_run

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 import runtime
+from runtime import Solution
 from runtime.contract.lazy_method import LazyMethod
 from runtime.model import Model
-from runtime.solutions.solution import Solution
 from symgen import Scene, SceneError, load_model
 from symgen.generate import generate
 

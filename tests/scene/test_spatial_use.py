@@ -9,9 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runtime import load_model, simulate
+from runtime import Solution, load_model, simulate
 from runtime.model import Model
-from runtime.solutions.solution import Solution
 from symgen.generate import generate
 from symgen.joints import JOINTS
 from symgen.pipeline import derive

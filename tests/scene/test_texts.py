@@ -20,17 +20,16 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from runtime import load_model, simulate
+from runtime import Solution, load_model, simulate
 from runtime.contract.escapes import c_comment, c_string
 from runtime.contract.model import EmittedModel
 from runtime.engine.c_source import find_compiler
 from runtime.export.c_bundle import Exported, exported, write_c
 from runtime.export.fmu import fmu_texts
-from runtime.solutions.solution import Solution
 from symgen.generate import generate, model_of
 from symgen.scene import SceneError, SceneRecord
 from symgen.schema.fields import StrictModel
-from symgen.urdf.scene import read as read_urdf
+from symgen.urdf import read as read_urdf
 
 LINES = {  # one line each: where they stand
     "title": ("title",),

@@ -9,10 +9,9 @@ import numpy as np
 import pytest
 
 from benchmarks.scenes.hard_suite import HARD_SUITE, HardCase
-from runtime import simulate
+from runtime import Solution, simulate
 from runtime.contract.coordinates import followed
 from runtime.model import Model
-from runtime.solutions.solution import Solution
 from symgen.generate import model_of as on_demand
 from symgen.scene import SceneRecord
 from tests.support.modes import Modes, modes_at

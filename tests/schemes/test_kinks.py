@@ -7,8 +7,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from runtime import simulate
 from runtime.model import Model
-from runtime.running.simulate import simulate
 from runtime.running.stepping import ModelStepper
 from symgen.scene import Scene, SceneRecord
 from tests.support.prepared_runs import PreparedRuns

@@ -10,8 +10,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runtime import SchemeError, ensemble, load_model, output_jacobian, reference_solution, resume, simulate
-from runtime.contract.errors import ArgumentError
+from runtime import (
+    ArgumentError,
+    SchemeError,
+    ensemble,
+    load_model,
+    output_jacobian,
+    reference_solution,
+    resume,
+    simulate,
+)
 from runtime.model import Model
 from runtime.running.planning import make_plan
 from runtime.running.stepped_model import SteppedModel

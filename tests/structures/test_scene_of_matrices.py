@@ -10,9 +10,8 @@ import pytest
 import scipy.io
 import scipy.sparse as sp
 
-from runtime.contract.errors import ArgumentError
-from runtime.structures import StructureError, StructureModel
-from runtime.structures.structure import LinearStructure
+from runtime import ArgumentError
+from runtime.structures import LinearStructure, StructureError, StructureModel
 from symgen import Scene, SceneError
 from symgen.scenes.plate import FORCE, PULSE, plate
 from tests.structures.bars import bar

@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 
 from benchmarks.scenes.arm import arm
-from runtime import Model, SchemeError, simulate
-from runtime.contract.errors import ModelError
+from runtime import Model, ModelError, SchemeError, simulate
 from runtime.results.motion_error import amplitudes
 from runtime.running.method_choice import Method, affordable
 from runtime.running.singular.crossing import MOST_CROSSING_EVALUATIONS, BranchLost, TightIntegrator

@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import Model, ModelError
-from runtime.contract.errors import ArgumentError, NoResult
+from runtime import ArgumentError, Model, ModelError, NoResult
 from runtime.studies import convergence as study
 from symgen.refinement.knobs import refinements
 from symgen.scene import Scene, SceneRecord

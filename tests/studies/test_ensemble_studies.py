@@ -11,8 +11,7 @@ import pandas
 import pytest
 from scipy.stats import qmc
 
-from runtime import ensemble
-from runtime.contract.errors import SymgenError
+from runtime import SymgenError, ensemble
 from runtime.model import Model
 from runtime.studies.ensemble import ensemble_result
 from tests.support.pendula import SHORT, pendula

@@ -9,12 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import ensemble, load_model, simulate
-from runtime.contract.errors import ArgumentError
+from runtime import SCHEMES, ArgumentError, ensemble, load_model, simulate
 from runtime.engine.llvm_code import host
 from runtime.model import Model
 from runtime.running.planning import make_plan
-from runtime.schemes.catalogue import SCHEMES
 from runtime.studies.ensemble import rows
 from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.lane_programs import LanePrograms, programs_of

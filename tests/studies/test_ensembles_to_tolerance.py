@@ -8,11 +8,9 @@ from functools import cache
 import numpy as np
 import pytest
 
-from runtime import load_model
+from runtime import ArgumentError, SchemeError, load_model
 from runtime.contract.coordinates import followed
-from runtime.contract.errors import ArgumentError
 from runtime.results.motion_error import amplitudes, errors_of_many, motion_error
-from runtime.schemes.options import SchemeError
 from runtime.studies.ensemble.refined_rows import shown_orders
 from symgen import Scene
 from symgen.generate import generate

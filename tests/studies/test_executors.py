@@ -15,8 +15,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runtime import load_model
-from runtime.contract.errors import ArgumentError, ModelError, NoResult
+from runtime import ArgumentError, ModelError, NoResult, load_model
 from symgen import Scene
 from symgen.generate import generate
 

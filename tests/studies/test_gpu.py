@@ -15,7 +15,7 @@ from types import ModuleType, SimpleNamespace
 import numpy as np
 import pytest
 
-from runtime.contract.errors import ArgumentError
+from runtime import ArgumentError
 from runtime.engine import gpu
 from runtime.engine.llvm_code import BEST, host, linked, machine_code
 from runtime.studies.ensemble import lane_programs

@@ -5,9 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from runtime.contract.consistent_state import InitialStateError
-from runtime.contract.errors import ArgumentError, ModelError
-from runtime.schemes.options import SchemeError
+from runtime import ArgumentError, InitialStateError, ModelError, SchemeError
 from symgen import Scene
 from symgen.scenes import SCENES
 

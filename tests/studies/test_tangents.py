@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import simulate
+from runtime import SCHEMES, simulate
 from runtime.model import Model
-from runtime.schemes.catalogue import SCHEMES, scheme_kind
+from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import Stepper
 from runtime.start.start_state import start_state
 from runtime.studies.stability.chart import StabilityStudy, stability_chart, states_along

@@ -13,10 +13,9 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from runtime.contract.status import Status
+from runtime import Solution, Status
 from runtime.model import Model
 from runtime.solutions.observe import assemble_solution
-from runtime.solutions.solution import Solution
 from runtime.start.start_state import start_state
 
 

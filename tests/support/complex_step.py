@@ -10,9 +10,9 @@ from collections.abc import Callable, Mapping
 import casadi as ca
 import numpy as np
 
+from runtime import DifferentiableRun
 from runtime.contract.tape import UNUSED, Tape, marked, read_tape
 from runtime.engine.program import Call, Program, Repeat, Until
-from runtime.gradients.differentiable_run import DifferentiableRun
 
 H = 1e-40
 

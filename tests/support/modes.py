@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from runtime import Solution
 from runtime.contract.consistent_state import dense_eigenvalues, one_thread
 from runtime.operating.mode_solver import ModeSolver, State, parameters_at, state_at
-from runtime.solutions.solution import Solution
 
 
 @dataclass(frozen=True)

@@ -16,9 +16,8 @@ from typing import Any
 import numpy as np
 import skfem
 
-from runtime import DifferentiableRun, Model, Solution, load_model, resume
-from runtime.contract.errors import SymgenError
-from runtime.gradients.objectives import End, Formula, Integral, Largest, SquaredError
+from runtime import DifferentiableRun, Model, Solution, SymgenError, load_model, resume
+from runtime.gradients import End, Formula, Integral, Largest, SquaredError
 from symgen.fe import STEEL, FlexibleBody, LineMesh, Section
 from symgen.scene import Scene, SceneRecord
 

@@ -10,8 +10,7 @@ from typing import Any
 
 import pytest
 
-from runtime import Model, simulate
-from runtime.contract.status import Status
+from runtime import Model, Status, simulate
 from runtime.results.meter import Meter, progress_text
 from runtime.studies.advice.advise import advise
 from symgen.scenes import SCENES

@@ -11,12 +11,8 @@ import pytest
 from matplotlib.figure import Figure
 from PIL import Image
 
-from runtime.contract.errors import ArgumentError, ModelError
-from runtime.contract.files import OutputError
+from runtime import ArgumentError, ModelError, OutputError, Solution, Status, simulate
 from runtime.contract.records import Coordinate
-from runtime.contract.status import Status
-from runtime.running.simulate import simulate
-from runtime.solutions.solution import Solution
 from runtime.views import plots
 from runtime.views.animation import animate
 from runtime.views.curves import Curves

@@ -12,9 +12,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runtime import Solution, load_model, simulate
-from runtime.contract.files import OutputError
-from runtime.contract.status import Event, Status
+from runtime import OutputError, Solution, Status, load_model, simulate
+from runtime.contract.status import Event
 from runtime.studies.convergence import Convergence, ModellingError
 from symgen import Scene
 from symgen.cli import main

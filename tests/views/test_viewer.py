@@ -14,8 +14,7 @@ import numpy as np
 import pytest
 
 import runtime.views.viewer.page as viewer
-from runtime import Solution, load_model, simulate
-from runtime.contract.files import OutputError
+from runtime import OutputError, Solution, load_model, simulate
 from runtime.contract.records import packed
 from runtime.views.mechanism import scenery
 from runtime.views.viewer.page import view
