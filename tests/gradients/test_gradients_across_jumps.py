@@ -102,7 +102,6 @@ def pushed_beyond() -> SceneRecord:
     return scene.rates({"block.x": 1.0}).simulation(t_end=1.2, dt=0.03, scheme="rk4").build()
 
 
-@pytest.mark.every_push("rk4-forward")
 @pytest.mark.parametrize("mode", ["forward", "reverse"])
 @pytest.mark.parametrize("scheme", ["rk4", "exponential", "single_rate", "radau"])
 def test_a_push_that_begins_and_ends_at_a_place(model_of: Build, scheme: str, mode: str) -> None:
