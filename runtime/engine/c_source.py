@@ -120,7 +120,7 @@ def source(parts: Sequence[Code], style: Style, between: str = "") -> str:
 
 
 def program_code(name: str, program: Program, style: Style, kept: str = "") -> Code:
-    """`void name(double *z, const double *c, double *w, long n)`; kept: how it is declared, such as "static "."""
+    """`void name(double *z, const double *c, double *w, int64_t n)`; kept: how it is declared, such as "static "."""
     calls: dict[str, str] = {}
     parts, work, tables = list[str](), 0, dict[float, None]()
     for position, stage in enumerate(program.stages()):
@@ -134,8 +134,8 @@ def program_code(name: str, program: Program, style: Style, kept: str = "") -> C
     copy = f"  memcpy(z, z_run, {size} * sizeof(double));\n"
     # a local z can stay in registers over a step; the caller's may alias anything
     parts.append(
-        f"{kept}void {name}(double *z_run, const double *c, double *w, long n) {{\n  double z[{size}];\n{copy}"
-        "  (void)c, (void)w;\n  for (long k = 0; k < n; ++k) {\n" + body + "\n  }\n"
+        f"{kept}void {name}(double *z_run, const double *c, double *w, int64_t n) {{\n  double z[{size}];\n{copy}"
+        "  (void)c, (void)w;\n  for (int64_t k = 0; k < n; ++k) {\n" + body + "\n  }\n"
         f"  memcpy(z_run, z, {size} * sizeof(double));\n}}\n"
     )
     return Code("\n".join(parts), work, tuple(tables))

@@ -168,7 +168,7 @@ def c_files(one: Exported) -> dict[str, str]:
     own = own_c("".join(part.text for part in code.values()), one.prefix)
     body = source(list(code.values()), style, own + _constant_tables(one))
     stops, kept_work = (
-        stop_text(one.scheme, one.prepared, one.prefix)
+        stop_text(one.scheme, one.prepared, one.prefix, code)
         if kept(one.scheme)
         else (_WITHOUT_STOPS.format(p=one.prefix), 0)
     )
@@ -356,17 +356,17 @@ def _doors(one: Exported) -> str:
         first=first,
         anew=int(scheme.multistep),
         pushed=len(model.q_i) if watches(scheme) else 0,
-        **_stop_doors(scheme),
+        **_stop_doors(scheme, p),
     )
 
 
-def _stop_doors(scheme: Scheme) -> dict[str, str]:
+def _stop_doors(scheme: Scheme, p: str) -> dict[str, str]:
     """What starts, inputs and restarts do where steps may be broken."""
-    run, look = "\n  Run r = made_run(z, c, w);", "\n  look_anew(&r);" if watches(scheme) else ""
     if not kept(scheme):
         return {"set_out": "", "looked": "", "on_grid": ""}
-    looked = f"{run}{look}" if look else ""
-    return {"set_out": f"{run}\n  set_out_from(&r, t);", "looked": looked, "on_grid": f"\n  z[T0] = z[0];{looked}"}
+    looked = f"\n  look_again(&{p}model, z, c, w);" if watches(scheme) else ""
+    on_grid = f"\n  z[{p}model.NZ] = z[0];{looked}"
+    return {"set_out": f"\n  set_out_at(&{p}model, z, c, t, w);", "looked": looked, "on_grid": on_grid}
 
 
 _WITHOUT_STOPS = """

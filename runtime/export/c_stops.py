@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from importlib.resources import files
 from math import prod
 
@@ -29,7 +29,10 @@ from runtime.schemes.switching.watched import holds_sides, observed_function, wa
 
 ENDS = {"BY_EVENT": 1, "CHATTERING": 2, "NO_MODE": 3, "NOT_FINITE": 4, "TOO_MANY": 5, "BEYOND_A_STOP": 6}
 KEPT_OF_A_KINK = 22
+ANY_EVENT = "struct { int way, terminal, from, to; double cool_down; }"
 MOST_CLOSE = 502
+MOST_STOPS = 64
+PARTS = 2 * MOST_STOPS + 2
 WAYS = {"rising": 1, "falling": -1}
 _BOUNDS = {
     ca.OP_ADD: "I_add({a}, {b})",
@@ -170,8 +173,63 @@ def sets_of(scheme: Scheme) -> list[int]:
     return [names.index(name) for event in watched_events(scheme) for name in event.sets]
 
 
-def stop_text(scheme: Scheme, prepared: Prepared, prefix: str) -> tuple[str, int]:
-    """(numbers of the model with `stops.c` behind them, how many entries of w they take)."""
+FUNCTIONS = (
+    *("steps", "set_out", "to_grid", "again", "events", "slopes", "actions", "sides", "seen", "weights"),
+    *("with_modes", "velocities", "conditions"),
+)
+
+
+def stop_text(scheme: Scheme, prepared: Prepared, prefix: str, functions: Collection[str]) -> tuple[str, int]:
+    """(the model as `stops.c` knows it, with `stops.c` behind it, how many entries of w that takes).
+
+    functions: which of FUNCTIONS the bundle has.
+    """
+    numbers, model = sizes(scheme, prepared), scheme.model
+    modes, jumps = model.mode_events, numbers["NT"]
+    tables = {"sets_of": sets_of(scheme), "modes_at": model.element_modes.tolist()}
+    tables |= {f"{name}_of": [getattr(one, name) for one in modes] for name in ("row", "side")}
+    given = {key: str(value) for key, value in numbers.items()} | {name: name for name in ("events_of", *tables)}
+    given |= {name: f"{prefix}{name}" for name in FUNCTIONS if name in functions}
+    given |= {"bounds": f"{prefix}bounds"} if jumps else {}
+    fields = "\n".join(f"  .{key} = {value}," for key, value in given.items())
+    text = _c("stops.c")
+    for part in ("settle.c", "times.c"):
+        text = text.replace(f'#include "{part}"\n', _c(part))
+    parts = [
+        "",
+        "#define DOOR MAY static",
+        _c("model.h"),
+        *([_c("intervals.c"), _bounds(model, prefix)] if jumps else []),
+    ]
+    parts += [*event_table(scheme, "Event"), *(whole_numbers(name, entries) for name, entries in tables.items()), ""]
+    parts += [f"static const Model {prefix}model = {{\n{fields}\n}};", "", text.replace('#include "model.h"\n\n', "")]
+    parts += [
+        door.format(p=prefix)
+        for door, there in ((_STEP, True), (_SETTLE, bool(modes)), (_NEXT_JUMP, jumps > 0))
+        if there
+    ]
+    return "\n".join(parts), numbers["KEPT_IN_W"]
+
+
+def _c(name: str) -> str:
+    return files("runtime.export").joinpath(name).read_text(encoding="utf-8")
+
+
+_STEP = """
+int {p}step(double *z, const double *c, double *w, long n) {{ return step(&{p}model, z, c, w, n); }}
+"""
+_SETTLE = """int {p}settle(double *at, double *u, const double *c, const int *happened, double *w) {{
+  return settle_at(&{p}model, at, u, c, happened, w);
+}}
+"""
+_NEXT_JUMP = """int {p}next_jump(double *found, const double *c, double t, double until, double *w) {{
+  return next_jump(&{p}model, found, c, t, until, w);
+}}
+"""
+
+
+def sizes(scheme: Scheme, prepared: Prepared) -> dict[str, int]:
+    """The whole numbers of `struct Model`, by name."""
     made, model, own = StopProgram(scheme, prepared), scheme.model, scheme.layout.slice
     place, events = made.layout.slice, watched_events(scheme)
     jumps = len(model.description.switching) if may_jump(model) else 0
@@ -180,7 +238,7 @@ def stop_text(scheme: Scheme, prepared: Prepared, prefix: str) -> tuple[str, int
     numbers = {"NZ": prepared.z_size, "NOWN": scheme.layout.size, "NS": made.layout.size, "NREADY": ready}
     numbers |= {"NC": scheme.c_size, "DT_AT": model.c_size, "NU": model.signals.size, "NE": n_e, "ND": n_d}
     numbers |= {"NT": jumps, "NSETS": len(sets_of(scheme)), "NPUSH": push, "KEPT": kept(scheme)}
-    numbers |= {"SUB_STEPS": prod(scheme.grid.m), "KEPT_IN_W": 0}
+    numbers |= {"SUB_STEPS": prod(scheme.grid.m)}
     numbers |= {"INPUTS_AT": own("inputs").start if model.signals.size else 0}
     fields = {"VALUES_AT": "event_values", "STEP_AT": "event_step", "CHANGE_AT": "event_change"}
     numbers |= {key: own(name).start for key, name in fields.items() if n_e}
@@ -199,36 +257,32 @@ def stop_text(scheme: Scheme, prepared: Prepared, prefix: str) -> tuple[str, int
     n_m, n_v = len(modes), 1 + max((one.row for one in modes), default=-1)
     numbers |= {"NM": n_m, "NV": n_v, "NSTOPS": sum(one.side != 0 for one in modes), "NI": n_i, "NQD": n_q - n_i}
     numbers |= {"NAT": 2 * n_q + 1, "NSEEN": weights(model).nnz_out() if n_m else 0}
-    room = 2 * numbers["NAT"] + numbers["NSEEN"] + model.c_size + n_i * n_v if n_m else 0
-    numbers["KEPT_IN_W"] = room + sum(
-        (3 * numbers["NS"], numbers["NZ"], ready + 2 * numbers["NC"], MOST_CLOSE * (n_e + 1))
-    )
-    lines = [f"#define {key} {value}" for key, value in numbers.items()]
-    lines += [f"#define M(name) {prefix}##name"]
-    if n_e:
-        lines += [*event_table(scheme), whole_numbers("sets_of", sets_of(scheme))]
-    if n_m:
-        lines.append(whole_numbers("modes_at", model.element_modes.tolist()))
-        lines += [whole_numbers(f"{name}_of", [getattr(one, name) for one in modes]) for name in ("row", "side")]
-    text, times, settle = (
-        files("runtime.export").joinpath(name).read_text(encoding="utf-8")
-        for name in ("stops.c", "times.c", "settle.c")
-    )
-    if jumps:
-        text = text.replace('#include "times.c"\n', times.replace("#define BOUNDS\n", _bounds(model, prefix)))
-    if n_m:
-        text = text.replace('#include "settle.c"\n', settle)
-    return "\n".join(["", *lines, "", text]), numbers["KEPT_IN_W"]
+    numbers["NTHERE"] = 2 * numbers["NAT"] + numbers["NSEEN"] + model.c_size + n_i * n_v if n_m else 0
+    return numbers | _room(numbers)
 
 
-def event_table(scheme: Scheme) -> list[str]:
-    """`events_of`: direction, end and actions of each, as C."""
-    lines, at = ["static const struct { int way, terminal, from, to; double cool_down; } events_of[] = {"], 0
+def _room(of: Mapping[str, int]) -> dict[str, int]:
+    """How much of w functions of `stops.c` take: an upper bound, the sum of all that may be in use at one time."""
+    row, n_m, n_v, n_t = of["NE"] + 1, of["NM"], of["NV"], of["NT"]
+    reals = 3 * of["NZ"] + of["KEPT"] + 4 * PARTS + 28 * row + of["NSIDES"] + of["NU"] + of["NSETS"] + 2
+    reals += 4 * of["NI"] + of["NQD"] + 10 * n_v + 5 * n_m**2 + 20 * n_m
+    wholes = 4 * row + 14 * n_m + 4 * n_v
+    fixed = 3 * of["NS"] + of["NZ"] + of["NREADY"] + 2 * of["NC"] + MOST_CLOSE * row + of["NTHERE"]
+    return {
+        "NREALS": reals,
+        "NWHOLES": wholes,
+        "KEPT_IN_W": fixed + 2 * row + 5 * n_t + 3 * MOST_STOPS + reals + wholes,
+    }
+
+
+def event_table(scheme: Scheme, kind: str = ANY_EVENT) -> list[str]:
+    """`events_of`: direction, end and actions of each, as C; one entry longer."""
+    lines, at = [f"static const {kind} events_of[] = {{"], 0
     for event in watched_events(scheme):
         way, end = WAYS.get(event.direction, 0), at + len(event.sets)
         lines.append(f"  {{{way}, {int(event.terminal)}, {at}, {end}, {event.cool_down!r}}},")
         at = end
-    return [*lines, "};"]
+    return [*lines, "  {0, 0, 0, 0, 0.0},", "};"]
 
 
 def whole_numbers(name: str, values: Sequence[int]) -> str:
@@ -239,8 +293,8 @@ def whole_numbers(name: str, values: Sequence[int]) -> str:
 def _bounds(model: EmittedModel, prefix: str) -> str:
     """`bounds`: of each condition and of its slope over an interval of time; may it jump there?"""
     tape: Tape = read_tape(_conditions(model))
-    lines = [f"static void {prefix}bounds(I *found, int *jumps, I t, const double *c) {{"]
-    lines.append("  (void)c, (void)jumps;")
+    lines = [f"static void {prefix}bounds(I *found, int *jumps, double low, double high, const double *c) {{"]
+    lines.append("  const I t = I_of(low, high);\n  (void)c, (void)jumps, (void)t;")
     for k, node in enumerate(tape.nodes):
         if node.op == ca.OP_INPUT:
             text = "t" if node.a == 0 else f"I_of(c[{node.b}], c[{node.b}])"

@@ -13,18 +13,18 @@
 #define MOST_HITS 50
 #define EACH(k, n) for ((k) = 0; (k) < (n); ++(k))
 /* entries of y, what `weights` says: of v = G q_i' and v' = b + A f */
-#define V_REL (NV * NI)
-#define HOLDS (V_REL + NV)
-#define GAP (HOLDS + NV)
-#define BACK (GAP + NSTOPS)
-#define BY (BACK + NSTOPS)
-#define A_OF (BY + NI * NV)
-#define B_OF (A_OF + NV * NV)
-#define SLIDES (B_OF + NV) /* where some friction falls as it lets go */
+#define V_REL (of->NV * of->NI)
+#define HOLDS (V_REL + of->NV)
+#define GAP (HOLDS + of->NV)
+#define BACK (GAP + of->NSTOPS)
+#define BY (BACK + of->NSTOPS)
+#define A_OF (BY + of->NI * of->NV)
+#define B_OF (A_OF + of->NV * of->NV)
+#define SLIDES (B_OF + of->NV) /* where some friction falls as it lets go */
 
 static double larger(double a, double b) { return a > b ? a : b; }
 
-static double largest_of(const double *x, long n) {
+static double largest_of(const double *x, int64_t n) {
   double found = 0;
   while (n-- > 0) found = larger(fabs(x[n]), found);
   return found;
@@ -62,9 +62,11 @@ static void solve(double *A, double *b, int n) {
 }
 
 /* side becomes x of least norm with A x = side, A symmetric: a combination of columns of A that are independent */
-static void least(double *A, double *side, int n) {
-  double left[NM * NM], gram[NM * NM], z[NM], largest = 0;
-  int chosen[NM] = {0}, taken[NM] = {0}, m = 0, k, i, j;
+static void least(const Model *of, double *A, double *side, int n, Room room) {
+  double *left = REALS(of->NM * of->NM), *gram = REALS(of->NM * of->NM), *z = REALS(of->NM), largest = 0;
+  int *chosen = WHOLES(of->NM), *taken = WHOLES(of->NM), m = 0, k, i, j;
+  memset(chosen, 0, of->NM * sizeof(int));
+  memset(taken, 0, of->NM * sizeof(int));
   memcpy(left, A, n * n * sizeof(double));
   EACH(k, n) largest = larger(A[k + n * k], largest);
   for (;;) {
@@ -94,16 +96,27 @@ static void least(double *A, double *side, int n) {
 
 /* forces on n directions, between bounds: v' = b + A f; at: -1, 1 at the lower, the upper one, 0 held between them */
 typedef struct {
-  int n, at[NM], let_go[NM];
-  double A[NM * NM], b[NM], lower[NM], upper[NM], f[NM];
+  int n, *at, *let_go;
+  double *A, *b, *lower, *upper, *f;
 } Bounded;
+
+/* one for NM directions, in the room that is given */
+static Bounded bounded(const Model *of, Room *free) {
+  Room room = *free;
+  Bounded o;
+  o.n = 0, o.at = WHOLES(of->NM), o.let_go = WHOLES(of->NM);
+  o.A = REALS(of->NM * of->NM), o.b = REALS(of->NM), o.lower = REALS(of->NM), o.upper = REALS(of->NM), o.f = REALS(of->NM);
+  *free = room;
+  return o;
+}
 
 static double accelerates(const Bounded *o, int k, const double *f) { return o->b[k] + row_times(o->A, k, o->n, f, o->n); }
 
 /* those at a bound have its force, the others what keeps them from accelerating, with the least sum of (f / bound)^2 */
-static void balance(Bounded *o) {
-  double own[NM * NM], side[NM], H[NM] = {0}, largest = 0;
-  int held[NM], m = 0, k, j;
+static void balance(const Model *of, Bounded *o, Room room) {
+  double *own = REALS(of->NM * of->NM), *side = REALS(of->NM), *H = REALS(of->NM), largest = 0;
+  int *held = WHOLES(of->NM), m = 0, k, j;
+  memset(H, 0, of->NM * sizeof(double));
   EACH(k, o->n) {
     o->f[k] = o->at[k] > 0 ? o->upper[k] : o->at[k] < 0 ? o->lower[k] : 0.0;
     if (o->at[k] != 0) continue;
@@ -115,29 +128,30 @@ static void balance(Bounded *o) {
     side[k] = -H[k] * accelerates(o, held[k], o->f);
     EACH(j, m) own[k + m * j] = H[k] * o->A[held[k] + o->n * held[j]] * H[j];
   }
-  least(own, side, m);
+  least(of, own, side, m, room);
   EACH(k, m) o->f[held[k]] = H[k] * side[k];
 }
 
 static int nearest(const Bounded *o, int k) { return o->upper[k] - o->f[k] <= o->f[k] - o->lower[k] ? 1 : -1; }
 
 /* which are held and which are at a bound; 0: no choice is consistent */
-static int complementary(Bounded *o) {
+static int complementary(const Model *of, Bounded *o, Room room) {
   const double most = largest_of(o->b, o->n);
   double largest = 0, still;
-  int k, turn;
+  int *pulled = WHOLES(of->NM), k, turn;
   EACH(k, o->n) {
     if (o->upper[k] < INFINITY) largest = larger(fabs(o->upper[k]), largest);
     if (o->lower[k] > -INFINITY) largest = larger(fabs(o->lower[k]), largest);
     o->at[k] = 0;
   }
-  still = ROUNDING * (most + largest_of(o->A, (long)o->n * o->n) * largest);
-  balance(o);
+  still = ROUNDING * (most + largest_of(o->A, (int64_t)o->n * o->n) * largest);
+  balance(of, o, room);
   EACH(k, o->n) o->at[k] = o->upper[k] <= o->lower[k] ? 1 : o->let_go[k] ? nearest(o, k) : 0;
   for (turn = 0; turn < 2 * o->n + 20; ++turn) {
-    int beyond = -1, wrong = -1, pulled[NM] = {0};
+    int beyond = -1, wrong = -1;
     double worst = 0, against = 0;
-    balance(o);
+    memset(pulled, 0, of->NM * sizeof(int));
+    balance(of, o, room);
     EACH(k, o->n) {
       const double pivot = o->A[k + o->n * k], open = !(o->upper[k] < INFINITY && o->lower[k] > -INFINITY);
       /* what presses on a stop by rounding only does not hold it closed */
@@ -159,43 +173,44 @@ static int complementary(Bounded *o) {
 }
 
 /* v (NI) so that these rates become zero; where a coordinate can do it alone, to the last bit */
-static void bring_to_rest(double *v, const double *y, const int *rest, double *left) {
-  const double *G = y, most_of_v = 1.0 + largest_of(v, NI);
-  double side[NV], most[NV], push[NI] = {0};
-  int rows[NV], column[NV], k, j, i, n = 0;
-  EACH(k, NV) {
+static void bring_to_rest(const Model *of, double *v, const double *y, const int *rest, double *left, Room room) {
+  const double *G = y, most_of_v = 1.0 + largest_of(v, of->NI);
+  double *side = REALS(of->NV), *most = REALS(of->NV), *push = REALS(of->NI);
+  int *rows = WHOLES(of->NV), *column = WHOLES(of->NV), k, j, i, n = 0;
+  memset(push, 0, of->NI * sizeof(double));
+  EACH(k, of->NV) {
     most[k] = 0;
-    EACH(j, NI) most[k] = larger(fabs(G[k + NV * j]), most[k]);
+    EACH(j, of->NI) most[k] = larger(fabs(G[k + of->NV * j]), most[k]);
     if (!rest[k] || fabs(y[V_REL + k]) > PASSES * most[k] * most_of_v) continue; /* G is zero: it passes on */
-    EACH(j, NI) left[n * NI + j] = G[k + NV * j];
+    EACH(j, of->NI) left[n * of->NI + j] = G[k + of->NV * j];
     side[n] = y[V_REL + k], rows[n++] = k;
   }
   EACH(k, n) {
     column[k] = -1;
-    EACH(j, NI) if (fabs(left[k * NI + j]) > PIVOT * most[rows[k]]) column[k] = j;
+    EACH(j, of->NI) if (fabs(left[k * of->NI + j]) > PIVOT * most[rows[k]]) column[k] = j;
     for (i = 0; i < n && column[k] >= 0; ++i) {
-      if (i != k && left[i * NI + column[k]] != 0) {
-        const double factor = left[i * NI + column[k]] / left[k * NI + column[k]];
-        EACH(j, NI) left[i * NI + j] -= factor * left[k * NI + j];
+      if (i != k && left[i * of->NI + column[k]] != 0) {
+        const double factor = left[i * of->NI + column[k]] / left[k * of->NI + column[k]];
+        EACH(j, of->NI) left[i * of->NI + j] -= factor * left[k * of->NI + j];
         side[i] -= factor * side[k];
       }
     }
   }
-  EACH(k, n) if (column[k] >= 0) push[column[k]] = -side[k] / left[k * NI + column[k]];
-  EACH(j, NI) v[j] = v[j] + push[j];
+  EACH(k, n) if (column[k] >= 0) push[column[k]] = -side[k] / left[k * of->NI + column[k]];
+  EACH(j, of->NI) v[j] = v[j] + push[j];
 }
 
 /* what is added to q_i' by impacts on stops, which ones are hit; 0: no impulses are consistent */
-static int struck(double *push, int *hit, const double *y, const int *on, const double *e, double slow) {
-  double speed[NM];
-  int count, k, j;
-  EACH(k, NM) speed[k] = side_of[k] * y[V_REL + row_of[k]];
+static int struck(const Model *of, double *push, int *hit, const double *y, const int *on, const double *e, double slow, Room room) {
+  double *speed = REALS(of->NM);
+  int *some = WHOLES(of->NM), count, k, j;
+  Bounded o = bounded(of, &room);
+  EACH(k, of->NM) speed[k] = of->side_of[k] * y[V_REL + of->row_of[k]];
   EACH(count, MOST_HITS + 1) {
     const int last = count == MOST_HITS;
-    int some[NM], any = 0;
-    Bounded o;
+    int any = 0;
     o.n = 0;
-    EACH(k, NM) {
+    EACH(k, of->NM) {
       const int comes = on[k] && speed[k] < -slow;
       if (!on[k] || !(last || speed[k] <= slow)) continue;
       any = any || comes, hit[k] = hit[k] || comes, some[o.n] = k;
@@ -204,19 +219,19 @@ static int struck(double *push, int *hit, const double *y, const int *on, const 
     }
     if (!any) return 1;
     EACH(k, o.n) EACH(j, o.n) {
-      o.A[k + o.n * j] = side_of[some[k]] * y[A_OF + row_of[some[k]] + NV * row_of[some[j]]] * side_of[some[j]];
+      o.A[k + o.n * j] = of->side_of[some[k]] * y[A_OF + of->row_of[some[k]] + of->NV * of->row_of[some[j]]] * of->side_of[some[j]];
     }
-    if (!complementary(&o)) return 0;
-    balance(&o);
+    if (!complementary(of, &o, room)) return 0;
+    balance(of, &o, room);
     EACH(k, o.n) o.f[k] = larger(o.f[k], 0.0);
-    EACH(k, NM) {
+    EACH(k, of->NM) {
       double sum = 0;
-      EACH(j, o.n) sum += side_of[k] * y[A_OF + row_of[k] + NV * row_of[some[j]]] * side_of[some[j]] * o.f[j];
+      EACH(j, o.n) sum += of->side_of[k] * y[A_OF + of->row_of[k] + of->NV * of->row_of[some[j]]] * of->side_of[some[j]] * o.f[j];
       speed[k] = speed[k] + sum;
     }
-    EACH(k, NI) {
+    EACH(k, of->NI) {
       double sum = 0;
-      EACH(j, o.n) sum += y[BY + k + NI * row_of[some[j]]] * side_of[some[j]] * o.f[j];
+      EACH(j, o.n) sum += y[BY + k + of->NI * of->row_of[some[j]]] * of->side_of[some[j]] * o.f[j];
       push[k] = push[k] + sum;
     }
   }
@@ -228,35 +243,32 @@ typedef struct {
   double *at, *c, *y, *left, *w;
 } Place;
 
-static void weigh(const Place *o) { M(weights)(o->y, o->at, o->c, o->w); }
+static void weigh(const Model *of, const Place *o) { of->weights(o->y, o->at, o->c, o->w); }
 
-static void moved(const Place *o) { /* rates of q_d by those of q_i */
-#if NQD > 0
-  double rates[NQD];
-  M(velocities)(rates, o->at, o->c, o->w);
-  memcpy(o->at + 2 * NI + NQD, rates, sizeof rates);
-#else
-  (void)o;
-#endif
+static void moved(const Model *of, const Place *o, Room room) { /* rates of q_d by those of q_i */
+  double *rates = REALS(of->NQD);
+  if (of->NQD == 0) return;
+  of->velocities(rates, o->at, o->c, o->w);
+  memcpy(o->at + 2 * of->NI + of->NQD, rates, of->NQD * sizeof(double));
 }
 
 /* do modes (NM) keep the laws of friction and stops, by the equations that go on with them? rest, force (NV): rows at
    rest, and what was found there */
-static int lawful(const Place *o, const double *modes, const int *rest, const double *force) {
+static int lawful(const Model *of, const Place *o, const double *modes, const int *rest, const double *force, Room room) {
   const double *y = o->y, *A = y + A_OF;
-  double found[NM + 2 * NV], *v = found + NM, *a = v + NV, most = 0;
-  const double slow = BROKEN * (1.0 + largest_of(o->at + NI + NQD, NI));
+  double *found = REALS(of->NM + 2 * of->NV), *v = found + of->NM, *a = v + of->NV, most = 0;
+  const double slow = BROKEN * (1.0 + largest_of(o->at + of->NI + of->NQD, of->NI));
   int k, j;
-  EACH(k, NM) o->c[DT_AT - NU + modes_at[k]] = modes[k];
-  M(with_modes)(found, o->at, o->c, o->w);
-  EACH(k, NV) {
+  EACH(k, of->NM) o->c[of->DT_AT - of->NU + of->modes_at[k]] = modes[k];
+  of->with_modes(found, o->at, o->c, o->w);
+  EACH(k, of->NV) {
     double acts = fabs(y[B_OF + k]);
-    EACH(j, NV) acts += fabs(A[k + NV * j]) * fabs(force[j]);
-    most = larger(BROKEN * acts / sqrt(larger(A[k + NV * k], 1e-300)), most);
+    EACH(j, of->NV) acts += fabs(A[k + of->NV * j]) * fabs(force[j]);
+    most = larger(BROKEN * acts / sqrt(larger(A[k + of->NV * k], 1e-300)), most);
   }
-  EACH(k, NM) {
-    const int row = row_of[k], side = side_of[k];
-    const double root = sqrt(larger(A[row + NV * row], 1e-300));
+  EACH(k, of->NM) {
+    const int row = of->row_of[k], side = of->side_of[k];
+    const double root = sqrt(larger(A[row + of->NV * row], 1e-300));
     if (!rest[row]) continue;
     if (modes[k] == 0) {
       if (fabs(v[row]) > slow || found[k] < -(most / root + BROKEN * fabs(y[HOLDS + row]))) return 0;
@@ -268,72 +280,78 @@ static int lawful(const Place *o, const double *modes, const int *rest, const do
 }
 
 /* modes (NM) at a place, whose rates are moved; soon: stops that are to rest. -1: none are consistent, 1: once more */
-static int once(const Place *o, double *modes, const int *happened, const double *come, int *soon) {
-  double *v = o->at + NI + NQD, *y = o->y, push[NI] = {0}, rate[NV], e[NM], until[NM], force[NV] = {0};
-  const double slow = AT_REST * (1.0 + largest_of(v, NI));
-  int on[NM], touched[NM], hit[NM] = {0}, rest[NV] = {0}, open[NV] = {0}, k, j, s = 0, any = 0, again = 0, drops;
-  Bounded b;
-  memcpy(until, modes, sizeof until);
-  weigh(o);
-  EACH(k, NV) if (!(y[HOLDS + k] >= NOTHING)) return -1; /* a limit of friction is none any more */
-  EACH(k, NM) {
-    const int stop = side_of[k] != 0, near = until[k] == 0 || (happened != NULL && happened[k]);
+static int once(const Model *of, const Place *o, double *modes, const int *happened, const double *come, int *soon, Room room) {
+  double *v = o->at + of->NI + of->NQD, *y = o->y, *push = REALS(of->NI), *rate = REALS(of->NV), *force = REALS(of->NV);
+  double *e = REALS(of->NM), *until = REALS(of->NM);
+  const double slow = AT_REST * (1.0 + largest_of(v, of->NI));
+  int *on = WHOLES(of->NM), *touched = WHOLES(of->NM), *hit = WHOLES(of->NM), *rest = WHOLES(of->NV), *open = WHOLES(of->NV);
+  int k, j, s = 0, any = 0, again = 0, drops;
+  Bounded b = bounded(of, &room);
+  memset(push, 0, of->NI * sizeof(double));
+  memset(force, 0, of->NV * sizeof(double));
+  memset(hit, 0, of->NM * sizeof(int));
+  memset(rest, 0, of->NV * sizeof(int));
+  memset(open, 0, of->NV * sizeof(int));
+  memcpy(until, modes, of->NM * sizeof(double));
+  weigh(of, o);
+  EACH(k, of->NV) if (!(y[HOLDS + k] >= NOTHING)) return -1; /* a limit of friction is none any more */
+  EACH(k, of->NM) {
+    const int stop = of->side_of[k] != 0, near = until[k] == 0 || (happened != NULL && happened[k]);
     on[k] = stop && (near || y[GAP + s] <= 0), touched[k] = stop && (near || y[GAP + s] <= TOUCH);
     e[k] = stop && !soon[k] ? y[BACK + s] : 0.0, s += stop;
   }
-  if (!struck(push, hit, y, on, e, slow)) return -1;
-  EACH(k, NV) rate[k] = y[V_REL + k] + row_times(y, k, NV, push, NI);
-  EACH(k, NM) {
-    const double speed = fabs(rate[row_of[k]]);
+  if (!struck(of, push, hit, y, on, e, slow, room)) return -1;
+  EACH(k, of->NV) rate[k] = y[V_REL + k] + row_times(y, k, of->NV, push, of->NI);
+  EACH(k, of->NM) {
+    const double speed = fabs(rate[of->row_of[k]]);
     touched[k] = touched[k] && speed <= slow;
-    if (touched[k] || (side_of[k] == 0 && speed <= larger(come[k], slow))) rest[row_of[k]] = any = 1;
-    open[row_of[k]] = open[row_of[k]] || (happened != NULL && happened[k] && until[k] == 0);
+    if (touched[k] || (of->side_of[k] == 0 && speed <= larger(come[k], slow))) rest[of->row_of[k]] = any = 1;
+    open[of->row_of[k]] = open[of->row_of[k]] || (happened != NULL && happened[k] && until[k] == 0);
   }
-  EACH(k, NM) {
-    const double moves = rate[row_of[k]];
-    modes[k] = side_of[k] != 0 ? 1.0 : rest[row_of[k]] ? 0.0 : (double)((moves > 0) - (moves < 0));
-    o->c[DT_AT - NU + modes_at[k]] = modes[k];
+  EACH(k, of->NM) {
+    const double moves = rate[of->row_of[k]];
+    modes[k] = of->side_of[k] != 0 ? 1.0 : rest[of->row_of[k]] ? 0.0 : (double)((moves > 0) - (moves < 0));
+    o->c[of->DT_AT - of->NU + of->modes_at[k]] = modes[k];
   }
-  EACH(j, NI) v[j] = v[j] + push[j];
-  moved(o);
+  EACH(j, of->NI) v[j] = v[j] + push[j];
+  moved(of, o, room);
   EACH(k, any ? 2 : 1) { /* the second time what the first one rounded */
-    weigh(o);
-    bring_to_rest(v, y, rest, o->left);
-    moved(o);
+    weigh(of, o);
+    bring_to_rest(of, v, y, rest, o->left, room);
+    moved(of, o, room);
   }
-  weigh(o); /* with the laws of those that move */
-  b.n = 0;
-  EACH(k, NV) {
+  weigh(of, o); /* with the laws of those that move */
+  EACH(k, of->NV) {
     if (!rest[k]) continue;
     b.b[b.n] = y[B_OF + k], b.lower[b.n] = -y[HOLDS + k], b.upper[b.n] = y[HOLDS + k], b.let_go[b.n] = open[k];
-    EACH(j, NM) {
-      if (row_of[j] == k && touched[j] && side_of[j] > 0) b.upper[b.n] = INFINITY;
-      if (row_of[j] == k && touched[j] && side_of[j] < 0) b.lower[b.n] = -INFINITY;
+    EACH(j, of->NM) {
+      if (of->row_of[j] == k && touched[j] && of->side_of[j] > 0) b.upper[b.n] = INFINITY;
+      if (of->row_of[j] == k && touched[j] && of->side_of[j] < 0) b.lower[b.n] = -INFINITY;
     }
     rest[k] = ++b.n; /* its number among them, from 1 */
   }
-  EACH(k, NV) EACH(j, NV) if (rest[k] && rest[j]) b.A[rest[k] - 1 + b.n * (rest[j] - 1)] = y[A_OF + k + NV * j];
+  EACH(k, of->NV) EACH(j, of->NV) if (rest[k] && rest[j]) b.A[rest[k] - 1 + b.n * (rest[j] - 1)] = y[A_OF + k + of->NV * j];
   do {
     drops = 0;
-    if (!complementary(&b)) return -1;
-    EACH(k, NV) if (NSEEN > SLIDES && rest[k] && b.at[rest[k] - 1] != 0) {
+    if (!complementary(of, &b, room)) return -1;
+    EACH(k, of->NV) if (of->NSEEN > SLIDES && rest[k] && b.at[rest[k] - 1] != 0) {
       const double slides = y[SLIDES + k];
       j = rest[k] - 1;
       if (b.upper[j] < INFINITY && slides < b.upper[j]) b.upper[j] = slides, drops = 1;
       if (b.lower[j] > -INFINITY && -slides > b.lower[j]) b.lower[j] = -slides, drops = 1;
     }
   } while (drops); /* what lets go falls to that at once, which others may not hold */
-  balance(&b);
-  EACH(k, NV) if (rest[k]) force[k] = b.f[rest[k] - 1];
-  EACH(k, NM) {
-    const int number = rest[row_of[k]];
-    if (side_of[k] == 0 && number) modes[k] = -(double)b.at[number - 1];
+  balance(of, &b, room);
+  EACH(k, of->NV) if (rest[k]) force[k] = b.f[rest[k] - 1];
+  EACH(k, of->NM) {
+    const int number = rest[of->row_of[k]];
+    if (of->side_of[k] == 0 && number) modes[k] = -(double)b.at[number - 1];
     if (touched[k]) modes[k] = number && b.at[number - 1] == 0 ? 0.0 : -1.0;
   }
-  if (any && !lawful(o, modes, rest, force)) return -1;
-  EACH(k, NM) { /* bounces that come too close are over at once */
-    const double a = side_of[k] * (y[B_OF + row_of[k]] + row_times(y + A_OF, row_of[k], NV, force, NV));
-    const double speed = side_of[k] * y[V_REL + row_of[k]];
+  if (any && !lawful(of, o, modes, rest, force, room)) return -1;
+  EACH(k, of->NM) { /* bounces that come too close are over at once */
+    const double a = of->side_of[k] * (y[B_OF + of->row_of[k]] + row_times(y + A_OF, of->row_of[k], of->NV, force, of->NV));
+    const double speed = of->side_of[k] * y[V_REL + of->row_of[k]];
     if (hit[k] && !soon[k] && 0 < 2 * speed && 2 * speed < -a * (1 - e[k]) * TOO_CLOSE) soon[k] = again = 1;
   }
   return again;
@@ -341,71 +359,75 @@ static int once(const Place *o, double *modes, const int *happened, const double
 
 /* modes among the inputs u (NU) and rates at a state `at`; happened: elements that ask, or NULL; come: rates below which
    one has come to rest. 0: no modes are consistent, and nothing has changed */
-static int decide(double *at, double *u, const double *c, const int *happened, const double *come, double *room, double *w) {
-  double modes[NM];
-  int soon[NM] = {0}, k, found;
+static int decide(const Model *of, double *at, double *u, const double *c, const int *happened,
+                  const double *come, double *there, double *w, Room room) {
+  double *modes = REALS(of->NM);
+  int *soon = WHOLES(of->NM), k, found;
   Place o;
-  o.y = room, o.c = o.y + NSEEN, o.at = o.c + DT_AT, o.left = o.at + NAT, o.w = w;
+  memset(soon, 0, of->NM * sizeof(int));
+  o.y = there, o.c = o.y + of->NSEEN, o.at = o.c + of->DT_AT, o.left = o.at + of->NAT, o.w = w;
   do {
-    memcpy(o.at, at, NAT * sizeof(double)), memcpy(o.c, c, DT_AT * sizeof(double));
-    memcpy(o.c + DT_AT - NU, u, NU * sizeof(double));
-    EACH(k, NM) modes[k] = u[modes_at[k]];
-    found = once(&o, modes, happened, come, soon);
+    memcpy(o.at, at, of->NAT * sizeof(double)), memcpy(o.c, c, of->DT_AT * sizeof(double));
+    memcpy(o.c + of->DT_AT - of->NU, u, of->NU * sizeof(double));
+    EACH(k, of->NM) modes[k] = u[of->modes_at[k]];
+    found = once(of, &o, modes, happened, come, soon, room);
   } while (found > 0);
   if (found < 0) return 0;
-  memcpy(at, o.at, NAT * sizeof(double));
-  EACH(k, NM) u[modes_at[k]] = modes[k];
+  memcpy(at, o.at, of->NAT * sizeof(double));
+  EACH(k, of->NM) u[of->modes_at[k]] = modes[k];
   return 1;
 }
 
 /* modes into inputs and what is added to the rates, at a state S that constants show; happened: elements that ask */
-static void settle(Run *r, double *inputs, double *push, const double *S, const double *shown, const int *happened) {
-  double *at = r->room, *v = at + NI + NQD, slopes[ROW], start[NI], come[NM] = {0};
+static void settle(const Model *of, Run *r, double *inputs, double *push, const double *S, const double *shown,
+                   const int *happened, Room room) {
+  double *at = r->there, *v = at + of->NI + of->NQD, *slopes = REALS(ROW), *start = REALS(of->NI), *come = REALS(of->NM);
   int k;
-  M(seen)(at, S, shown, r->w);
-  memcpy(start, v, sizeof start);
+  memset(come, 0, of->NM * sizeof(double));
+  of->seen(at, S, shown, r->w);
+  memcpy(start, v, of->NI * sizeof(double));
   if (happened != NULL) {
-    M(slopes)(slopes, S, shown, r->w);
-    EACH(k, NM) if (happened[k] && inputs[modes_at[k]] != 0) come[k] = LOST * fabs(slopes[ND - NM + k]);
+    of->slopes(slopes, S, shown, r->w);
+    EACH(k, of->NM) if (happened[k] && inputs[of->modes_at[k]] != 0) come[k] = LOST * fabs(slopes[of->ND - of->NM + k]);
   }
-  if (!decide(at, inputs, r->c, happened, come, at + NAT, r->w)) r->z[ENDED] = M(NO_MODE);
-  EACH(k, NI) push[k] = v[k] - start[k];
+  if (!decide(of, at, inputs, r->c, happened, come, at + of->NAT, r->w, room)) r->z[ENDED] = NO_MODE;
+  EACH(k, of->NI) push[k] = v[k] - start[k];
 }
 
 /* at a start, and where inputs change */
-static void settle_there(Run *r) {
+static void settle_there(const Model *of, Run *r, Room room) {
   const double clock[2] = {r->z[0], r->z[1]};
-  double *T = r->T, *inputs = T + NOWN + 3, *push = inputs + NU;
+  double *T = r->T, *inputs = T + of->NOWN + 3, *push = inputs + of->NU;
   int k, moves = 0;
-  memcpy(T, r->z, NOWN * sizeof(double)), memcpy(inputs, r->z + INPUTS_AT, NU * sizeof(double));
-  T[NOWN] = T[NOWN + 1] = r->dt, T[NOWN + 2] = clock[0] + clock[1] * r->dt;
-  settle(r, inputs, push, r->z, r->c, NULL);
-  EACH(k, NI) moves = moves || push[k] != 0;
-  EACH(k, NU) moves = moves || inputs[k] != r->z[INPUTS_AT + k];
+  memcpy(T, r->z, of->NOWN * sizeof(double)), memcpy(inputs, r->z + of->INPUTS_AT, of->NU * sizeof(double));
+  T[of->NOWN] = T[of->NOWN + 1] = r->dt, T[of->NOWN + 2] = clock[0] + clock[1] * r->dt;
+  settle(of, r, inputs, push, r->z, r->c, NULL, room);
+  EACH(k, of->NI) moves = moves || push[k] != 0;
+  EACH(k, of->NU) moves = moves || inputs[k] != r->z[of->INPUTS_AT + k];
   if (!moves) return;
-  M(again)(T, r->c, r->w);
-  memcpy(r->z, T, NOWN * sizeof(double)), r->z[0] = clock[0], r->z[1] = clock[1];
-  look_at_events(r);
+  of->again(T, r->c, r->w);
+  memcpy(r->z, T, of->NOWN * sizeof(double)), r->z[0] = clock[0], r->z[1] = clock[1];
+  look_at_events(of, r, room);
 }
 
-#if NSTOPS > 0
 /* is a start on the right side of its stops? */
-static int within_stops(Run *r) {
+static int within_stops(const Model *of, Run *r) {
   Place o;
   int k;
-  o.at = r->room, o.y = o.at + NAT, o.c = o.y + NSEEN, o.w = r->w;
-  M(seen)(o.at, r->z, r->c, o.w);
-  memcpy(o.c, r->c, DT_AT * sizeof(double));
-  weigh(&o);
-  EACH(k, NSTOPS) if (!(o.y[GAP + k] >= -TOUCH)) return 0;
+  o.at = r->there, o.y = o.at + of->NAT, o.c = o.y + of->NSEEN, o.w = r->w;
+  of->seen(o.at, r->z, r->c, o.w);
+  memcpy(o.c, r->c, of->DT_AT * sizeof(double));
+  weigh(of, &o);
+  EACH(k, of->NSTOPS) if (!(o.y[GAP + k] >= -TOUCH)) return 0;
   return 1;
 }
-#endif
 
 /* the same at a state of model exchange, whose master says roughly when something comes to rest */
-int M(settle)(double *at, double *u, const double *c, const int *happened, double *w) {
-  double come[NM];
+DOOR int settle_at(const Model *of, double *at, double *u, const double *c, const int *happened, double *w) {
+  Room room = {w + of->NSEEN + of->DT_AT + of->NAT + of->NI * of->NV, NULL};
+  double *come;
   int k;
-  EACH(k, NM) come[k] = happened[k] ? PASSES * (1.0 + largest_of(at + NI + NQD, NI)) : 0.0;
-  return decide(at, u, c, happened, come, w, w + NSEEN + DT_AT + NAT + NI * NV);
+  room.wholes = (int *)(room.reals + of->NREALS), come = REALS(of->NM);
+  EACH(k, of->NM) come[k] = happened[k] ? PASSES * (1.0 + largest_of(at + of->NI + of->NQD, of->NI)) : 0.0;
+  return decide(of, at, u, c, happened, come, w, (double *)room.wholes + of->NWHOLES, room);
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import shutil
 import subprocess
 import sys
@@ -12,6 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import runtime.export
 from runtime import ModelError, simulate
 from runtime.engine.c_source import find_compiler
 from runtime.export.c_bundle import exported, write_c
@@ -21,6 +23,7 @@ from tests.export.bundles import STRICT, Bundle, bundle
 
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
+EXPORT = Path(str(runtime.export.__file__)).parent
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 
 
@@ -219,3 +222,18 @@ def test_what_cannot_leave_is_refused_by_name(model_of: Build) -> None:
     for words, scene in refused.items():
         with pytest.raises(ModelError, match=words):
             exported(model_of(scene.simulation(t_end=1.0).build()), "rk4", 1e-3)
+
+
+def test_what_decides_is_one_text_for_all_models(tmp_path: Path) -> None:
+    """It compiles without a model, keeps arrays in memory of the caller's, and has small frames (a page on Windows)."""
+    flags = [*STRICT, "-O1", "-Wvla", "-Wframe-larger-than=4000"]
+    command = [
+        *shlex.split(find_compiler() or ""),
+        *flags,
+        "-c",
+        str(EXPORT / "stops.c"),
+        "-o",
+        str(tmp_path / "stops.o"),
+    ]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
