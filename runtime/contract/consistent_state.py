@@ -86,6 +86,7 @@ def _libraries() -> Any:
 
 MAX_ASSEMBLY_ITERATIONS = 100
 LARGEST_STEP = 0.5  # rad or m per iteration: keeps Newton on the branch the user started
+CLOSURE_ROUNDING = 8e-16  # the same: what rounding leaves of constraints that hold; no step makes it smaller
 POSITION_TOLERANCE = 1e-13  # m or rad, times the largest coordinate if above 1
 VELOCITY_TOLERANCE = 1e-12
 JACOBIAN_ROUNDING = 1e-13  # of the largest entry of C_q
@@ -274,7 +275,7 @@ def _nearest(q0: np.ndarray, free: np.ndarray, position: Residual) -> np.ndarray
         error = float(np.abs(C).max(initial=0.0))
         if error < best_error:
             best, best_error = q, error
-        if error <= 1e-16 * _scale(q):
+        if error <= CLOSURE_ROUNDING * _scale(q):
             break
         step = _least_change(C_q, -C, free)
         largest = float(np.abs(step).max(initial=0.0))
@@ -296,14 +297,16 @@ def _velocities(
     v0: np.ndarray, free: np.ndarray, cheap: np.ndarray, C_q: np.ndarray, nu: np.ndarray
 ) -> np.ndarray | None:
     v = v0 + _least_dear_change(C_q, nu - C_q @ v0, free, cheap)
-    v = v + _least_change(C_q, nu - C_q @ v, free)
+    left = nu - C_q @ v
+    if np.abs(left).max(initial=0.0) > CLOSURE_ROUNDING * _scale(v):
+        v = v + _least_change(C_q, left, free)
     residual = float(np.abs(nu - C_q @ v).max(initial=0.0))
     return v if residual <= VELOCITY_TOLERANCE * _scale(v) else None
 
 
 def _least_dear_change(C_q: np.ndarray, side: np.ndarray, free: np.ndarray, cheap: np.ndarray) -> np.ndarray:
     """A step with C_q step = side whose part without the cheap coordinates is smallest; they follow from it."""
-    if not (cheap & free).any():
+    if not side.any() or not (cheap & free).any():
         return _least_change(C_q, side, free)
     Q, R = np.linalg.qr(C_q[:, cheap & free])
     rank_deficient = np.abs(np.diag(R)).min() <= 1e-10 * np.abs(R).max()

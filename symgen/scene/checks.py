@@ -66,7 +66,8 @@ def gravity_errors(scene: SceneParts) -> Iterator[SceneError]:
 
 # ---- sizes -----------------------------------------------------------------------------------------------------
 
-MAX_COORDINATES = 2000  # 1,000 take 20 s to derive where nothing joins them; time grows with the square
+MAX_COORDINATES = 6000  # 1,000 bodies in a plane, 500 in space and room beyond; see COST
+COST = "some minutes and gigabytes to assemble: its constraints, as a full matrix, alone {:.0f} MB"
 MAX_BODY_MODES = 150  # 100 take 6 s, the square of the modes in memory
 
 
@@ -84,7 +85,8 @@ def size_errors(scene: SceneParts) -> Iterator[SceneError]:
     if count > MAX_COORDINATES:
         yield SceneError(
             "bodies",
-            f"the scene has {count} coordinates, more than {MAX_COORDINATES}",
+            f"the scene has {count} coordinates, more than {MAX_COORDINATES}: it would take "
+            + COST.format(8e-6 * count**2 * 2 / 3),
             "divide it, or give bodies fewer modes",
         )
 
