@@ -96,7 +96,7 @@ class Stepper:
 
 # Steppers that a model keeps: who runs it again need not prepare its steps again.
 
-MOST_KEPT_OPERATIONS = 300_000  # of a step, of all that a model keeps: what they take stays in memory
+MOST_KEPT_OPERATIONS = 3_000_000  # of a step, of all that a model keeps: some 100 bytes each stay in memory
 _LOCK = Lock()  # of what models keep: threads may run one model at once
 
 
