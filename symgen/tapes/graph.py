@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import casadi as ca
 
@@ -337,19 +338,38 @@ class _Signs:
             self.new[k] = self._graph.table(a, node.value) if table else self._graph.rebuilt(node.op, a, b)
 
     def _turned(self, k: int) -> int | None:
-        """-k for no operation more than k; None where there is no such form."""
-        graph, node = self._graph, self._graph.nodes[k]
-        if graph.of_p[k] or self._uses[k] > 1:
-            return None
-        if node.op == ca.OP_SUB:
-            return graph.rebuilt(ca.OP_SUB, self._now(node.b), self._now(node.a))
-        if node.op == ca.OP_MUL and graph.of_p[node.b]:
-            return graph.rebuilt(ca.OP_MUL, self._now(node.a), graph.apply(ca.OP_NEG, node.b))
-        if node.op not in (ca.OP_ADD, ca.OP_MUL):
-            return None
-        for own, other in ((node.a, node.b), (node.b, node.a)):
-            turned = self._turned(own)
-            if turned is not None:
+        """-k for no operation more than k; None where there is no such form.
+
+        Sums of a long chain are as deep as it is long: the operands that are left to try are on a stack, each with what
+        stands above it.
+        """
+        graph = self._graph
+        left: list[tuple[int, _Above | None]] = [(k, None)]
+        while left:
+            k, above = left.pop()
+            node = graph.nodes[k]
+            if graph.of_p[k] or self._uses[k] > 1:
+                continue
+            if node.op == ca.OP_SUB:
+                return self._under(above, graph.rebuilt(ca.OP_SUB, self._now(node.b), self._now(node.a)))
+            if node.op == ca.OP_MUL and graph.of_p[node.b]:
+                turned = graph.rebuilt(ca.OP_MUL, self._now(node.a), graph.apply(ca.OP_NEG, node.b))
+                return self._under(above, turned)
+            if node.op in (ca.OP_ADD, ca.OP_MUL):
                 op = ca.OP_SUB if node.op == ca.OP_ADD else ca.OP_MUL
-                return graph.rebuilt(op, turned, self._now(other))
+                left += [(node.b, _Above(op, node.a, above)), (node.a, _Above(op, node.b, above))]
         return None
+
+    def _under(self, above: _Above | None, turned: int) -> int:
+        """What a negated operand makes of all that stands above it."""
+        while above is not None:
+            turned, above = self._graph.rebuilt(above.op, turned, self._now(above.other)), above.above
+        return turned
+
+
+class _Above(NamedTuple):
+    """An operation above an operand that may be negated: what it becomes then, its other operand, what is above it."""
+
+    op: int
+    other: int
+    above: _Above | None
