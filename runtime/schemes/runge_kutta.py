@@ -20,7 +20,6 @@ from runtime.schemes.scheme import StateField, state, work
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, tree_is_shorter
 from runtime.schemes.step_limit import StepLimit, limit_between_the_axes
 
-
 LONG_STEP = 50_000  # operations: the code of a step with each evaluation written out is longer than caches hold
 
 

@@ -66,7 +66,7 @@ def gravity_errors(scene: SceneParts) -> Iterator[SceneError]:
 
 # ---- sizes -----------------------------------------------------------------------------------------------------
 
-MAX_COORDINATES = 6000  # 2,000 bodies in a plane, 850 in space
+MAX_COORDINATES = 6000  # a chain of 1,000 bodies in a plane has half as many, and takes 1 GB
 COST = "some minutes and gigabytes to assemble: its constraints, as a full matrix, alone {:.0f} MB"
 MAX_BODY_MODES = 150  # 100 take 6 s, the square of the modes in memory
 

@@ -37,7 +37,7 @@ def chain(links: int) -> Scene:
 
 
 def recursion(theta: np.ndarray, rate: np.ndarray) -> np.ndarray:
-    """theta'' (n,) of absolute angles by the articulated-body algorithm, forces at velocity and gravity in the biases."""
+    """theta'' (n,) of absolute angles by the articulated-body algorithm; velocities and gravity are in the biases."""
     n = len(theta)
     arms = LENGTH * np.stack([np.cos(theta), np.sin(theta)], axis=1)  # from joint to joint
     S = np.array([1.0, 0.0, 0.0])
