@@ -308,6 +308,8 @@ def dividing_step(t0: float, end: float, dt: float) -> float:
 
     A third of a second written with seven digits is meant as a third, and a run ends at its end.
     """
+    if (end - t0) / dt > MAX_STEPS:  # which is refused
+        return dt
     steps = steps_until(t0, end, dt)
     exact = (end - t0) / steps["steps"]
     told_apart = abs(exact - dt) * steps["steps"] > SAME_END * max(abs(t0), abs(end))

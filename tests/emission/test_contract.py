@@ -29,6 +29,8 @@ READERS_OF_TEXT = {
     "runtime/contract/errors.py",  # lines of a message
     "runtime/contract/escapes.py",  # text for other formats
     "runtime/engine/native_text.py",  # LLVM IR
+    "runtime/engine/gpu.py",  # the same
+    "runtime/results/impacts.py",  # columns of elements, by an ending that no name of a scene has
     "runtime/running/domains.py",  # items of the scene
     "runtime/engine/c_source.py",  # C
     "runtime/export/c_bundle.py",  # names in C
