@@ -2,7 +2,8 @@
 
 Forward mode gives sensitivities by the parameters and initial values, reverse mode the gradient of one number.
 
-Forward, each lane carries one direction. Backward, the outputs' bars are given and flow to the beginning: what steps
+Forward, each lane carries one direction: the variational equations (tangent linear model) of the steps.
+Backward, the outputs' bars are given and flow to the beginning: what steps
 and outputs read is on tapes. A short run is recorded whole. A long one keeps its state at some sqrt(n) steps and is run
 again from the last of them, then from the one before, so that memory grows as sqrt(n).
 """

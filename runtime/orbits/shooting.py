@@ -1,5 +1,7 @@
 """The map of a period, x(t0) -> x(t0 + T), with its exact derivatives, and Newton's method on x(t0 + T) = x(t0).
 
+The map is that of Poincare for forced motions (stroboscopic).
+
 This is multiple shooting: the period is cut into K parts of equal length. The unknowns are the states x_k = (q_i,
 q_i_dot) at their starts, the period T where it is free, and the conditions
 

@@ -79,6 +79,16 @@ class MotionError:
     def __str__(self) -> str:
         return f"{self.largest:.2g} of the amplitude of {self.of}" if self.measured else f"not measured: {self.reason}"
 
+    def at_least(self, relative: float) -> MotionError:
+        """The same where something else says that each coordinate is off by so much of its amplitude."""
+        if not self.measured or relative <= 0.0:
+            return self
+        own = {name: max(value, relative) for name, value in self.relative.items()}
+        over = {name: max(value, relative * self.amplitude.get(name, 0.0)) for name, value in self.over_motion.items()}
+        return replace(
+            self, relative=own, over_motion=over, judged={name: max(v, relative) for name, v in self.judged.items()}
+        )
+
     @property
     def measured(self) -> bool:
         """Is there anything to tell?"""

@@ -99,9 +99,12 @@ def _ended(run: Run, error: MotionError | None, missed: Sequence[Event]) -> Solu
     began = time.perf_counter()
     if not status.ok:
         error = MotionError(reason=f"it is {status.name}")
+    unresolved = unresolved_share(run, solution.q_dot)
+    if unresolved > WORTH_A_WORD:
+        solution = solution.but(stats={**solution.stats, "unresolved_loads": unresolved})
     solution = with_error(
         solution,
-        measured(run, solution) if error is None else error,
+        measured(run, solution).at_least(unresolved) if error is None else error,
         SMALLER_TOLERANCE if run.plan.refined or run.plan.scheme.adaptive else SMALLER_STEP,
     )
     if slides := [event for event in events if event.kind == "chattering"]:
@@ -113,6 +116,13 @@ def _ended(run: Run, error: MotionError | None, missed: Sequence[Event]) -> Solu
     solution = run.record.finished(solution.but(stats={**solution.stats, **parts}))
     _log(solution)
     return solution
+
+
+def unresolved_share(run: Run, rates: np.ndarray) -> float:
+    """Error of a rate behind loads that act for less than two steps, over the largest of the rates of a motion [1]."""
+    off = max((segment.unresolved for segment in run.record.segments), default=0.0)
+    size = float(np.abs(rates).max(initial=0.0))
+    return min(1.0, off / size) if off and size else 0.0
 
 
 def _log(solution: Solution) -> None:

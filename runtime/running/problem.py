@@ -161,7 +161,7 @@ MOST_KEPT = 20_000  # samples of a run for which no time between them is asked
 MAX_STEPS = 1e15
 DISTINCT_TIMES = 2.0**-49  # dt over a time, at least
 STEP_COUNT_ROUNDING = 1e-6  # of a step: t_end / dt is a whole number up to this
-SAME_END = 2.0**-48  # of a time: sums of steps end there up to rounding
+SAME_END = 1e-11  # of times: an end that near is the end that a clock shows
 
 
 @dataclass(frozen=True)

@@ -37,6 +37,7 @@ from runtime.running.outcome import (
     finished,
     loads_missed,
     passed_by,
+    unresolved_share,
     with_what_is_damped,
 )
 from runtime.running.problem import (
@@ -300,6 +301,7 @@ class StepRefinement:
         sizes = amplitudes(model, np.concatenate([other_q, level.sampled[0]]))
         t = plan.t0 + common * every * plan.grid.dt_L
         estimated = motion_error(model, t, q, other_q, sizes, (v, other_v), level.sampled[1])
+        unresolved = unresolved_share(level.run, level.sampled[1])
         error = differs = self._asked(estimated)
         if len(before) > 1 and 0 < differs < last.differs:
             ratio = level.steps / last.steps
@@ -308,7 +310,8 @@ class StepRefinement:
                 richer = max(2.0, ratio**shown - 1)
                 error *= min(0.5, RICHARDSON_SAFETY / richer)
                 estimated = estimated.scaled(1 / richer)
-        return replace(level, differs=differs, error=error, estimated=estimated)
+        # what acts within one step at every level errs alike at all of them
+        return replace(level, differs=differs, error=max(error, unresolved), estimated=estimated.at_least(unresolved))
 
     def _asked(self, error: MotionError) -> float:
         """What is compared with the tolerance; of rates, and of what is not graded, a run has to be accurate."""

@@ -178,12 +178,13 @@ class SteppedModel:
         if plan.scheme.iteration_limit is None or halvings > MOST_HALVINGS or self.in_a_row > MOST_IN_A_ROW:
             return False
         self.divisions += halvings == 1
-        self.divided, given = (step, halvings), self.impulses
+        self.divided, given, unresolved = (step, halvings), self.impulses, self.unresolved
         times = np.linspace(plan.time(step), plan.time(step + 1), 2**halvings + 1)[1:-1]
         margin = CONDITION_ROUNDING * max(abs(plan.t0), abs(plan.t_end))
         parts = [SwitchTime(float(t), float(t) - margin, float(t) + margin, ()) for t in times]
         self._break(sorted([*self.switches, *parts], key=lambda one: one.time), plan.t0, plan.t_end)
         self.broken.impulses.update(given)
+        self.broken.unresolved = unresolved
         return True
 
     def begin_events(self, z: np.ndarray) -> None:
@@ -284,6 +285,11 @@ class SteppedModel:
     def impulses(self) -> dict[float, Impulse]:
         """Of prescribed motions whose velocity has jumped so far, by time [s]."""
         return self.given if self.broken is None else self.broken.impulses
+
+    @property
+    def unresolved(self) -> float:
+        """Error of a rate behind loads that act for less than two steps, the largest so far [m/s, rad/s]."""
+        return 0.0 if self.broken is None else self.broken.unresolved
 
     def forget_determinants(self, z: np.ndarray) -> None:
         """Let det_low and det_high begin anew."""

@@ -1,6 +1,7 @@
 """Radau IIA with three stages: order 5, L-stable, one Jacobian a step. A baseline, compiled like the rest.
 
-Hairer and Wanner's RADAU5 with a fixed step, on the second-order equations q'' = M_hat^-1 Q_hat = a(q, q', t).
+A collocation method: Hairer and Wanner's RADAU5 with a fixed step, on the second-order
+equations q'' = M_hat^-1 Q_hat = a(q, q', t).
 Unknown are the accelerations K_i of the stages,
 
     q_i = q + c_i h v + h^2 sum_j (A^2)_ij K_j,    v_i = v + h sum_j A_ij K_j,    R_i = M (a_i - K_i) = 0.

@@ -1,5 +1,7 @@
 """Straight-line factorisation of sparse SX matrices, real or complex, kept for several right-hand sides.
 
+LDL^T of what is symmetric (Cholesky's without roots), LU of what is not.
+
 No pivoting, last unknown first: see below for why that is safe and leaves no fill-in. All is written in
 sparse vectors and matrices, so that CasADi, not Python, goes through the entries.
 """

@@ -3,7 +3,8 @@
 Modal reduction of a finite-element body (model order reduction, component mode synthesis). Free modes move no mass as a
 whole: the frame of the body is that of mean axes (Tisserand), its reference conditions.
 
-Static shapes of loads as modes: what the body does at rest under them is then held exactly, and so are its stresses.
+Static shapes of loads as modes (attachment modes, static correction): what the body
+does at rest under them is then held exactly, and so are its stresses.
 
 weight_x, ...: a unit acceleration along an axis; turn_x, ...: a unit angular acceleration about an axis through the
 origin; spin_x, ...: a unit angular velocity about it, squared; the name of an interface: unit forces and moments there.

@@ -1,4 +1,4 @@
-"""Contact: a ball or disc that touches a plane, or another one."""
+"""Contact: a ball or disc that touches a plane, or another one, by a penalty force of its penetration depth."""
 
 from __future__ import annotations
 

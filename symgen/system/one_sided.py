@@ -1,5 +1,7 @@
 """Forces that push and never pull: of a depth d, zero where nothing is pressed, with what the force kinks at.
 
+Penalty forces of contacts and elastic stops, of the penetration depth d:
+
 Hunt and Crossley    k d^n max(0, 1 + D d')
 play                 k d + c d', no less than 0 and no more than 2 k d
 """

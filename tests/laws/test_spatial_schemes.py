@@ -89,7 +89,7 @@ def test_predicted_limits_are_real(
     the fastest mode is distorted fivefold at 0.98 of the limit, and from the bent start that is out of bounds.
     """
     t_end, c = 2.0, model.constants(model.parameter_vector())
-    monkeypatch.setattr(limits, "BISECTIONS", 4)  # of 8 %: to 0.25 %
+    monkeypatch.setattr(limits, "CHART_BISECTIONS", 4)  # of 8 %: to 0.25 %
     states, exact = states_along(model, t_end=t_end, count=6, start=START), ExactMotion(model, c)
     edge = 2 * reach / max(modes_of(exact.modes, state).frequencies[-1] for state in states)
     limit = (

@@ -84,7 +84,7 @@ def test_predicted_limits_are_real(
     """Law: 2 % below the predicted limit a run stays in bounds, 2 % above it blows up."""
     model, ground, (name, m, reach) = built_in(scene), grounds[scene], SCHEMES[scheme]
     given, t_end, _ = LIMITS[scene]
-    monkeypatch.setattr(limits, "BISECTIONS", 4)  # of 8 %: to 0.25 %
+    monkeypatch.setattr(limits, "CHART_BISECTIONS", 4)  # of 8 %: to 0.25 %
     edge = ground.edge * reach
     study = StabilityStudy(model, name, m, {}, ground.c, ground.states, t_end, ground.exact)
     limit = study.curve(np.geomspace(0.96 * edge, 1.04 * edge, 2)).limit

@@ -34,7 +34,7 @@ def cubic(t: float) -> tuple[float, float]:
 
 
 class Point:
-    """Stands for a TightIntegrator: y = (x, x'), x'' = force(t); errors are put into what is seen behind the step."""
+    """Stands for a TightIntegrator: y = (x, x'), x'' = force(t); errors are put into what is observed behind it."""
 
     def __init__(
         self, course: Course = straight, force: Callable[[float], float] = lambda t: 0.0, **errors: float
@@ -65,7 +65,7 @@ class Point:
     def slope(self, t: float, y: np.ndarray) -> np.ndarray:
         return np.array([y[1], self.force(t)])
 
-    def seen(self, t: np.ndarray, y: np.ndarray) -> Any:
+    def observed(self, t: np.ndarray, y: np.ndarray) -> Any:
         q, v, off = y[:, :1].copy(), y[:, 1:], self.errors
         q[1] += off.get("gap", 0.0)
         still, power = np.zeros(2), np.array([0.0, off.get("power", 0.0)])

@@ -284,3 +284,31 @@ def test_a_stepper_has_the_bits_of_a_run_across_a_jump_by_place(model_of: Build)
     stepper.restore(kept)
     stepper.step(80)
     assert stepper.sample.q[0, 0] == run.q[-1, 0]
+
+
+# ---- loads that act for less than a step: their ends are ends of steps at every length, so other lengths err alike
+
+
+@pytest.mark.parametrize("stiffness", [2e3, 2e5, 2e7])
+@pytest.mark.parametrize("asked", [{"dt": 0.1}, {"dt": 0.01}, {"tolerance": 1e-3}])
+def test_a_contact_that_steps_do_not_resolve_is_not_told_as_right(model_of: Build, stiffness: float, asked) -> None:
+    """A pendulum on an elastic stop: its energy is kept, what a run loses of it is in its error."""
+    builder = on_hinge("rod", "rod", "pin", mass=1.0, inertia=1.0).measure("a", "coordinate", "rod.theta")
+    builder.torque("drive", "rod.origin", f"-10*sin(a) + where(a < -1.2, {stiffness}*(-1.2 - a), 0)")
+    builder.initial({"rod.theta": 1.5}).simulation(t_end=2.0, dt=0.01, scheme="rk4")
+    model = model_of(builder.build())
+    run = simulate(model, scheme="rk4", t_end=2.0, **asked)
+    height = 10 * (1 - np.cos(run["rod.theta"])) + stiffness / 2 * np.minimum(run["rod.theta"] + 1.2, 0) ** 2
+    lost = abs(float((run["rod.theta_dot"] ** 2 / 2 + height)[-1]) / (10 * (1 - np.cos(1.5))) - 1)
+    assert lost < 0.05 or run.status.name == "inaccurate"
+    assert not run.error.measured or lost < 20 * run.error.largest + 1e-6
+
+
+def test_a_push_that_steps_do_resolve_is_right_however_short(model_of: Build) -> None:
+    """10 N over 1 mm, 1 kg at 1 m/s, in steps of 0.1 s: v^2 = 1 + 2 10 0.001."""
+    builder = on_rail("pushed", "cart", "rail", mass=1.0, inertia=1.0).measure("x", "coordinate", "cart.x")
+    builder.force("push", "cart.origin", "where(x > 0.5, 10, 0) * where(x < 0.501, 1, 0)", 0)
+    builder.rates({"cart.x": 1.0}).simulation(t_end=1.0, dt=0.1, scheme="rk4")
+    run = simulate(model_of(builder.build()))
+    assert run.status.name == "completed" and run.error.largest < 1e-6
+    assert run["cart.x_dot"][-1] == pytest.approx(np.sqrt(1.02), abs=1e-9)

@@ -1,4 +1,5 @@
-"""Forces between bounds on directions that are at rest: a box-constrained linear complementarity problem.
+"""Forces between bounds on directions that are at rest: a box-constrained linear complementarity problem
+(LCP).
 
 With v' = b + A f, where A = G M_hat^-1 G^T is the Delassus matrix,
 

@@ -24,6 +24,7 @@ from runtime.schemes.switching.watched import NEVER, Acted, are_kinks, event_slo
 
 STEPS_WORTH_A_CALL = 128  # whole steps that are worth a call of the step program alone
 STEPS_LOOKED_UP = 256  # steps with stops whose parts are looked up at once
+RESOLVED_STEPS, RESOLVING_PARTS = 2, 4  # steps that a load acts for, below which more parts tell what they err
 _LOCK = Lock()
 
 
@@ -56,11 +57,20 @@ def restart_of(stepper: Stepper) -> Restart:
     return found
 
 
+class Opened(NamedTuple):
+    """Kinks that loads came to at a clock [s], and the state (whole, flat) of the program behind it."""
+
+    kinks: tuple[int, ...]
+    clock: float
+    z: np.ndarray
+
+
 class StepsWithStops:
     """Runs major steps dt [s] of a stepper from t0 on, with stops within them or at their ends.
 
     c (c_size,): the model's constants; known: of how many steps all stops are given; end [s]: see Breaks. impulses: of
-    prescribed motions whose velocity has jumped so far, by time.
+    prescribed motions whose velocity has jumped so far, by time. unresolved: error of a rate at the end of a load
+    that acted for less than two steps, the largest so far [m/s, rad/s]. opened: the last event, if loads changed at it.
     """
 
     def __init__(
@@ -75,6 +85,7 @@ class StepsWithStops:
     ) -> None:
         self.stepper, self.t0, self.dt = stepper, t0, dt
         self.grid, self.impulses = Breaks(t0, dt, switches, known, end), dict[float, Impulse]()
+        self.unresolved, self.opened = 0.0, Opened((), 0.0, np.zeros(0))
         self._jolts = np.array([one.time for one in may_give_impulses(stepper.scheme.model, c, switches)])
         self._parts, self._steps = np.zeros((0, 0)), list[int]()  # and the step that each is in
         self._numbers, self._first, self._behind = [0], 0, 0  # of the broken ones; the next one that is not looked up
@@ -182,6 +193,18 @@ class StepsWithStops:
     def _looked_up(self, steps: np.ndarray) -> np.ndarray:
         """(fields of a part, N) of broken steps (S,)."""
         return parts_of(self.grid, steps, self.stepper.scheme.grid.m, self._jolts)
+
+    def breaks_between(self, before: float, after: float) -> bool:
+        """Do steps end within themselves somewhere between two clocks [s]?"""
+        first, last = (int((clock - self.t0) / self.dt) for clock in (before, after))
+        broken = self.grid.next_broken(first)
+        return broken is not None and broken <= last
+
+    def note_unresolved(self, rates: np.ndarray, finer: np.ndarray) -> None:
+        """Rates (n_i,) at the end of a load that acted for a short time, and those by shorter steps."""
+        with np.errstate(invalid="ignore"):
+            off = float(np.abs(rates - finer).max())
+        self.unresolved = max(self.unresolved, off if np.isfinite(off) else np.inf)
 
     # ---- a step with events ---------------------------------------------------------------------------------
 
@@ -320,9 +343,30 @@ class _EventStep:
             s, before = first_passage(ask, at, low, high, goal)
             clock = start + s
             z, happened = self._part(z, start, clock - start), ask(before, at(s))
+            if set(self.steps.opened.kinks) & set(happened):
+                self._resolve(z, clock)
             ends, start, length = self._act(z, clock, happened), clock, end - clock
+            self.steps.opened = Opened(tuple(k for k in happened if are_kinks(scheme)[k]), clock, z.copy())
             if ends or length <= JUMP_AT_STEP * self.steps.dt:
                 return z, clock, ends
+
+    def _resolve(self, there: np.ndarray, clock: float) -> None:
+        """What steps err through which a load acts for less than two of them, by four parts of that time: steps of
+        other lengths end where it begins and ends, too, so that none of them shows it.
+        """
+        opened, steps = self.steps.opened, self.steps
+        length = clock - opened.clock
+        if not 0.0 < length < RESOLVED_STEPS * steps.dt or steps.breaks_between(opened.clock, clock):
+            return
+        z = opened.z
+        for k in range(RESOLVING_PARTS):
+            z = self._part(z, opened.clock + k * length / RESOLVING_PARTS, length / RESOLVING_PARTS)
+        steps.note_unresolved(self._rates(there), self._rates(z))
+
+    def _rates(self, z: np.ndarray) -> np.ndarray:
+        """q_i_dot (n_i,) that a state shows."""
+        state, constants = self._shown(z)
+        return np.asarray(self.steps.stepper.scheme.observer(z=state, c=constants)["q_i_dot"]).ravel()
 
     def _looks(self, z: np.ndarray, start: float, length: float, found: np.ndarray) -> Callable[[float], np.ndarray]:
         """s [s] -> values of events (n_e,) on the way to `found`, so far away [s]: by a step that ends there."""
