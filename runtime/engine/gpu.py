@@ -9,6 +9,7 @@ functions of the C library, which every platform rounds in its own way, is refus
 
 from __future__ import annotations
 
+import ctypes
 import hashlib
 import re
 import struct
@@ -235,8 +236,6 @@ class GpuCode:
                 self._run(blocks[first : first + most], z, c, n)
 
     def _run(self, rows: np.ndarray, z: int, c: int, n: int) -> None:
-        import ctypes
-
         count, size, _ = rows.shape
         own, work = (self._memory(k, 8 * count * length) for k, length in enumerate((size, self._work)))
         self._gpu.call("cuMemcpyHtoD", own, rows.ctypes.data, rows.nbytes)

@@ -66,7 +66,7 @@ class Method(Scheme):
 
     def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
         """(q_i, q_i_dot) at tau [s] after the start of a step of h [s] (None: the last one), of the method's order."""
-        raise NotImplementedError
+        raise NotImplementedError(f"{type(self).__name__} has no dense output: no option asks it for one")
 
     def moved(self, z: Fields) -> Mapping[str, ca.SX]:
         """Of a method whose first evaluation is the last of the step before: its fields at the start of a step."""

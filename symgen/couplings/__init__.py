@@ -3,6 +3,6 @@
 from symgen.couplings.coupling import Coupling
 from symgen.schema.fields import types_of
 
-COUPLINGS = types_of(__name__, __file__, Coupling)
+COUPLINGS = types_of(__name__, __file__, Coupling)  # type: ignore[type-abstract]
 
 __all__ = ["COUPLINGS", "Coupling"]

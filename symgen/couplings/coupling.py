@@ -6,6 +6,7 @@ of joints are relative to the body that carries the joint, so that carriers whic
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
@@ -37,9 +38,9 @@ class Coupling(StrictModel):
     not_zero: ClassVar[tuple[str, ...]] = ()
     from_start: ClassVar[bool] = True
 
+    @abstractmethod
     def coefficients(self, of: Read) -> list[Any]:
         """Of the coordinates after the first, whose own is one."""
-        raise NotImplementedError
 
     def constant(self, of: Read) -> Any:
         """Of the row, where the start does not give it."""

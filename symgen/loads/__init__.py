@@ -3,6 +3,6 @@
 from symgen.loads.load import Load
 from symgen.schema.fields import types_of
 
-LOADS = types_of(__name__, __file__, Load)
+LOADS = types_of(__name__, __file__, Load)  # type: ignore[type-abstract]
 
 __all__ = ["LOADS", "Load"]

@@ -5,6 +5,7 @@ All who treat loads ask this record; none asks for a load's type.
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol
@@ -158,9 +159,9 @@ class Load(StrictModel):
     shown_as: ClassVar[str] = ""
     directed: ClassVar[str] = ""
 
+    @abstractmethod
     def effect(self, m: Acting) -> LoadEffect:
         """Generalised force, energies and powers."""
-        raise NotImplementedError
 
     @property
     def markers(self) -> dict[str, str]:
