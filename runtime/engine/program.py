@@ -114,7 +114,8 @@ class Layout:
 
     def pack(self, fields: Mapping[str, ca.SX]) -> ca.SX:
         """z from its fields. Raises ValueError for one of another size: what stands behind it would be read amiss."""
-        parts = {name: ca.SX(fields[name]) for name in self.sizes}
+        # as columns: nothing of a scalar, x[:0], is a row without columns, of which CasADi's vertcat makes a zero
+        parts = {name: ca.vec(ca.SX(fields[name])) for name in self.sizes}
         wrong = [f"{name} ({part.numel()})" for name, part in parts.items() if part.numel() != self.sizes[name]]
         if wrong:
             raise ValueError(f"fields of z have other sizes than the layout: {', '.join(wrong)}")

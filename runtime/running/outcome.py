@@ -100,7 +100,7 @@ def _ended(run: Run, error: MotionError | None, missed: Sequence[Event]) -> Solu
     if not status.ok:
         error = MotionError(reason=f"it is {status.name}")
     unresolved = unresolved_share(run, solution.q_dot)
-    if unresolved > WORTH_A_WORD:
+    if unresolved:
         solution = solution.but(stats={**solution.stats, "unresolved_loads": unresolved})
     solution = with_error(
         solution,

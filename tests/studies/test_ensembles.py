@@ -334,3 +334,18 @@ def test_variables_say_their_unit_and_what_they_are(built_in: Load) -> None:
         "long_name": "initial rate of angle crank.theta",
     }
     assert reduced["rod.tip.x"].units == "m" and reduced["time_reached"].units == "s"
+
+
+@pytest.mark.parametrize("scheme", ["rk4", "single_rate"])
+def test_a_model_whose_one_event_is_a_kink_has_the_bits_of_single_runs(scheme: str) -> None:
+    """A load that jumps with the motion and no event: cases that come to it run one by one, others in lanes."""
+    scene = Scene("pushed_once").parameter("push", 1.0).rigid("cart", mass=1.0, inertia=1.0)
+    scene.prismatic("rail", "ground.origin", "cart.origin").measure("place", "x", of="cart.origin")
+    model = scene.force("motor", "cart.origin", "where(place > 0.5, push, 0)", 0).rates({"cart.x": 1.0}).model()
+    push, place = [2.0, 4.0, 4.0], [0.0, 0.0, -9.0]
+    asked = {"scheme": scheme, "dt": 1e-2, "t_end": 1.0}
+    found = model.ensemble({"push": push}, {"cart.x": place, "cart.x_dot": 1.0}, **asked, reduce={"cart.x_dot": "end"})
+    for case, (force, start) in enumerate(zip(push, place, strict=True)):
+        run = model.simulate(parameters={"push": force}, initial={"cart.x": start, "cart.x_dot": 1.0}, **asked)
+        assert found["cart.x_dot_end"].values[case] == run["cart.x_dot"][-1]
+    assert found["cart.x_dot_end"].values[2] == 1.0  # never there

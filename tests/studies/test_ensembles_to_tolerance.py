@@ -231,6 +231,24 @@ def test_cases_with_impacts_and_friction_are_told_as_others() -> None:
 
 
 @pytest.mark.long
+def test_contacts_that_no_level_resolves_are_not_completed() -> None:
+    """A pendulum on a very stiff stop keeps its energy, or is said to be inaccurate; the others never come to it."""
+    scene = Scene("on_a_stop").parameter("k", 2e7).rigid("rod", mass=1.0, inertia=1.0)
+    scene.revolute("pin", "ground.origin", "rod.origin").measure("a", "angle", of="rod.origin")
+    model = scene.torque("drive", "rod.origin", "-10*sin(a) + where(a < -1.2, k*(-1.2 - a), 0)").model()
+    start, names = np.array([0.1, 0.2, 0.3, 1.5]), ["rod.theta", "rod.theta_dot"]
+    found = model.ensemble(
+        None, {"rod.theta": start}, scheme="rk4", tolerance=1e-2, t_end=2.0, reduce=dict.fromkeys(names, "end")
+    )
+    theta, rate = (found[f"{name}_end"].values for name in names)
+    energy = rate**2 / 2 + 10 * (1 - np.cos(theta)) + 1e7 * np.minimum(theta + 1.2, 0) ** 2
+    lost = np.abs(energy / (10 * (1 - np.cos(start))) - 1)
+    done = found["status"].values == "completed"
+    assert done[:3].all() and (lost[done] < 0.05).all()
+    assert set(found["status"].values[~done]) <= {"inaccurate"}
+
+
+@pytest.mark.long
 def test_cases_without_an_answer_are_not_completed() -> None:
     """A chaotic double pendulum for so long that no step of this price reaches the tolerance."""
     model, n = SCENES["double_pendulum"]().model(), 10

@@ -42,6 +42,7 @@ LOST_BY_COARSE_STEPS = (
     "deflection_too_large",
     "constraints_lost",
     "mass_not_positive",
+    "inaccurate",
 )  # steps may do it
 LOST_TWICE, LOST_COARSE = 2, 4  # levels in a row that end alike before a case does; of those that coarse steps cause
 ONE_END = 0.02  # of the motion: ends that are one

@@ -95,6 +95,9 @@ def run_alone(spec: EnsembleSpec, sample: np.ndarray) -> tuple[np.ndarray, str, 
         return np.full(spec.width, np.nan), "not_assembled", plan.t0
     # lanes estimate no errors: a case has one status, however it was run
     name = "completed" if solution.status.whole and not solution.status.ok else solution.status.name
+    # what acts within a step at every level errs alike at all of them, so that no other level shows it
+    if spec.refinement is not None and float(solution.stats.get("unresolved_loads", 0.0)) > spec.refinement.tolerance:
+        name = "inaccurate"
     return _values(spec, solution), name, solution.status.time
 
 
