@@ -35,7 +35,8 @@ class ImpactRecord:
     `mesh.backlash`, `touch.contact`; side: 1 where it pushes along the coordinate, or apart, else -1.
 
     speed_before, with which it is met, and speed_after, with which it is left [m/s or rad/s]; impulse [N s or N m s]
-    and energy_lost [J], NaN where too few samples lie in a contact; duration [s], zero of rigid stops.
+    and energy_lost [J], NaN where too few samples lie in a contact; duration [s], zero of rigid stops; unit: that of
+    the speeds.
     """
 
     time: float
@@ -46,6 +47,7 @@ class ImpactRecord:
     impulse: float
     energy_lost: float
     duration: float
+    unit: str
 
 
 @dataclass(frozen=True, repr=False)
@@ -98,26 +100,35 @@ def impacts(solution: Samples) -> Impacts:
     Returns
     -------
     Impacts
-        Time, place, speeds before and after, impulse and energy lost of each.
+        Time, place, speeds before and after with their unit, impulse and energy lost of each.
 
     Notes
     -----
     Those on rigid stops are located by events and exact. Those of compliant parts are read off the samples: save often
     enough (`seen_every`) that several lie in a contact. One that is under way at the first or last sample is left out.
     """
-    sides = {event.name: event.side for event in solution.model.mode_events}
-    found = [
-        ImpactRecord(
-            one.time, one.name, sides.get(one.name, 1), -one.before, one.after, one.impulse, one.energy_lost, 0.0
-        )
-        for one in solution.events
-        if one.kind == "impact"
-    ]
+    found = _on_rigid_stops(solution)
+    units = {one.name: one.unit for one in solution.model.description.measures}
     for name, velocity in compliant(solution.model).items():
         force, v = (solution.measures[:, solution.model.measures.index(one)] for one in (name, velocity))
         where = name.removesuffix("_force").replace(".normal", ".contact")
-        found += _of_samples(solution.t, force, v, where)
+        found += _of_samples(solution.t, force, v, where, units[velocity])
     return Impacts(tuple(sorted(found, key=lambda one: one.time)))
+
+
+def _on_rigid_stops(solution: Samples) -> list[ImpactRecord]:
+    """From the events of the run."""
+    sides = {event.name: event.side for event in solution.model.mode_events}
+    slides = tuple(f"{joint.name}." for joint in solution.model.description.joints if joint.drawing == "slide")
+    return [
+        ImpactRecord(
+            time=one.time, where=one.name, side=sides.get(one.name, 1), speed_before=-one.before, speed_after=one.after,
+            impulse=one.impulse, energy_lost=one.energy_lost, duration=0.0,
+            unit="m/s" if one.name.startswith(slides) else "rad/s",
+        )
+        for one in solution.events
+        if one.kind == "impact"
+    ]  # fmt: skip
 
 
 def compliant(model: EmittedModel) -> dict[str, str]:
@@ -127,7 +138,9 @@ def compliant(model: EmittedModel) -> dict[str, str]:
     return {name: velocity for name, velocity in pairs.items() if velocity in model.measures}
 
 
-def _of_samples(t: np.ndarray, force: np.ndarray, velocity: np.ndarray, where: str) -> Iterator[ImpactRecord]:
+def _of_samples(
+    t: np.ndarray, force: np.ndarray, velocity: np.ndarray, where: str, unit: str
+) -> Iterator[ImpactRecord]:
     """Each stretch of samples with a force of one sign, between samples without."""
     sign = np.sign(force)
     starts = np.flatnonzero((sign[1:] != sign[:-1]) & (sign[1:] != 0)) + 1
@@ -145,7 +158,7 @@ def _of_samples(t: np.ndarray, force: np.ndarray, velocity: np.ndarray, where: s
         if last - first + 1 >= LEAST_SAMPLES:
             pressed = np.abs(force[own])
             impulse, lost = (_integral(begin, t[own], one, end) for one in (pressed, -pressed * side * velocity[own]))
-        yield ImpactRecord(begin, where, int(side), before, after, impulse, lost, end - begin)
+        yield ImpactRecord(begin, where, int(side), before, after, impulse, lost, end - begin, unit)
 
 
 def _integral(begin: float, t: np.ndarray, values: np.ndarray, end: float) -> float:

@@ -63,6 +63,7 @@ MOST_SCENE = 60_000  # characters of a scene that are shown
 PLURALS = {"body": "bodies", "joint": "joints", "coordinate": "coordinates"}
 SAME = 1e-12  # of a coordinate: two starts that are one
 OPTION = re.compile(r"(\w+) = (\([^)]*\)|[^,]+)")
+IMPULSES = {"m/s": "N s", "rad/s": "N m s"}  # units, by those of speeds
 PEAKS = "Peaks are the largest magnitudes among the saved samples."
 
 
@@ -82,7 +83,7 @@ def page(solution: Solution, path: str | Path | None = None, convergence: Conver
     -------
     View
         The page: status and errors, the mechanism, key figures with time and place, curves, reactions, stresses,
-        events, parameters, and how to get the run again. It needs no network.
+        impacts, events, parameters, and how to get the run again. It needs no network.
 
     Raises
     ------
@@ -102,6 +103,7 @@ def page(solution: Solution, path: str | Path | None = None, convergence: Conver
         # a run with `outputs` keeps the rest at its ends only, where no peak is
         ("Reactions and loads", Html() if solution.outputs else _reactions(solution)),
         ("Stresses and section forces", Html() if solution.outputs else _stresses(solution)),
+        ("Impacts", _impacts(solution)),
         ("Events", _events(solution)),
         ("Parameters", _parameters(solution)),
         ("How to reproduce it", _reproduce(solution)),
@@ -263,12 +265,35 @@ def _place(one: Peak) -> tuple[str, ...]:
     return one.quantity, quantity(one.value, one.unit), time_of(one.t), one.place
 
 
-def _events(solution: Solution) -> Html:
+def _impacts(solution: Solution) -> Html:
+    """Of stops, play and contacts; a line below for what all of them lose."""
+    found = solution.impacts()
     rows = [
-        (f"{one.time:.6g}", one.kind.replace("_", " "), one.text, f"{one.impulse:.4g}" if one.impulse else "")
-        for one in solution.events
+        (
+            f"{one.time:.6g}",
+            one.where,
+            f"{one.speed_before:.4g} {one.unit}",
+            f"{one.speed_after:.4g} {one.unit}",
+            quantity(one.impulse, IMPULSES[one.unit]),
+            quantity(one.energy_lost, "J"),
+            f"{one.duration:.3g}" if one.duration else "-",
+        )
+        for one in found
     ]
-    return table(("t [s]", "kind", "what happened", "impulse [N s or N m s]"), rows, (0, 3))
+    header = ("t [s]", "where", "speed before", "speed after", "impulse", "energy lost", "duration [s]")
+    unknown = sum(isnan(one.energy_lost) for one in found)
+    few = f", without {unknown} of too few samples (save more often: seen_every)" if unknown else ""
+    lost = quantity(float(np.nansum([one.energy_lost for one in found])), "J")
+    note = paragraph(f"{len(rows)} impact{'s' if len(rows) > 1 else ''}; energy lost in all: {lost}{few}.")
+    return html(table(header, rows, (0, 2, 3, 4, 5, 6)), note) if rows else Html()
+
+
+def _events(solution: Solution) -> Html:
+    """What else happened; impacts have a table of their own."""
+    rows = [
+        (f"{one.time:.6g}", one.kind.replace("_", " "), one.text) for one in solution.events if one.kind != "impact"
+    ]
+    return table(("t [s]", "kind", "what happened"), rows, (0,))
 
 
 # ---- What it was made of, and how to make it again.

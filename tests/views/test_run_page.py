@@ -138,14 +138,20 @@ def test_peaks_of_a_cantilever_are_those_by_hand(tmp_path: Path) -> None:
 
 
 def test_a_status_and_events_are_in_it(tmp_path: Path) -> None:
-    """A run that failed says why, and an impact its impulse."""
+    """A run that failed says why; impacts have their own table."""
     failed = Status("diverged", 0.5, "arm.theta", "the step is too long", "take a smaller one")
-    hit = Event(0.25, "impact", "pivot hits its lower end", "pivot", impulse=0.125)
+    late = Event(0.5, "event", "late rises", "late", "rising")
+    hit = Event(
+        0.25, "impact", "", "pivot.limits.lower", impulse=0.125, before=-2.0, after=1.0, energy_lost=0.0375
+    )
     run = simulate(load_model(generated_folder("pendulum")), t_end=0.01, outputs=["rod.theta"])
-    found = read(replace(run, status=failed, events=[hit]), tmp_path)
+    found = read(replace(run, status=failed, events=[hit, late]), tmp_path)
     status = found.row("Result", "status")[1]
     assert status == "diverged at t = 0.5 s, coordinate arm.theta. the step is too long. take a smaller one"
-    assert found.row("Events", "0.25") == ["0.25", "impact", "pivot hits its lower end", "0.125"]
+    assert found.rows["Events"][1:] == [["0.5", "event", "late rises"]]
+    assert found.row("Impacts", "0.25") == [
+        "0.25", "pivot.limits.lower", "2 rad/s", "1 rad/s", "0.125 N m s", "37.5 mJ", "-"
+    ]  # fmt: skip
     assert found.row("Result", "error of the model")[1].startswith("not estimated")
 
 
@@ -247,6 +253,29 @@ def test_what_stops_and_events_set_is_no_setting(tmp_path: Path) -> None:
     lines = read(run, tmp_path).lines[1]
     assert "inputs" not in lines and "parameters" not in lines
     assert "Set by events, and at the start as the scene has them: wind." in (tmp_path / "page.html").read_text("utf-8")
+
+
+def test_impacts_on_rigid_and_elastic_stops_are_in_it(tmp_path: Path) -> None:
+    """By hand: 2 kg at 1 m/s, restitution 1/2, loses 3/4 J; the elastic stop at the other end turns the speed."""
+    for stop, after, impulse, lost in (
+        ({"restitution": 0.5}, "0.5 m/s", 3.0, 0.75),
+        ({"stiffness": 2e4}, "1 m/s", 4.0, 0.0),
+    ):
+        scene = (
+            Scene("block")
+            .rigid("block", mass=2.0, inertia=0.1)
+            .prismatic("rail", "ground.origin", "block.origin", limits={"upper": 0.2, **stop})
+            .rates({"block.x": 1.0})
+        )
+        run = scene.model().simulate(t_end=0.4, tolerance=1e-8, seen_every=1e-4)
+        found = read(run, tmp_path)
+        header, row = found.rows["Impacts"]
+        assert header[:5] == ["t [s]", "where", "speed before", "speed after", "impulse"]
+        assert row[:1] == ["0.2"] and row[1].startswith("rail.") and row[2:4] == ["1 m/s", after]
+        assert row[4] == f"{impulse:g} N s"
+        text = (tmp_path / "page.html").read_text("utf-8")
+        assert f"1 impact; energy lost in all: {1e3 * lost:g} mJ" in text if lost else "1 impact" in text
+        assert "Events" not in found.rows
 
 
 def test_a_run_that_kept_outputs_shows_these(tmp_path: Path) -> None:
