@@ -194,11 +194,12 @@ def _actors(ax: Axes, shown: Film) -> tuple[Callable[[int], None], list[Any]]:
     return move, [*in_order, clock]
 
 
-# ---- A mechanism at several instants in one picture, the later the stronger, with the paths of chosen markers.
+# ---- A mechanism at several instants in one picture, later ones darker, with the paths of chosen markers.
 
 PALEST = 0.2  # opacity of the first instant
 LAST_ONLY = ("ghost", "joint", "slide")  # kinds that would crowd the picture at every instant
 PATH_POINTS = 600
+LEAST_ASPECT = 0.2  # of the axes of a picture
 MOST_TICKS = 7  # along x, fewer where the picture is narrow
 
 
@@ -231,13 +232,24 @@ def snapshots(
             if last or line.kind not in LAST_ONLY:
                 ax.plot(*line.xy[frame], **_faded(line, (frame + 1) / len(times)))
     ax.set_aspect("equal")
-    (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
+    (left, right), (low, high) = _not_too_slim(ax.get_xlim(), ax.get_ylim())
+    ax.set_xlim(left, right)
+    ax.set_ylim(low, high)
     ax.xaxis.set_major_locator(MaxNLocator(int(np.clip(MOST_TICKS * (right - left) / (high - low), 2, MOST_TICKS))))
     ax.set_xlabel(shown.axes[0], fontsize=9)
     ax.set_ylabel(shown.axes[1], fontsize=9)
     paths_of = f"\nthin: path of {', '.join(traces)}" if traces else ""  # a legend would cover what is drawn
     ax.set_title(_heading(times, shown) + paths_of, fontsize=9.5, loc="left")
     return finish(figure, path)
+
+
+def _not_too_slim(*limits: tuple[float, float]) -> list[tuple[float, float]]:
+    """Limits of two axes, of which neither is shorter than a fifth of the other: a point may move along one of them."""
+    least = LEAST_ASPECT * max(high - low for low, high in limits)
+    return [
+        ((low + high - least) / 2, (low + high + least) / 2) if high - low < least else (low, high)
+        for low, high in limits
+    ]
 
 
 def _times(solution: Solution, instants: int | Sequence[float]) -> np.ndarray:

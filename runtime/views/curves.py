@@ -91,9 +91,11 @@ def motion(solution: Solution) -> list[Curves]:
 
 
 def _measures(solution: Solution) -> list[Curves]:
+    """Of each unit; rates of other measures, and whether a stop is closed, are left out."""
     described = solution.model.description.measures
     rates = {f"{entry.name}_dot" for entry in described}
-    measures = [entry for entry in described if entry.name not in rates]
+    stops = {event.mode for event in solution.model.mode_events if event.name.endswith((".lower", ".upper"))}
+    measures = [entry for entry in described if entry.name not in rates | stops]
     groups = []
     for unit in dict.fromkeys(entry.unit for entry in measures):
         names = [entry.name for entry in measures if entry.unit == unit]

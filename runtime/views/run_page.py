@@ -189,11 +189,13 @@ def _mechanism(solution: Solution) -> Html:
         return Html()
     instants = INSTANTS if len(solution.t) > 1 else 1
     try:
-        still = picture(snapshots(solution, instants=instants), "The mechanism, the later the stronger.")
+        still = picture(
+            snapshots(solution, instants=instants), "The mechanism at some instants; later ones are darker."
+        )
         moving = frame(view(solution, frames=FRAMES, alone=False))
     except ModelError:
         return Html()
-    hint = paragraph("To turn, zoom and play:")
+    hint = paragraph("Interactive view: drag to turn it, use the wheel to zoom, play the motion.")
     return html(still, Html('<div class="screen">'), hint, moving, Html("</div>"))
 
 

@@ -28,7 +28,7 @@ class Limits(StrictModel):
     lower: Annotated[Quantity | None, Meaning("lower end of the way", "m or rad")] = None
     upper: Annotated[Quantity | None, Meaning("upper end of the way", "m or rad")] = None
     restitution: Annotated[
-        Quantity | None, Meaning("speed after an impact for the speed before it", "1", Bound.NON_NEGATIVE)
+        Quantity | None, Meaning("ratio of the speeds after and before an impact", "1", Bound.NON_NEGATIVE)
     ] = None
     beyond: Literal["refused", "moved"] | None = None
     stiffness: Annotated[Quantity | None, Meaning("stiffness of the stop", "N/m^n or N m/rad^n", Bound.POSITIVE)] = None

@@ -130,7 +130,9 @@ SYMBOLS: tuple[Notation, ...] = (
         "by mode: holds - |f_rel| stuck, |v_rel| sliding; of stops the gap, or what presses",
     ),
     Notation("gap", "", "", "n_stop", "m, rad", "distance to each rigid stop"),
-    Notation("restitution", "", "", "n_stop", "1", "of each rigid stop: speed after an impact for the speed before it"),
+    Notation(
+        "restitution", "", "", "n_stop", "1", "of each rigid stop: ratio of the speeds after and before an impact"
+    ),
     Notation("x_re", "", "", "n_i", "mixed", "what they do beside the shift, real parts"),
     Notation("x_im", "", "", "n_i", "mixed", "imaginary parts"),
     Notation("q_L_ddot", "q_L''", "59", "n_L", "mixed", "accelerations of the slower groups, frozen over their step"),

@@ -259,6 +259,22 @@ def test_without_an_encoder_the_extra_is_named(tmp_path, monkeypatch: pytest.Mon
         animate(rod_solution(), tmp_path / "motion.mp4")
 
 
+@pytest.mark.long
+def test_a_point_that_moves_along_a_line_has_a_picture_with_two_axes() -> None:
+    """A mass on a vertical rail: the picture is not narrower than a fifth of its height."""
+    scene = (
+        Scene("mass")
+        .rigid("mass", mass=1.0, inertia=1.0)
+        .ground(markers={"up": {"angle": np.pi / 2}})
+        .prismatic("rail", "ground.up", "mass.origin")
+        .initial({"mass.theta": np.pi / 2})
+        .rates({"mass.y": 1.0})
+    )
+    (ax,) = plots.snapshots(scene.model().simulate(t_end=1.0)).axes
+    (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
+    assert right - left >= 0.19 * (high - low) and low <= 0 < 1 <= high
+
+
 def test_snapshots_are_the_film_at_their_times_with_paths(built_in, tmp_path) -> None:
     """A pendulum: the tip's path is a circle about the hinge, and each instant ends on it at the angle of the run."""
     run = simulate(built_in("pendulum"), t_end=0.5)

@@ -141,9 +141,7 @@ def test_a_status_and_events_are_in_it(tmp_path: Path) -> None:
     """A run that failed says why; impacts have their own table."""
     failed = Status("diverged", 0.5, "arm.theta", "the step is too long", "take a smaller one")
     late = Event(0.5, "event", "late rises", "late", "rising")
-    hit = Event(
-        0.25, "impact", "", "pivot.limits.lower", impulse=0.125, before=-2.0, after=1.0, energy_lost=0.0375
-    )
+    hit = Event(0.25, "impact", "", "pivot.limits.lower", impulse=0.125, before=-2.0, after=1.0, energy_lost=0.0375)
     run = simulate(load_model(generated_folder("pendulum")), t_end=0.01, outputs=["rod.theta"])
     found = read(replace(run, status=failed, events=[hit, late]), tmp_path)
     status = found.row("Result", "status")[1]
@@ -255,6 +253,7 @@ def test_what_stops_and_events_set_is_no_setting(tmp_path: Path) -> None:
     assert "Set by events, and at the start as the scene has them: wind." in (tmp_path / "page.html").read_text("utf-8")
 
 
+@pytest.mark.long
 def test_impacts_on_rigid_and_elastic_stops_are_in_it(tmp_path: Path) -> None:
     """By hand: 2 kg at 1 m/s, restitution 1/2, loses 3/4 J; the elastic stop at the other end turns the speed."""
     for stop, after, impulse, lost in (
@@ -276,6 +275,7 @@ def test_impacts_on_rigid_and_elastic_stops_are_in_it(tmp_path: Path) -> None:
         text = (tmp_path / "page.html").read_text("utf-8")
         assert f"1 impact; energy lost in all: {1e3 * lost:g} mJ" in text if lost else "1 impact" in text
         assert "Events" not in found.rows
+        assert not any("_mode" in row[0] for row in found.rows["Key figures"])
 
 
 def test_a_run_that_kept_outputs_shows_these(tmp_path: Path) -> None:
