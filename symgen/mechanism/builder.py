@@ -6,16 +6,17 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
 from inspect import Parameter, Signature
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self, get_args, overload
+from typing import TYPE_CHECKING, Any, Self, get_args, get_origin, overload
 
 import numpy as np
+from pydantic.fields import FieldInfo
 
 from runtime.contract.arguments import PLACE
 from runtime.contract.lazy_method import LazyMethod
 from symgen.couplings import COUPLINGS
 from symgen.joints import JOINTS
 from symgen.loads import LOADS
-from symgen.mechanism.entry_docs import entry_doc
+from symgen.mechanism.entry_docs import alternatives, entry_doc
 from symgen.mechanism.scene import SceneRecord
 from symgen.scene.bodies import BeamBody, GroundBody, RigidBody
 from symgen.scene.flexible import ModalBody, SpatialModalBody, Structure
@@ -747,12 +748,33 @@ def _require_path(path: Any) -> None:
 def _require_known(
     path: str, record: type[StrictModel] | Sequence[type[StrictModel]], fields: Mapping[str, Any]
 ) -> None:
-    """Raises SceneError for the first field that the record has not, nor any of several."""
+    """Raises SceneError for the first field that the record has not, nor any of several, and for those inside."""
     known = dict.fromkeys(key for one in _several(record) for key in one.model_fields)
-    for key in fields:
+    for key, value in fields.items():
+        item = str(key) if path == "scene" else f"{path}.{key}"
         if key not in known:
-            item = key if path == "scene" else f"{path}.{key}"
             raise SceneError(item, f"unknown key {show(key)}", did_you_mean(key, known))
+        if isinstance(value, Mapping):
+            _require_known_inside(
+                item, [one.model_fields[key] for one in _several(record) if key in one.model_fields], value
+            )
+
+
+def _require_known_inside(path: str, places: Sequence[FieldInfo], value: Mapping[str, Any]) -> None:
+    """The same of a table that a field holds, or of each table in one by names, such as markers."""
+    kinds = [kind for place in places for kind in alternatives(place.annotation)]
+    records = [kind for kind in kinds if _is_record(kind)]
+    by_name = [get_args(kind)[1] for kind in kinds if get_origin(kind) is dict]
+    if records and not by_name:
+        _require_known(path, records, value)
+    elif by_name and not records and all(_is_record(kind) for kind in by_name):
+        for name, part in value.items():
+            if isinstance(part, Mapping):
+                _require_known(f"{path}.{name}", by_name, part)
+
+
+def _is_record(kind: Any) -> bool:
+    return isinstance(kind, type) and issubclass(kind, StrictModel)
 
 
 def _several(record: type[StrictModel] | Sequence[type[StrictModel]]) -> Sequence[type[StrictModel]]:

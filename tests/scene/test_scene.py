@@ -104,6 +104,22 @@ def test_markers_and_bodies_are_found() -> None:
         scene.marker("crank.tp")
 
 
+@pytest.mark.parametrize(
+    ("entry", "message"),
+    [
+        (("revolute", {"marker_a": "ground.origin", "marker_b": "rod.origin", "limits": {"lowr": 0}}),
+         r"joints\[0\] 'one'.limits.lowr: unknown key 'lowr'; did you mean 'lower'"),
+        (("beam", {"length": 1.0, "lateral": {"mods": 2}}), "lateral.mods: .* did you mean 'modes'"),
+        (("rigid", {"mass": 1.0, "markers": {"tip": {"positon": [1.0, 0.0]}}}), "markers.tip.positon: .* 'position'"),
+    ],
+)  # fmt: skip
+def test_a_wrong_key_inside_an_entry_is_found_at_the_call(entry: tuple[str, dict], message: str) -> None:
+    """So that the traceback ends at the line that has it."""
+    method, fields = entry
+    with pytest.raises(SceneError, match=message):
+        getattr(Scene("arm"), method)("one", **fields)
+
+
 def test_modal_integrals_left_out_are_zero() -> None:
     scene = (
         Scene("modal")
