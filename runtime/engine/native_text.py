@@ -6,7 +6,7 @@ for the one that runs. Developers write it anew with `python -m runtime.engine.n
 it needs the wheel `ziglang`, and a test holds that the two belong together.
 
 What is taken out of Clang's text so that every supported LLVM reads it, and every processor gets its own code:
-attributes and target (they would fix a plain x86-64), metadata (no loop may be unrolled otherwise), lifetime marks.
+attributes and target (they would fix a plain x86-64), metadata (no loop may be unrolled otherwise), marks of lifetime and scope.
 """
 
 from __future__ import annotations
@@ -46,15 +46,15 @@ def compiled(source: Path) -> str:
 
 
 def plain(text: str, name: str) -> str:
-    """Clang's text without attributes, target, metadata and lifetime marks; it begins with what it is made of."""
+    """Clang's text without attributes, target, metadata and marks of lifetime and scope; it begins with what it is made of."""
     kept = []
     for line in text.splitlines():
         if (
             re.match(r"(; ModuleID|; Function Attrs|source_filename|target |attributes #|!)", line)
-            or "@llvm.lifetime." in line
+            or re.search(r"@llvm\.(lifetime|experimental\.noalias\.scope\.decl)", line)
         ):
             continue
-        line = re.sub(r",? !(tbaa|noalias|alias\.scope|llvm\.loop|llvm\.access\.group|range) !\d+", "", line)
+        line = re.sub(r",? !(tbaa|tbaa\.struct|noalias|alias\.scope|llvm\.loop|llvm\.access\.group|range) !\d+", "", line)
         line = re.sub(r" #\d+(?=( {|$))", "", line)
         kept.append(re.sub(r" +;.*$", "", line).replace(" dso_local", "").replace(" local_unnamed_addr", ""))
     body = re.sub(r"\n{3,}", "\n\n", "\n".join(kept)).strip()
