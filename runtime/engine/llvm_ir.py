@@ -518,6 +518,22 @@ def program_ir(program: Program, form: Form) -> tuple[str, int]:
     return "\n".join([*parts, operations.functions(), MEMCPY, run, RUN_BLOCKS, RUN_ROWS]), work
 
 
+def functions_ir(tapes: Mapping[str, Tape], form: Form) -> tuple[str, int]:
+    """(IR of `void name([y, ]x, c, w)` for each tape, entries of the work array): a tape of (z, c) is made in place,
+    one of (z, x, c) with z for y.
+    """
+    operations, parts, work = Operations(form.width, form.mathematics, form.inline), list[str](), 0
+    for name, tape in tapes.items():
+        arrays = tuple(one for one in tape.input_names if one not in ("z", "c"))
+        functions, entries = StageWriter(f"of_{name}", tape, operations, form.chunk, False, False, arrays).functions()
+        names = ["z", *arrays, "c", "w"]
+        inside = ", ".join(f"ptr %{one}" for one in ("z", "c", "w", *arrays))
+        head = f"define void @{name}({', '.join(f'ptr %{one}' for one in names)}) nounwind {{"
+        parts += [*functions, "\n".join([head, f"  call void @of_{name}({inside})", "  ret void", "}"])]
+        work = max(work, entries)
+    return "\n".join([*parts, operations.functions()]), work
+
+
 def loop(k: int, body: list[str], limit: int | str, test: Sequence[str] = ()) -> list[str]:
     """The body so many times, counted in %jk; test: lines that make %gok of %belowk, where more than the count says."""
     return [

@@ -6,7 +6,8 @@ for the one that runs. Developers write it anew with `python -m runtime.engine.n
 it needs the wheel `ziglang`, and a test holds that the two belong together.
 
 What is taken out of Clang's text so that every supported LLVM reads it, and every processor gets its own code:
-attributes and target (they would fix a plain x86-64), metadata (no loop may be unrolled otherwise), marks of lifetime and scope.
+attributes and target (they would fix a plain x86-64), metadata (no loop may be unrolled otherwise), marks of lifetime
+and scope.
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ CLANG = (
     "-fno-slp-vectorize -fno-unroll-loops -fno-stack-protector -Wno-unused-command-line-argument"
 ).split()
 EFFORT = Effort(passes=True, level=3)
+MARKS = r",? !(tbaa|tbaa\.struct|noalias|alias\.scope|llvm\.loop|llvm\.access\.group|range) !\d+"
 
 
 def sources() -> list[Path]:
@@ -46,15 +48,16 @@ def compiled(source: Path) -> str:
 
 
 def plain(text: str, name: str) -> str:
-    """Clang's text without attributes, target, metadata and marks of lifetime and scope; it begins with what it is made of."""
+    """Clang's text without attributes, target, metadata, marks of lifetime and scope; it says what it is made of."""
     kept = []
     for line in text.splitlines():
-        if (
-            re.match(r"(; ModuleID|; Function Attrs|source_filename|target |attributes #|!)", line)
-            or re.search(r"@llvm\.(lifetime|experimental\.noalias\.scope\.decl)", line)
+        if re.match(r"(; ModuleID|; Function Attrs|source_filename|target |attributes #|!)", line) or re.search(
+            r"@llvm\.(lifetime|experimental\.noalias\.scope\.decl)", line
         ):
             continue
-        line = re.sub(r",? !(tbaa|tbaa\.struct|noalias|alias\.scope|llvm\.loop|llvm\.access\.group|range) !\d+", "", line)
+        line = re.sub(
+            r",? !(tbaa|tbaa\.struct|noalias|alias\.scope|llvm\.loop|llvm\.access\.group|range) !\d+", "", line
+        )
         line = re.sub(r" #\d+(?=( {|$))", "", line)
         kept.append(re.sub(r" +;.*$", "", line).replace(" dso_local", "").replace(" local_unnamed_addr", ""))
     body = re.sub(r"\n{3,}", "\n\n", "\n".join(kept)).strip()
@@ -62,16 +65,16 @@ def plain(text: str, name: str) -> str:
 
 
 @cache
-def load(path: Path) -> Any:
+def load(path: Path, effort: Effort = EFFORT) -> Any:
     """The engine of LLVM that holds the code of a checked-in text, for this processor; kept in the object cache.
 
     `get_function_address(name)` of it gives addresses. Raises NoLlvm where LLVM cannot be had.
     """
     text, stored = path.read_text(encoding="utf-8"), ObjectCache()
-    key = hashlib.sha256("\n".join([text, repr(EFFORT), *host()]).encode() + tools()).hexdigest()
+    key = hashlib.sha256("\n".join([text, repr(effort), *host()]).encode() + tools()).hexdigest()
     found = stored.read(key)
     if found is None:
-        found = machine_code(text, EFFORT, host()), 0
+        found = machine_code(text, effort, host()), 0
         stored.write(key, *found)
     return linked(found[0], host())
 

@@ -23,18 +23,17 @@ from runtime.contract.errors import ModelError
 from runtime.contract.escapes import c_comment, c_string
 from runtime.contract.files import write_text
 from runtime.contract.model import EmittedModel
-from runtime.contract.tape import shared
 from runtime.engine.c_source import Code, Style, named, program_code, source, stage_code, tape_code
 from runtime.engine.prepare import Prepared
 from runtime.export.c_mathematics import own_c
-from runtime.export.c_stops import ENDS, kept, refuse_stops, stop_functions, stop_text
+from runtime.export.c_stops import ENDS, refuse_stops, stop_functions, stop_text
 from runtime.running.inputs import reading
 from runtime.running.planning import make_plan, steps_asked
 from runtime.running.problem import steps_until
 from runtime.running.stepping import ModelStepper
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import prepared_step, start_there
-from runtime.schemes.switching.stop_program import restarted
+from runtime.schemes.switching.event_model import kept, restart_function
 from runtime.schemes.switching.watched import watches
 from runtime.start.start_state import start_state
 
@@ -195,7 +194,7 @@ def _functions(one: Exported) -> dict[str, Code]:
         "begin": tape_code(f"{p}begin", named(starter, *arguments), ["z"], library),
         "observe": tape_code(f"{p}observe", named(observer, "z", "c"), ["y"], library, kept=""),
         "steps": program_code(f"{p}steps", one.prepared.program, own, "static "),
-        "again": stage_code(f"{p}again", named(_restart(scheme), "z", "c"), own),
+        "again": stage_code(f"{p}again", named(restart_function(scheme), "z", "c"), own),
     }
     return found | (stop_functions(scheme, one.prepared, p, library, own) if kept(scheme) else {})
 
@@ -205,15 +204,6 @@ def _starter(scheme: Scheme) -> tuple[ca.Function, list[str]]:
     if scheme.model.places.all_independent:
         return scheme.starter, ["t", "q_i", "q_i_dot", "loop", "c"]
     return start_there(scheme), ["t", "q", "q_dot", "c"]
-
-
-def _restart(scheme: Scheme) -> ca.Function:
-    """([state, dt before, dt, clock, inputs, push], c) -> the same with the state as the start of steps dt [s]."""
-    size, n_w, n_v = scheme.layout.size, _inputs(scheme), len(scheme.model.q_i) if watches(scheme) else 0
-    z, c = ca.SX.sym("z", size + 3 + n_w + n_v), ca.SX.sym("c", scheme.c_size)
-    inputs, push = z[size + 3 : size + 3 + n_w] if n_w else None, z[size + 3 + n_w :] if n_v else None
-    found = restarted(scheme, z[:size], c, z[size], z[size + 1], z[size + 2], push, inputs)
-    return ca.Function("again", [z, c], shared([ca.densify(ca.vertcat(found, z[size:]))]))
 
 
 def _inputs(scheme: Scheme) -> int:

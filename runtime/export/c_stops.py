@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from importlib.resources import files
-from math import prod
 
 import casadi as ca
 import numpy as np
@@ -16,24 +15,16 @@ from runtime.contract.signals import SINCE
 from runtime.contract.tape import UNUSED, Node, Tape, read_tape, shared
 from runtime.engine.c_source import Code, Style, named, number, stage_code, tape_code
 from runtime.engine.prepare import Prepared
-from runtime.running.stepping import may_break, may_jump
 from runtime.running.time_functions import refuse_position_jumps
-from runtime.schemes.scheme import SIDES, Scheme
-from runtime.schemes.switching.consistency import with_modes
+from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.enclosure import EXACT_OPERATIONS
+from runtime.schemes.switching.event_model import FUNCTIONS, WAYS, decision_functions, sizes, tables
 from runtime.schemes.switching.impulse import may_give_impulses
-from runtime.schemes.switching.settle import weights
-from runtime.schemes.switching.stop_program import StopProgram
-from runtime.schemes.switching.times import switching_times
-from runtime.schemes.switching.watched import holds_sides, observed_function, watched_events, watches
+from runtime.schemes.switching.times import may_jump, switching_times
+from runtime.schemes.switching.watched import watched_events
 
 ENDS = {"BY_EVENT": 1, "CHATTERING": 2, "NO_MODE": 3, "NOT_FINITE": 4, "TOO_MANY": 5, "BEYOND_A_STOP": 6}
-KEPT_OF_A_KINK = 22
 ANY_EVENT = "struct { int way, terminal, from, to; double cool_down; }"
-MOST_CLOSE = 502
-MOST_STOPS = 64
-PARTS = 2 * MOST_STOPS + 2
-WAYS = {"rising": 1, "falling": -1}
 _BOUNDS = {
     ca.OP_ADD: "I_add({a}, {b})",
     ca.OP_SUB: "I_sub({a}, {b})",
@@ -63,13 +54,6 @@ _BOUNDS = {
     ca.OP_CEIL: "I_step(ceil, {a})",
     ca.OP_SIGN: "I_step(sign_of, {a})",
 }
-
-
-def kept(scheme: Scheme) -> int:
-    """How many numbers z has behind those of the step: of the grid, and of kinks that come ever again."""
-    if not may_break(scheme):
-        return 0
-    return 2 + KEPT_OF_A_KINK * (len(watched_events(scheme)) - len(scheme.model.description.events))
 
 
 def refuse_stops(model: EmittedModel, p: np.ndarray) -> None:
@@ -122,17 +106,17 @@ def _nodes_of(conditions: ca.Function) -> Iterator[list[Node]]:
 
 def stop_functions(scheme: Scheme, prepared: Prepared, prefix: str, library: Style, own: Style) -> dict[str, Code]:
     """The functions that `stops.c` calls, beside those of every export."""
-    made = StopProgram(scheme, prepared)
-    stages = {stage.name(): stage for stage in made.program().stages()}
-    found = {name: stage_code(f"{prefix}{name}", named(stages[name], "z", "c"), own) for name in ("set_out", "to_grid")}
-    if watches(scheme):
-        names = ["events", "slopes", *(["actions"] if sets_of(scheme) else [])]
-        names += ["sides"] if holds_sides(scheme) else []
-        for name in names:
-            tape = named(observed_function(scheme, name), "z", "c")
-            found[name] = tape_code(f"{prefix}{name}", tape, ["y"], library)
-    if scheme.model.element_modes.size:
-        found |= _element_functions(scheme, prefix, library)
+    found = dict[str, Code]()
+    for name, one in decision_functions(scheme, prepared).items():
+        if name == "seen" and not scheme.model.element_modes.size:
+            continue
+        tape = named(one.function, *one.inputs)
+        in_place = not one.output
+        found[name] = (
+            stage_code(f"{prefix}{name}", tape, own)
+            if in_place
+            else tape_code(f"{prefix}{name}", tape, [one.output], library)
+        )
     if may_jump(scheme.model):
         both = _conditions(scheme.model)
         t, c = both.sx_in()
@@ -143,42 +127,6 @@ def stop_functions(scheme: Scheme, prepared: Prepared, prefix: str, library: Sty
     return found
 
 
-AT = ("q_i", "q_d", "q_i_dot", "q_d_dot", "t")
-
-
-def _element_functions(scheme: Scheme, prefix: str, library: Style) -> dict[str, Code]:
-    """`seen` (z, c) -> AT; `weights`, `with_modes`, `velocities` of AT and the model's c: what `settle.c` calls."""
-    model = scheme.model
-    z, c_step = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
-    shown = scheme.observer(z=z, c=c_step)
-    seen = ca.Function("seen", [z, c_step], [ca.densify(ca.vertcat(*(shown[name] for name in AT)))])
-    n_i, n_d, c = len(model.q_i), len(model.q_d), ca.SX.sym("c", model.c_size)
-    at = ca.SX.sym("at", 2 * (n_i + n_d) + 1)
-    parts = ca.vertsplit(at, [0, n_i, n_i + n_d, 2 * n_i + n_d, 2 * (n_i + n_d), at.numel()])
-    given = {**dict(zip(AT, parts, strict=True)), "c": c}
-    found = {"seen": tape_code(f"{prefix}seen", named(seen, "z", "c"), ["at"], library)}
-    for name, of in (("weights", weights(model)), ("with_modes", with_modes(model))):
-        there = of.call(given)
-        y = ca.vertcat(*(ca.vec(there[output]) for output in of.name_out()))
-        found[name] = tape_code(f"{prefix}{name}", named(ca.Function("y", [at, c], [y]), "at", "c"), ["y"], library)
-    if n_d:
-        rates = ca.Function("v", [at, c], [ca.densify(model.evaluate("velocities", **given)["q_d_dot"])])
-        found["velocities"] = tape_code(f"{prefix}velocities", named(rates, "at", "c"), ["rates"], library)
-    return found
-
-
-def sets_of(scheme: Scheme) -> list[int]:
-    """Which inputs actions set, event by event."""
-    names = scheme.model.signals.names
-    return [names.index(name) for event in watched_events(scheme) for name in event.sets]
-
-
-FUNCTIONS = (
-    *("steps", "set_out", "to_grid", "again", "events", "slopes", "actions", "sides", "seen", "weights"),
-    *("with_modes", "velocities", "conditions"),
-)
-
-
 def stop_text(scheme: Scheme, prepared: Prepared, prefix: str, functions: Collection[str]) -> tuple[str, int]:
     """(the model as `stops.c` knows it, with `stops.c` behind it, how many entries of w that takes).
 
@@ -186,9 +134,8 @@ def stop_text(scheme: Scheme, prepared: Prepared, prefix: str, functions: Collec
     """
     numbers, model = sizes(scheme, prepared), scheme.model
     modes, jumps = model.mode_events, numbers["NT"]
-    tables = {"sets_of": sets_of(scheme), "modes_at": model.element_modes.tolist()}
-    tables |= {f"{name}_of": [getattr(one, name) for one in modes] for name in ("row", "side")}
-    given = {key: str(value) for key, value in numbers.items()} | {name: name for name in ("events_of", *tables)}
+    entries_of = tables(scheme)
+    given = {key: str(value) for key, value in numbers.items()} | {name: name for name in ("events_of", *entries_of)}
     given |= {name: f"{prefix}{name}" for name in FUNCTIONS if name in functions}
     given |= {"bounds": f"{prefix}bounds"} if jumps else {}
     fields = "\n".join(f"  .{key} = {value}," for key, value in given.items())
@@ -201,7 +148,11 @@ def stop_text(scheme: Scheme, prepared: Prepared, prefix: str, functions: Collec
         _c("model.h"),
         *([_c("intervals.c"), _bounds(model, prefix)] if jumps else []),
     ]
-    parts += [*event_table(scheme, "Event"), *(whole_numbers(name, entries) for name, entries in tables.items()), ""]
+    parts += [
+        *event_table(scheme, "Event"),
+        *(whole_numbers(name, entries) for name, entries in entries_of.items()),
+        "",
+    ]
     parts += [f"static const Model {prefix}model = {{\n{fields}\n}};", "", text.replace('#include "model.h"\n\n', "")]
     parts += [
         door.format(p=prefix)
@@ -212,7 +163,7 @@ def stop_text(scheme: Scheme, prepared: Prepared, prefix: str, functions: Collec
 
 
 def _c(name: str) -> str:
-    return files("runtime.export").joinpath(name).read_text(encoding="utf-8")
+    return files("runtime.schemes.switching").joinpath(name).read_text(encoding="utf-8")
 
 
 _STEP = """
@@ -228,58 +179,11 @@ _NEXT_JUMP = """int {p}next_jump(double *found, const double *c, double t, doubl
 """
 
 
-def sizes(scheme: Scheme, prepared: Prepared) -> dict[str, int]:
-    """The whole numbers of `struct Model`, by name."""
-    made, model, own = StopProgram(scheme, prepared), scheme.model, scheme.layout.slice
-    place, events = made.layout.slice, watched_events(scheme)
-    jumps = len(model.description.switching) if may_jump(model) else 0
-    push = len(model.q_i) if "push" in made.layout.sizes else 0
-    ready, n_e, n_d = made.n_ready, len(events), len(model.description.events)
-    numbers = {"NZ": prepared.z_size, "NOWN": scheme.layout.size, "NS": made.layout.size, "NREADY": ready}
-    numbers |= {"NC": scheme.c_size, "DT_AT": model.c_size, "NU": model.signals.size, "NE": n_e, "ND": n_d}
-    numbers |= {"NT": jumps, "NSETS": len(sets_of(scheme)), "NPUSH": push, "KEPT": kept(scheme)}
-    numbers |= {"SUB_STEPS": prod(scheme.grid.m)}
-    numbers |= {"INPUTS_AT": own("inputs").start if model.signals.size else 0}
-    fields = {"VALUES_AT": "event_values", "STEP_AT": "event_step", "CHANGE_AT": "event_change"}
-    numbers |= {key: own(name).start for key, name in fields.items() if n_e}
-    numbers |= {"SLOPES_AT": own("event_slopes").start} if n_d else {"SLOPES_AT": 0}
-    held = len(model.description.held) if holds_sides(scheme) else 0
-    numbers |= {"NSIDES": held} | (
-        {key: own(n).start for key, n in zip(("SIDE", "BEFORE"), SIDES, strict=True)} if held else {}
-    )
-    numbers["QUIET_AT"] = own("event_quiet").start if "event_quiet" in scheme.layout.sizes else -1
-    names = {"NUMBER": "number", "SEEN": "dt_seen", "START": "start", "LENGTH": "length", "SHARE": "share"}
-    numbers |= {key: place(name).start for key, name in names.items()}
-    numbers |= {"EVENT_BEFORE": place("event_before").start, "READY": place("ready").start}
-    numbers |= {"INPUTS": place("inputs").start, "PUSH": place("push").start if push else 0}
-    numbers |= {"CLOCK": place("clock").stop - 1, "ORIGIN": place("origin").stop - 1}
-    modes, n_i, n_q = model.mode_events, len(model.q_i), len(model.coordinates)
-    n_m, n_v = len(modes), 1 + max((one.row for one in modes), default=-1)
-    numbers |= {"NM": n_m, "NV": n_v, "NSTOPS": sum(one.side != 0 for one in modes), "NI": n_i, "NQD": n_q - n_i}
-    numbers |= {"NAT": 2 * n_q + 1, "NSEEN": weights(model).nnz_out() if n_m else 0}
-    numbers["NTHERE"] = 2 * numbers["NAT"] + numbers["NSEEN"] + model.c_size + n_i * n_v if n_m else 0
-    return numbers | _room(numbers)
-
-
-def _room(of: Mapping[str, int]) -> dict[str, int]:
-    """How much of w functions of `stops.c` take: an upper bound, the sum of all that may be in use at one time."""
-    row, n_m, n_v, n_t = of["NE"] + 1, of["NM"], of["NV"], of["NT"]
-    reals = 3 * of["NZ"] + of["KEPT"] + 4 * PARTS + 28 * row + of["NSIDES"] + of["NU"] + of["NSETS"] + 2
-    reals += 4 * of["NI"] + of["NQD"] + 10 * n_v + 5 * n_m**2 + 20 * n_m
-    wholes = 4 * row + 14 * n_m + 4 * n_v
-    fixed = 3 * of["NS"] + of["NZ"] + of["NREADY"] + 2 * of["NC"] + MOST_CLOSE * row + of["NTHERE"]
-    return {
-        "NREALS": reals,
-        "NWHOLES": wholes,
-        "KEPT_IN_W": fixed + 2 * row + 5 * n_t + 3 * MOST_STOPS + reals + wholes,
-    }
-
-
 def event_table(scheme: Scheme, kind: str = ANY_EVENT) -> list[str]:
     """`events_of`: direction, end and actions of each, as C; one entry longer."""
     lines, at = [f"static const {kind} events_of[] = {{"], 0
     for event in watched_events(scheme):
-        way, end = WAYS.get(event.direction, 0), at + len(event.sets)
+        way, end = WAYS[event.direction], at + len(event.sets)
         lines.append(f"  {{{way}, {int(event.terminal)}, {at}, {end}, {event.cool_down!r}}},")
         at = end
     return [*lines, "  {0, 0, 0, 0, 0.0},", "};"]

@@ -15,9 +15,9 @@ from runtime.contract.model import EmittedModel
 from runtime.contract.tape import Tape, shared
 from runtime.engine.c_source import Style, named, source, tape_code
 from runtime.export.c_bundle import Exported, constant_array
-from runtime.export.c_stops import event_table, sets_of, whole_numbers
-from runtime.running.stepping import may_jump
-from runtime.schemes.switching.times import switches_by_inputs
+from runtime.export.c_stops import event_table, whole_numbers
+from runtime.schemes.switching.event_model import sets_of
+from runtime.schemes.switching.times import may_jump, switches_by_inputs
 from runtime.schemes.switching.watched import event_outputs, watched_events
 
 _BOUNDS = {"any": 0, "not negative": 1, "positive": 2}

@@ -15,12 +15,17 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from runtime.contract.coordinates import whole
 from runtime.contract.records import EventRecord
 from runtime.contract.status import Event, Status
+from runtime.running.impacts import hit_in_order, impacts_given, impacts_of, impulse_given
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.impulse import Impulse, impulse_text
+from runtime.schemes.switching.native_events import EventRecord as NativeRecord
+from runtime.schemes.switching.native_events import KinkMemory
+from runtime.schemes.switching.settle import losses, losses_text
+from runtime.schemes.switching.steps_with_stops import Passage
+from runtime.schemes.switching.stops import Impact
 from runtime.schemes.switching.times import JUMP_AT_STEP
 from runtime.schemes.switching.watched import (
     Acted,
@@ -84,6 +89,34 @@ class EventHandler:
         self.own.broken.step_with_events(z, self.own.ready, self.own.c, self._acts)
         return None if np.array_equal(before, z[self._inputs]) else z[self._inputs].copy()
 
+    def through_events(self, z: np.ndarray, ends: Sequence[int]) -> Passage | None:
+        """From z (whole, flat) to these steps, with the events in them, by native code; nothing has happened yet: see
+        `accept`. None where they are to be made one by one.
+        """
+        own = self.own
+        if not self.native:
+            return None
+        start = z.copy()
+        own.forget_determinants(start)
+        kinks = [self._recent.get(event.name, [0.0]) for event in self._events[self._declared :]]
+        known = [KinkMemory(sleeps, tuple(steps)) for sleeps, *steps in kinks]
+        found: Passage | None = own.broken.through_events(start, own.ready, own.c, np.array(ends, np.int64), known)
+        return found
+
+    @property
+    def native(self) -> bool:
+        """Are steps made with the events in them, where nothing is to be looked at closely?"""
+        own = self.own
+        return own.broken is not None and own.watches_events and self._records is None and own.broken.native
+
+    def accept(self, z: np.ndarray, passage: Passage) -> np.ndarray | None:
+        """What happened in a passage is told, and z is behind it; (n_w,) the inputs if they changed."""
+        before = z[self._inputs].copy()
+        self.own.broken.accept(passage)
+        self._tell_records(passage.records)
+        z[:] = passage.z
+        return None if np.array_equal(before, z[self._inputs]) else z[self._inputs].copy()
+
     def advance(self, z: np.ndarray, steps: int) -> np.ndarray | None:
         """So many steps in place, or up to the end of the first with events; (n_w,) the inputs if they changed."""
         own, before = self.own, z.copy() if self.own.watches_events else z
@@ -92,6 +125,9 @@ class EventHandler:
         if at is None:
             return None
         z[:] = before
+        passage = self.through_events(z, [int(z[1]) + steps])
+        if passage is not None:
+            return self.accept(z, passage)
         if at - 1 > int(z[1]):
             own.advance(z, at - 1 - int(z[1]))
         self.start = z.copy()
@@ -186,25 +222,9 @@ class EventHandler:
         observed: before they do anything. regular: do the equations of q_i have accelerations there? Near a singular
         position they have none, and powers on either side are not computed.
         """
-        values, values_now = action_values(self._scheme, observed.z, observed.c), observed.values
         kept, before = None if self._records is None else observed._replace(z=observed.z.copy()), observed.z.copy()
-        rates = event_slopes(self._scheme, observed.z, observed.c) if (values_now == 0).any() else values_now
-        first = np.cumsum([0, *(len(event.sets) for event in self._events)])  # kinks set nothing
-        changes: dict[str, float] = {}
         cool_down(self._scheme, z, happened, t)
-        for k in happened:
-            event = self._events[k]
-            direction = "rising" if (values_now[k] or rates[k]) >= 0 else "falling"
-            if k >= self._declared:
-                self.reported.append(Event(t, "kink", f"{event.name}, {direction}", event.name, direction))
-                self._rest(z, k, t)
-                continue
-            if event.direction != "either":
-                direction = event.direction
-            changes |= dict(zip(event.sets, values[first[k] : first[k + 1]].tolist(), strict=True))
-            if not event.mode:  # what it does is told when all is settled
-                self.reported.append(Event(t, "event", _text(event, direction, changes), event.name, direction))
-            self._judge(event, t)
+        changes = self._tell_events(z, t, happened, observed)
         endless = next((name for name, value in changes.items() if not np.isfinite(value)), None)
         if endless is not None:
             cause = f"event {self.reported[-1].name} sets {endless} to {changes[endless]}"
@@ -220,6 +240,50 @@ class EventHandler:
         if regular:
             self.own.note_change(t, before, observed.c, z[self._inputs], push)
         return push
+
+    def _tell_events(self, z: np.ndarray, t: float, happened: list[int], observed: _ObservedState) -> dict[str, float]:
+        """These events at t [s], but for what elements do: they are told and judged; the inputs that they set.
+
+        z (n_z,): the state that goes on, where kinks are slept over.
+        """
+        values_now = observed.values
+        rates = event_slopes(self._scheme, observed.z, observed.c) if (values_now == 0).any() else values_now
+        changes: dict[str, float] = {}
+        for k in happened:
+            event = self._events[k]
+            direction = "rising" if (values_now[k] or rates[k]) >= 0 else "falling"
+            if k >= self._declared:
+                self.reported.append(Event(t, "kink", f"{event.name}, {direction}", event.name, direction))
+                self._rest(z, k, t)
+                continue
+            if event.direction != "either":
+                direction = event.direction
+            if event.sets:
+                first = sum(len(one.sets) for one in self._events[:k])
+                values = action_values(self._scheme, observed.z, observed.c)[first:]
+                changes |= dict(zip(event.sets, values.tolist(), strict=False))
+            if not event.mode:  # what it does is told when all is settled
+                self.reported.append(Event(t, "event", _text(event, direction, changes), event.name, direction))
+            self._judge(event, t)
+        return changes
+
+    def _tell_records(self, records: list[NativeRecord]) -> None:
+        """What native code has found."""
+        model, modes, step = self.own.model, self.own.model.element_modes, -1
+        given = impacts_given(model, self.own.c, [one for one in records if one.order.any()])
+        for one in records:
+            if one.step != step:  # what chatters does so within a step
+                step = one.step
+                for event in self._events[: self._declared]:
+                    self._recent.pop(event.name, None)
+            observed = _ObservedState(one.z, self._scheme.constants(self.own.c, one.dt_seen), one.values)
+            self._tell_events(one.z.copy(), one.t, one.happened, observed)
+            if one.order.any():
+                elements = [(k, model.mode_events[k]) for k in hit_in_order(one)]
+                each = [float(-own.side * one.impulse[k] * one.passing[own.row]) for k, own in elements]
+                self._tell_hits(impacts_of(one), each, next(given), one.t, float(np.nextafter(one.t, -np.inf)))
+            self._tell_modes(one.t, one.z[self._inputs][modes], one.inputs[modes])
+            self.own.note_change(one.t, one.z, observed.c, one.inputs, one.push)
 
     def _push(self, settled: Any) -> np.ndarray:
         """(n_i,) what is added to the rates."""
@@ -249,27 +313,33 @@ class EventHandler:
         z[self._inputs] = inputs
         if found.impacts:
             # where an event ends a step of one length, what is seen there is after it
-            self._tell_hits(found, at, c, t, t if scheme.adaptive or not happened else float(np.nextafter(t, -np.inf)))
-        for k in np.flatnonzero(found.modes != before):
-            name = self._events[first + k].name
-            if text := _mode_text(self._events[first + k], float(before[k]), float(found.modes[k])):
-                self.reported.append(Event(t, "mode", f"{name} {text}", name))
+            seen = t if scheme.adaptive or not happened else float(np.nextafter(t, -np.inf))
+            given = impulse_given(model, c, t, at, at["q_i_dot"] + found.push, found.q_d_dot)
+            self._tell_hits(found.impacts, losses(model, at, c, found), given, t, seen)
+        self._tell_modes(t, before, found.modes)
         return found
 
-    def _tell_hits(self, found: Any, at: Mapping[str, np.ndarray], c: np.ndarray, t: float, before: float) -> None:
-        """Impacts on stops at t [s], the energy that they took; before [s]: what is seen there is before them."""
-        from runtime.schemes.switching.settle import losses, losses_text
+    def _tell_modes(self, t: float, before: np.ndarray, after: np.ndarray) -> None:
+        """What holds, opens or slides from t [s] on, by modes (n_m,)."""
+        first = self._declared - len(after)
+        for k in np.flatnonzero(after != before):
+            name = self._events[first + k].name
+            if text := _mode_text(self._events[first + k], float(before[k]), float(after[k])):
+                self.reported.append(Event(t, "mode", f"{name} {text}", name))
 
-        model, lost, each = self.own.model, "", losses(self.own.model, at, c, found)
-        if model.has("energy"):
-            ends = [(at["q_i_dot"], at["q_d_dot"]), (at["q_i_dot"] + found.push, found.q_d_dot)]
-            q, rates = whole(model, at["q_i"], at["q_d"]), [whole(model, *one) for one in ends]
-            kinetic = [float(model.evaluate("energy", q=q, q_dot=v, t=t, c=c)["kinetic"]) for v in rates]
-            earlier, gained = self.own.impulses.get(before), kinetic[1] - kinetic[0]
-            jump = Impulse(gained + (0.0 if earlier is None else earlier.energy), rates[1] - rates[0])
-            self.own.impulses[before] = jump
-            lost = losses_text(model, sum(each), gained)
-        for impact, own in zip(found.impacts, each, strict=True):
+    def _tell_hits(
+        self, impacts: Sequence[Impact], each: Sequence[float], given: Impulse | None, t: float, before: float
+    ) -> None:
+        """Impacts on stops at t [s], the energy that each took, and what all did together, where that is known; before
+        [s]: what is seen there is before them.
+        """
+        model, lost = self.own.model, ""
+        if given is not None:
+            earlier = self.own.impulses.get(before)
+            gained = given.energy + (0.0 if earlier is None else earlier.energy)
+            self.own.impulses[before] = Impulse(gained, given.jumps)
+            lost = losses_text(model, sum(each), given.energy)
+        for impact, own in zip(impacts, each, strict=True):
             name = model.mode_events[impact.k].name
             text = f"{name} is hit at {-impact.before:.6g} and left at {impact.after:.6g}{lost}"
             speeds = {"before": impact.before, "after": impact.after}

@@ -168,6 +168,9 @@ class Run:
         """
         clock = time.perf_counter()
         chunk = Chunk(self.next_chunk(), self.z.copy(), self.segment.monitor.memory())
+        if self.event_handler.native and self._passes_through_events(chunk):
+            self.chunk_length.took(time.perf_counter() - clock)
+            return
         seen = self.segment.run_and_save(self.z, self.steps_to_sample(chunk.steps))
         rows: np.ndarray | None = seen
         at, near_singular = self.segment.first_event(self.z), self.near_singular()
@@ -192,6 +195,29 @@ class Run:
         else:
             self._accept(chunk, rows)
         self.chunk_length.took(time.perf_counter() - clock)
+
+    def _passes_through_events(self, chunk: Chunk) -> bool:
+        """Make the chunk with the events in it by one native call, or prepare to make finer ones where anything is
+        found in it. False: it is one step, which is to be looked at closely.
+        """
+        passage = self.event_handler.through_events(self.z, self.steps_to_sample(chunk.steps))
+        if passage is not None:
+            self.z = passage.z.copy()
+            if not self.near_singular() and self.checked(samples=len(passage.rows)) is None:
+                self.z = chunk.before.copy()
+                inputs = self.event_handler.accept(self.z, passage)
+                self._report()
+                self._hold(inputs)
+                self._accept(chunk, passage.rows)
+                if passage.records:
+                    self.earlier = None
+                return True
+        self.z = chunk.before.copy()
+        self.segment.monitor.recall(chunk.memory)
+        if chunk.steps == 1:
+            return False
+        self._make_again(chunk, finer=max(1, chunk.steps // SHORTER_CHUNK))
+        return True
 
     def _accept(self, chunk: Chunk, rows: np.ndarray) -> None:
         """Nothing was found in its states (N, n_z)."""

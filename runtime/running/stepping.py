@@ -6,7 +6,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-import casadi as ca
 import numpy as np
 
 from runtime.contract.arguments import BY_NAME, START, arguments
@@ -23,11 +22,10 @@ from runtime.running.monitor import Monitor
 from runtime.running.planning import make_plan, steps_asked
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import refuse_position_jumps
-from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.impulse import moves_in_time
 from runtime.schemes.switching.steps_with_stops import StepsWithStops
-from runtime.schemes.switching.times import has_switching_times, switches_by_inputs, switching_times
-from runtime.schemes.switching.watched import watched_events
+from runtime.schemes.switching.times import may_jump, switches_by_inputs, switching_times
+from runtime.schemes.switching.watched import may_break
 from runtime.solutions.solution import Solution
 from runtime.start.start_state import start_state
 
@@ -440,21 +438,6 @@ def _restored(model: EmittedModel, settings: Mapping[str, Any], kept: SteppedSta
 # Steps without an end across jumps in time and events: looked for as time goes on, always over the same steps.
 
 JUMP_SEARCH_STEPS = 4096  # steps over which jumps are looked for at a time: the same in one call or in many
-
-
-def may_jump(model: EmittedModel) -> bool:
-    """Does a condition change with time, by the scene, by inputs that move, or by functions given for them?"""
-    if not has_switching_times(model):
-        return False
-    if model.sources:
-        return True
-    t, c = ca.SX.sym("t"), ca.SX.sym("c", model.c_size)
-    return bool(ca.depends_on(model.evaluate("switching", t=t, c=c)["switching"], t))
-
-
-def may_break(scheme: Scheme) -> bool:
-    """Do steps end at jumps, at events or at kinks of loads?"""
-    return bool(watched_events(scheme)) or may_jump(scheme.model)
 
 
 class UnendingSteps:

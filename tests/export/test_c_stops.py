@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import runtime.export
+import runtime.schemes.switching
 from runtime import ModelError, simulate
 from runtime.engine.c_source import find_compiler
 from runtime.export.c_bundle import exported, write_c
@@ -23,7 +23,7 @@ from tests.export.bundles import STRICT, Bundle, bundle
 
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
-EXPORT = Path(str(runtime.export.__file__)).parent
+SWITCHING = Path(str(runtime.schemes.switching.__file__)).parent
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 
 
@@ -231,7 +231,7 @@ def test_what_decides_is_one_text_for_all_models(tmp_path: Path) -> None:
         *shlex.split(find_compiler() or ""),
         *flags,
         "-c",
-        str(EXPORT / "stops.c"),
+        str(SWITCHING / "stops.c"),
         "-o",
         str(tmp_path / "stops.o"),
     ]

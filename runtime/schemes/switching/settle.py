@@ -128,7 +128,7 @@ def _beyond(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray, mo
 def losses(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray, found: Settled) -> list[float]:
     """What each stop that is struck took, -p (v- + v+) / 2 [J]."""
     own, impacts = elements(model, at, c), [(model.mode_events[one.k], one.impulse) for one in found.impacts]
-    passing = own["v_rel"] + 0.5 * own["G"] @ found.push
+    passing = own["v_rel"] + 0.5 * times(own["G"], found.push)
     return [-one.side * p * float(passing[one.row]) for one, p in impacts]
 
 

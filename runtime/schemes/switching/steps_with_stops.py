@@ -18,6 +18,7 @@ from runtime.schemes.scheme import direct
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.event_search import MOST_PLACES_OF_STEP, first_bracket, first_passage, unsure
 from runtime.schemes.switching.impulse import Impulse, may_give_impulses
+from runtime.schemes.switching.native_events import EventLog, EventRecord, KinkMemory, StepTable, native_events
 from runtime.schemes.switching.stop_program import KNOWN_PARTS, Restart, StopProgram, impulse_there
 from runtime.schemes.switching.times import JUMP_AT_STEP, Breaks, SwitchTime, within
 from runtime.schemes.switching.watched import NEVER, Acted, are_kinks, event_slopes, event_values, passed, quiet_until
@@ -63,6 +64,18 @@ class Opened(NamedTuple):
     kinks: tuple[int, ...]
     clock: float
     z: np.ndarray
+
+
+class Passage(NamedTuple):
+    """Steps with the events in them: z (whole, flat) behind them, rows (N, n_z) of it at those that were asked for,
+    what happened, in order, and what is known of loads that act for a short time.
+    """
+
+    z: np.ndarray
+    rows: np.ndarray
+    records: list[EventRecord]
+    opened: Opened
+    unresolved: float
 
 
 class StepsWithStops:
@@ -206,7 +219,59 @@ class StepsWithStops:
             off = float(np.abs(rates - finer).max())
         self.unresolved = max(self.unresolved, off if np.isfinite(off) else np.inf)
 
-    # ---- a step with events ---------------------------------------------------------------------------------
+    # ---- steps with events ----------------------------------------------------------------------------------
+
+    def through_events(
+        self, z: np.ndarray, ready: np.ndarray, c: np.ndarray, ends: np.ndarray, kinks: list[KinkMemory]
+    ) -> Passage | None:
+        """From z (whole, flat) to these steps (N,), rising, in native code. None where one of them ends the motion, or
+        the plain reading is to decide; `accept` makes what was found true.
+        """
+        code = native_events(self.stepper)
+        assert self.native and code is not None
+        n, log, records, reached = len(z), self._log, list[EventRecord](), 0
+        whole, rows = np.zeros(n + code.sizes["KEPT"]), np.empty((len(ends), n))
+        whole[:n], whole[n] = z, self.t0
+        code.put_kinks(whole, kinks)
+        self._open(log, code.sizes["NE"])
+        constants = self.stepper.scheme.constants(c, self.dt)
+        while reached < len(ends):
+            more = code.run(
+                whole, ready, constants, ends[reached:], rows[reached:], self._table.structure, log.structure
+            )
+            new = log.take()
+            if whole[n + 1] != 0 or log.structure.lost or not (more or new):
+                return None
+            reached, records = reached + more, records + new
+        kinds = np.flatnonzero(log.opened[1 : 1 + code.sizes["NE"]]).tolist()
+        opened = Opened(tuple(kinds), float(log.opened[0]), log.opened[1 + code.sizes["NE"] :].copy())
+        return Passage(whole[:n].copy(), rows, records, opened, log.structure.unresolved)
+
+    @property
+    def native(self) -> bool:
+        """Are there native steps with the events in them?"""
+        return not len(self._jolts) and native_events(self.stepper) is not None and self._table.fits
+
+    def accept(self, passage: Passage) -> None:
+        """Go on behind it."""
+        self.opened, self.unresolved = passage.opened, passage.unresolved
+
+    def _open(self, log: EventLog, n_e: int) -> None:
+        """Tell the C what is known of loads that act for a short time."""
+        log.structure.lost, log.structure.unresolved, log.opened[:] = 0, self.unresolved, 0.0
+        log.opened[0], log.opened[[1 + k for k in self.opened.kinks]] = self.opened.clock, 1.0
+        if len(self.opened.z):
+            log.opened[1 + n_e :] = self.opened.z
+
+    @cached_property
+    def _log(self) -> EventLog:
+        code = native_events(self.stepper)
+        assert code is not None
+        return EventLog(code)
+
+    @cached_property
+    def _table(self) -> StepTable:
+        return StepTable(self.grid)
 
     def step_with_events(self, z: np.ndarray, ready: np.ndarray, c: np.ndarray, acts: Acts) -> bool:
         """One major step in which events may happen, in place; where one ends the run, z is the state there.

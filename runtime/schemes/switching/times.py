@@ -51,6 +51,16 @@ def has_switching_times(model: EmittedModel) -> bool:
     return model.has("switching") or bool(model.sources)
 
 
+def may_jump(model: EmittedModel) -> bool:
+    """Does a condition change with time, by the scene, by inputs that move, or by functions given for them?"""
+    if not has_switching_times(model):
+        return False
+    if model.sources:
+        return True
+    t, c = ca.SX.sym("t"), ca.SX.sym("c", model.c_size)
+    return bool(ca.depends_on(model.evaluate("switching", t=t, c=c)["switching"], t))
+
+
 def switches_by_inputs(model: EmittedModel) -> bool:
     """Do conditions of the scene depend on held inputs?"""
     if not model.has("switching") or not model.signals.size:

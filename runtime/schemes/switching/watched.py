@@ -23,6 +23,7 @@ from runtime.engine.program import Fields, Program, Sequence, Until
 from runtime.schemes.scheme import SIDES, Scheme, direct
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.switching.event_search import dips
+from runtime.schemes.switching.times import may_jump
 
 
 class Acted(NamedTuple):
@@ -82,6 +83,11 @@ def watched_events(scheme: Scheme) -> list[EventRecord]:
         return declared
     kinks = [EventRecord(f"{owner}, kink {owners[:k].count(owner) + 1}", "either") for k, owner in enumerate(owners)]
     return [*declared, *kinks]
+
+
+def may_break(scheme: Scheme) -> bool:
+    """Do steps end at jumps, at events or at kinks of loads?"""
+    return bool(watched_events(scheme)) or may_jump(scheme.model)
 
 
 def are_kinks(scheme: Scheme) -> np.ndarray:

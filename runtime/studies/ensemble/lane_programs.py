@@ -19,11 +19,11 @@ from runtime.engine.prepare import Prepared, prepare
 from runtime.engine.program import Call, Fields, Layout, Program, Repeat, Sequence, Until, make_stage
 from runtime.operating.given_state import closable, closing, fitting
 from runtime.running.stepped_model import NO_HIGHEST, NO_LOWEST
-from runtime.running.stepping import may_jump
 from runtime.schemes.scheme import LARGEST_NUMBER, Scheme
 from runtime.schemes.stepper import start_there
 from runtime.schemes.switching.impulse import moves_in_time
 from runtime.schemes.switching.stop_program import StopProgram
+from runtime.schemes.switching.times import may_jump
 from runtime.schemes.switching.watched import looking, with_events
 from runtime.start.quasi_static import (
     MAX_SETTLING_STEPS,

@@ -16,8 +16,9 @@ from runtime.contract.model import EmittedModel
 from runtime.contract.signals import SINCE
 from runtime.running.planning import make_plan, steps_asked
 from runtime.running.problem import whole_number
-from runtime.running.stepping import HORIZON, may_break
+from runtime.running.stepping import HORIZON
 from runtime.schemes.options import SchemeError
+from runtime.schemes.switching.watched import may_break
 from runtime.start.start_state import start_state
 from runtime.studies.ensemble.account import ALONE, cause_of
 from runtime.studies.ensemble.ensemble_spec import EnsembleSpec

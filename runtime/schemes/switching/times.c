@@ -161,7 +161,7 @@ static int parts_of(const Model *of, Run *r, Part *parts, double *clock) {
 /* found: the first jump behind t, up to a time, and clocks that show its two sides; where there is none, that time */
 DOOR int next_jump(const Model *of, double *found, const double *c, double t, double until, double *w) {
   Room room;
-  Run r = made_run(of, NULL, c, w, &room);
+  Run r = made_run(of, NULL, c, c, w, &room);
   double *z = REALS(of->NZ + of->KEPT), step = 64 * c[of->DT_AT], end;
   Stop *all = r.stops;
   memset(z, 0, (of->NZ + of->KEPT) * sizeof(double));

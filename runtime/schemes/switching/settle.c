@@ -200,10 +200,22 @@ static void bring_to_rest(const Model *of, double *v, const double *y, const int
   EACH(j, of->NI) v[j] = v[j] + push[j];
 }
 
+/* what `settle` tells, NM numbers of each: in which order stops are hit, from one on, rates upon them before and after,
+   impulses, and how much later bounces that are over at once would be over; then of each row (NV) the mean of its rates
+   before and after, and the states (NAT) before and after */
+#define ORDER 0
+#define BEFORE_HIT (of->NM)
+#define AFTER_HIT (2 * of->NM)
+#define IMPULSE (3 * of->NM)
+#define RESTS (4 * of->NM)
+#define PASSING (5 * of->NM)
+#define STATES (PASSING + of->NV)
+#define TOLD (STATES + 2 * of->NAT)
+
 /* what is added to q_i' by impacts on stops, which ones are hit; 0: no impulses are consistent */
-static int struck(const Model *of, double *push, int *hit, const double *y, const int *on, const double *e, double slow, Room room) {
+static int struck(const Model *of, double *push, int *hit, const double *y, const int *on, const double *e, double slow, double *told, Room room) {
   double *speed = REALS(of->NM);
-  int *some = WHOLES(of->NM), count, k, j;
+  int *some = WHOLES(of->NM), count, k, j, order = 0;
   Bounded o = bounded(of, &room);
   EACH(k, of->NM) speed[k] = of->side_of[k] * y[V_REL + of->row_of[k]];
   EACH(count, MOST_HITS + 1) {
@@ -213,6 +225,7 @@ static int struck(const Model *of, double *push, int *hit, const double *y, cons
     EACH(k, of->NM) {
       const int comes = on[k] && speed[k] < -slow;
       if (!on[k] || !(last || speed[k] <= slow)) continue;
+      if (told != NULL && comes && !hit[k]) told[ORDER + k] = ++order, told[BEFORE_HIT + k] = speed[k];
       any = any || comes, hit[k] = hit[k] || comes, some[o.n] = k;
       o.b[o.n] = (1 + (comes && !last ? e[k] : 0.0)) * speed[k];
       o.lower[o.n] = 0.0, o.upper[o.n] = INFINITY, o.let_go[o.n++] = 0;
@@ -224,9 +237,11 @@ static int struck(const Model *of, double *push, int *hit, const double *y, cons
     if (!complementary(of, &o, room)) return 0;
     balance(of, &o, room);
     EACH(k, o.n) o.f[k] = larger(o.f[k], 0.0);
+    if (told != NULL) EACH(k, o.n) told[IMPULSE + some[k]] += o.f[k];
     EACH(k, of->NM) {
       double sum = 0;
       EACH(j, o.n) sum += of->side_of[k] * y[A_OF + of->row_of[k] + of->NV * of->row_of[some[j]]] * of->side_of[some[j]] * o.f[j];
+      if (told != NULL && on[k] && speed[k] < -slow) told[AFTER_HIT + k] = speed[k] + sum;
       speed[k] = speed[k] + sum;
     }
     EACH(k, of->NI) {
@@ -280,7 +295,8 @@ static int lawful(const Model *of, const Place *o, const double *modes, const in
 }
 
 /* modes (NM) at a place, whose rates are moved; soon: stops that are to rest. -1: none are consistent, 1: once more */
-static int once(const Model *of, const Place *o, double *modes, const int *happened, const double *come, int *soon, Room room) {
+static int once(const Model *of, const Place *o, double *modes, const int *happened, const double *come, int *soon, double *told,
+                Room room) {
   double *v = o->at + of->NI + of->NQD, *y = o->y, *push = REALS(of->NI), *rate = REALS(of->NV), *force = REALS(of->NV);
   double *e = REALS(of->NM), *until = REALS(of->NM);
   const double slow = AT_REST * (1.0 + largest_of(v, of->NI));
@@ -294,13 +310,14 @@ static int once(const Model *of, const Place *o, double *modes, const int *happe
   memset(open, 0, of->NV * sizeof(int));
   memcpy(until, modes, of->NM * sizeof(double));
   weigh(of, o);
+  if (told != NULL) memset(told, 0, RESTS * sizeof(double)), memcpy(told + PASSING, y + V_REL, of->NV * sizeof(double));
   EACH(k, of->NV) if (!(y[HOLDS + k] >= NOTHING)) return -1; /* a limit of friction is none any more */
   EACH(k, of->NM) {
     const int stop = of->side_of[k] != 0, near = until[k] == 0 || (happened != NULL && happened[k]);
     on[k] = stop && (near || y[GAP + s] <= 0), touched[k] = stop && (near || y[GAP + s] <= TOUCH);
     e[k] = stop && !soon[k] ? y[BACK + s] : 0.0, s += stop;
   }
-  if (!struck(of, push, hit, y, on, e, slow, room)) return -1;
+  if (!struck(of, push, hit, y, on, e, slow, told, room)) return -1;
   EACH(k, of->NV) rate[k] = y[V_REL + k] + row_times(y, k, of->NV, push, of->NI);
   EACH(k, of->NM) {
     const double speed = fabs(rate[of->row_of[k]]);
@@ -352,7 +369,10 @@ static int once(const Model *of, const Place *o, double *modes, const int *happe
   EACH(k, of->NM) { /* bounces that come too close are over at once */
     const double a = of->side_of[k] * (y[B_OF + of->row_of[k]] + row_times(y + A_OF, of->row_of[k], of->NV, force, of->NV));
     const double speed = of->side_of[k] * y[V_REL + of->row_of[k]];
-    if (hit[k] && !soon[k] && 0 < 2 * speed && 2 * speed < -a * (1 - e[k]) * TOO_CLOSE) soon[k] = again = 1;
+    const double left = -a * (1 - e[k]) * TOO_CLOSE;
+    if (!(hit[k] && !soon[k] && 0 < 2 * speed && 2 * speed < left)) continue;
+    soon[k] = again = 1;
+    if (told != NULL) told[RESTS + k] = 2 * speed / left * TOO_CLOSE;
   }
   return again;
 }
@@ -360,7 +380,7 @@ static int once(const Model *of, const Place *o, double *modes, const int *happe
 /* modes among the inputs u (NU) and rates at a state `at`; happened: elements that ask, or NULL; come: rates below which
    one has come to rest. 0: no modes are consistent, and nothing has changed */
 static int decide(const Model *of, double *at, double *u, const double *c, const int *happened,
-                  const double *come, double *there, double *w, Room room) {
+                  const double *come, double *there, double *w, double *told, Room room) {
   double *modes = REALS(of->NM);
   int *soon = WHOLES(of->NM), k, found;
   Place o;
@@ -370,7 +390,7 @@ static int decide(const Model *of, double *at, double *u, const double *c, const
     memcpy(o.at, at, of->NAT * sizeof(double)), memcpy(o.c, c, of->DT_AT * sizeof(double));
     memcpy(o.c + of->DT_AT - of->NU, u, of->NU * sizeof(double));
     EACH(k, of->NM) modes[k] = u[of->modes_at[k]];
-    found = once(of, &o, modes, happened, come, soon, room);
+    found = once(of, &o, modes, happened, come, soon, told, room);
   } while (found > 0);
   if (found < 0) return 0;
   memcpy(at, o.at, of->NAT * sizeof(double));
@@ -378,9 +398,10 @@ static int decide(const Model *of, double *at, double *u, const double *c, const
   return 1;
 }
 
-/* modes into inputs and what is added to the rates, at a state S that constants show; happened: elements that ask */
+/* modes into inputs and what is added to the rates, at a state S that constants show; happened: elements that ask;
+   told (TOLD), or NULL */
 static void settle(const Model *of, Run *r, double *inputs, double *push, const double *S, const double *shown,
-                   const int *happened, Room room) {
+                   const int *happened, double *told, Room room) {
   double *at = r->there, *v = at + of->NI + of->NQD, *slopes = REALS(ROW), *start = REALS(of->NI), *come = REALS(of->NM);
   int k;
   memset(come, 0, of->NM * sizeof(double));
@@ -390,8 +411,12 @@ static void settle(const Model *of, Run *r, double *inputs, double *push, const 
     of->slopes(slopes, S, shown, r->w);
     EACH(k, of->NM) if (happened[k] && inputs[of->modes_at[k]] != 0) come[k] = LOST * fabs(slopes[of->ND - of->NM + k]);
   }
-  if (!decide(of, at, inputs, r->c, happened, come, at + of->NAT, r->w, room)) r->z[ENDED] = NO_MODE;
+  if (told != NULL) memset(told, 0, TOLD * sizeof(double)), memcpy(told + STATES, at, of->NAT * sizeof(double));
+  if (!decide(of, at, inputs, r->c, happened, come, at + of->NAT, r->w, told, room)) r->z[ENDED] = NO_MODE;
   EACH(k, of->NI) push[k] = v[k] - start[k];
+  if (told == NULL) return;
+  EACH(k, of->NV) told[PASSING + k] += 0.5 * row_times(at + of->NAT, k, of->NV, push, of->NI);
+  memcpy(told + STATES + of->NAT, at, of->NAT * sizeof(double));
 }
 
 /* at a start, and where inputs change */
@@ -401,7 +426,7 @@ static void settle_there(const Model *of, Run *r, Room room) {
   int k, moves = 0;
   memcpy(T, r->z, of->NOWN * sizeof(double)), memcpy(inputs, r->z + of->INPUTS_AT, of->NU * sizeof(double));
   T[of->NOWN] = T[of->NOWN + 1] = r->dt, T[of->NOWN + 2] = clock[0] + clock[1] * r->dt;
-  settle(of, r, inputs, push, r->z, r->c, NULL, room);
+  settle(of, r, inputs, push, r->z, r->c, NULL, NULL, room);
   EACH(k, of->NI) moves = moves || push[k] != 0;
   EACH(k, of->NU) moves = moves || inputs[k] != r->z[of->INPUTS_AT + k];
   if (!moves) return;
@@ -429,5 +454,5 @@ DOOR int settle_at(const Model *of, double *at, double *u, const double *c, cons
   int k;
   room.wholes = (int *)(room.reals + of->NREALS), come = REALS(of->NM);
   EACH(k, of->NM) come[k] = happened[k] ? PASSES * (1.0 + largest_of(at + of->NI + of->NQD, of->NI)) : 0.0;
-  return decide(of, at, u, c, happened, come, w, (double *)room.wholes + of->NWHOLES, room);
+  return decide(of, at, u, c, happened, come, w, (double *)room.wholes + of->NWHOLES, NULL, room);
 }

@@ -1,5 +1,6 @@
-/* Steps that end where loads jump in time, where events happen and where loads kink, as in runtime/schemes/switching.
-   What a model is comes by a struct Model; z has KEPT numbers more than the scheme's: of the grid and of what has happened. */
+/* Steps that end where loads jump in time, where events happen and where loads kink: of runs, compiled (stops.ll), and
+   of exported C. What a model is comes by a struct Model; z has KEPT numbers more than the scheme's: of the grid and of
+   what has happened. A plain reading is in event_search.py, steps_with_stops.py, settle.py; tests hold them together. */
 
 #define NEVER 1e300
 #define ON_THE_GRID 1e-9
@@ -18,35 +19,38 @@
 #define ENDED (of->NZ + 1)
 #define KINKS (of->NZ + 2)
 #define ROW (of->NE + 1)
+#define RESOLVED_STEPS 2
+#define RESOLVING_PARTS 4
+#define MOST_PARTS (2 * MOST_STOPS + 2)
+#define ROOM_OF_A_STEP 200 /* records: with less, a step with events is left to the next call */
 
 #include "model.h"
 
 typedef struct {
   double time, before, after;
 } Stop;
-typedef struct {
-  double start, length, before, after;
-} Part;
 typedef struct { /* arrays of the caller's w; S, F, T: of a step in parts, where a part leads, where a look leads */
   double *z, *w, *S, *F, *T, *saved, *read, *cd, *looks, *there, *first, *last, *signs;
   Stop *stops;
   I *bounds;
-  const double *c;
+  const double *c, *ready; /* the constants, and what whole steps read */
   double dt, start, length; /* of the part that is looked at; first, last: values at its ends */
   int *count, acted;
+  const Grid *grid; /* where it is known which steps are broken */
+  Log *log;         /* of who wants to know what has happened */
 } Run;
 
-static Run made_run(const Model *of, double *z, const double *c, double *w, Room *room) {
+static Run made_run(const Model *of, double *z, const double *ready, const double *c, double *w, Room *room) {
   Run r;
   memset(&r, 0, sizeof r);
-  r.z = z, r.c = c, r.dt = c[of->DT_AT], r.w = w + of->KEPT_IN_W;
+  r.z = z, r.c = c, r.ready = ready, r.dt = c[of->DT_AT], r.w = w + of->KEPT_IN_W;
   r.S = w, r.F = r.S + of->NS, r.T = r.F + of->NS, r.saved = r.T + of->NS, r.read = r.saved + of->NZ;
   r.cd = r.read + of->NREADY + of->NC, r.looks = r.cd + of->NC, r.there = r.looks + MOST_CLOSE * ROW;
   r.first = r.there + of->NTHERE, r.last = r.first + ROW, r.signs = r.last + ROW;
   r.bounds = (I *)(r.signs + of->NT), r.stops = (Stop *)(r.bounds + 2 * of->NT);
   room->reals = (double *)(r.stops + MOST_STOPS), room->wholes = (int *)(room->reals + of->NREALS);
   r.count = room->wholes, room->wholes += ROW;
-  memcpy(r.read, c, of->NREADY * sizeof(double)), memcpy(r.read + of->NREADY, c, of->NC * sizeof(double));
+  memcpy(r.read, ready, of->NREADY * sizeof(double)), memcpy(r.read + of->NREADY, c, of->NC * sizeof(double));
   return r;
 }
 
@@ -291,13 +295,84 @@ static void rest(const Model *of, Run *r, double *state, int k, double t) {
   }
 }
 
+/* ---- what has happened ---- */
+
+#define RECORD (3 + 2 * of->NE + of->NOWN + of->NU + of->NI + (of->NM > 0 ? TOLD : 0))
+
+/* of events at t in the state of S, which is seen before they act: t, step, steps that show it; which happened (NE),
+   their values (NE), the state (NOWN). Behind it, by `act`: inputs (NU), what is added to the rates (NI), and what
+   `settle` tells. NULL: nobody wants to know */
+static double *record(const Model *of, Run *r, const double *S, double t, const int *happened) {
+  Log *log = r->log;
+  double *one;
+  int k;
+  if (log == NULL) return NULL;
+  if (log->room <= 0) {
+    log->lost = 1;
+    return NULL;
+  }
+  one = log->records + log->n * RECORD, log->n += 1, log->room -= 1;
+  one[0] = t, one[1] = S[of->NUMBER], one[2] = S[of->SEEN];
+  for (k = 0; k < of->NE; ++k) one[3 + k] = happened[k];
+  values_shown(of, r, one + 3 + of->NE, S);
+  memcpy(one + 3 + 2 * of->NE, S, of->NOWN * sizeof(double));
+  return one + 3 + 2 * of->NE + of->NOWN;
+}
+
+/* the first step from this one on that is not plain, by its place */
+static int64_t place_of(const Grid *grid, double step) {
+  int64_t low = 0, high = grid->n;
+  while (low < high) {
+    const int64_t middle = (low + high) / 2;
+    if ((double)grid->step[middle] < step) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+/* what steps err through which a load acts for less than RESOLVED_STEPS of them, by parts of that time: steps of other
+   lengths end where it begins and ends, too, so that none of them shows it */
+static void resolve(const Model *of, Run *r, double clock, const int *happened, Room room) {
+  Log *log = r->log;
+  double *T = r->T, *there = REALS(of->NAT), *finer = REALS(of->NAT), off = 0;
+  const double *opened = log->opened, length = clock - opened[0];
+  int64_t j;
+  int k, closes = 0;
+  for (k = of->ND; k < of->NE; ++k) closes = closes || (happened[k] && opened[1 + k] != 0);
+  if (!closes || !(0.0 < length && length < RESOLVED_STEPS * r->dt)) return;
+  for (j = place_of(r->grid, floor((opened[0] - r->z[T0]) / r->dt)); j < r->grid->n && r->grid->step[j] <= floor((clock - r->z[T0]) / r->dt); ++j) {
+    if (r->grid->broken[j]) return;
+  }
+  memcpy(T, opened + 1 + of->NE, of->NS * sizeof(double));
+  for (k = 0; k < RESOLVING_PARTS; ++k) make_part(of, r, T, opened[0] + k * length / RESOLVING_PARTS, length / RESOLVING_PARTS);
+  of->seen(finer, T, shown_by(of, r, T[of->SEEN]), r->w);
+  of->seen(there, r->S, shown_by(of, r, r->S[of->SEEN]), r->w);
+  for (k = 0; k < of->NI; ++k) {
+    const double one = fabs(there[of->NI + of->NQD + k] - finer[of->NI + of->NQD + k]);
+    off = one - one == 0.0 ? (one > off ? one : off) : INFINITY;
+    if (off == INFINITY) break;
+  }
+  if (off > log->unresolved) log->unresolved = off;
+}
+
+/* which kinks loads have come to at a clock, and the state behind */
+static void note_opened(const Model *of, Run *r, double clock, const int *happened) {
+  double *opened = r->log->opened;
+  int k;
+  opened[0] = clock;
+  for (k = 0; k < of->NE; ++k) opened[1 + k] = k >= of->ND && happened[k];
+  memcpy(opened + 1 + of->NE, r->S, of->NS * sizeof(double));
+}
+
 /* what events do at t to the state of S; inputs change at the next restart. Do they end the motion? */
 static int act(const Model *of, Run *r, double *S, double t, const int *happened, Room room) {
-  double *held = REALS(of->NU + 1), *values = REALS(of->NSETS + 1), *quiet = quiet_of(of, S);
+  double *held = REALS(of->NU + 1), *values = REALS(of->NSETS + 1), *quiet = quiet_of(of, S), *one, *told = NULL;
   int k, j;
   memset(values, 0, (of->NSETS + 1) * sizeof(double));
   r->acted = 1;
   memcpy(held, S + of->INPUTS_AT, of->NU * sizeof(double)), memcpy(S + of->INPUTS_AT, S + of->INPUTS, of->NU * sizeof(double));
+  one = record(of, r, S, t, happened);
+  if (one != NULL) memset(one + of->NU, 0, of->NI * sizeof(double)), told = one + of->NU + of->NI;
   if (of->NSETS > 0) of->actions(values, S, shown_by(of, r, S[of->SEEN]), r->w);
   for (k = 0; k < of->NE; ++k) {
     if (!happened[k]) continue;
@@ -315,9 +390,11 @@ static int act(const Model *of, Run *r, double *S, double t, const int *happened
   }
   if (of->NM > 0 && r->z[ENDED] == 0) {
     double *push = REALS(of->NI);
-    settle(of, r, S + of->INPUTS_AT, push, S, shown_by(of, r, S[of->SEEN]), happened + of->ND - of->NM, room);
+    settle(of, r, S + of->INPUTS_AT, push, S, shown_by(of, r, S[of->SEEN]), happened + of->ND - of->NM, told, room);
     for (k = 0; k < of->NI; ++k) S[of->PUSH + k] += push[k];
+    if (one != NULL) memcpy(one + of->NU, push, of->NI * sizeof(double));
   }
+  if (one != NULL) memcpy(one, S + of->INPUTS_AT, of->NU * sizeof(double));
   for (k = 0; k < of->NU; ++k) S[of->INPUTS + k] = S[of->INPUTS_AT + k], S[of->INPUTS_AT + k] = held[k];
   return r->z[ENDED] != 0;
 }
@@ -347,7 +424,9 @@ static int reach(const Model *of, Run *r, double start, double length, double *c
     s = first_passage(of, r, from, to, happened, room);
     *clock = start + s;
     make_part(of, r, r->S, start, *clock - start);
+    if (r->log != NULL && of->ND < of->NE) resolve(of, r, *clock, happened, room);
     ends = act(of, r, r->S, *clock, happened, room);
+    if (r->log != NULL && of->ND < of->NE) note_opened(of, r, *clock, happened);
     start = *clock, length = end - start;
     if (ends || length <= ON_THE_GRID * r->dt) return ends;
   }
@@ -374,16 +453,49 @@ static double time_of(const Model *of, const Run *r, double step) { return r->z[
 /* whole steps; behind a stop the first one runs on the clock that it was given */
 static void whole(const Model *of, Run *r, int64_t n) {
   if (n > 0 && r->z[0] != r->z[T0]) {
-    of->steps(r->z, r->c, r->w, 1);
+    of->steps(r->z, r->ready, r->w, 1);
     r->z[0] = r->z[T0], --n;
   }
-  if (n > 0) of->steps(r->z, r->c, r->w, n);
+  if (n > 0) of->steps(r->z, r->ready, r->w, n);
 }
 
 #include "times.c"
 
+/* of so many steps at most, how many from here on are plain; -1: too many stops in a step */
+static int64_t plain(const Model *of, Run *r, int64_t n) {
+  int64_t k, ahead;
+  if (r->grid == NULL) return clear(of, r, n);
+  k = place_of(r->grid, r->z[1]);
+  if (k == r->grid->n) return n;
+  ahead = r->grid->step[k] - (int64_t)r->z[1];
+  return ahead < n ? ahead : n;
+}
+
+/* the step that z is at: its parts, how many, is it broken? clock, origin: behind it */
+static int of_step(const Model *of, Run *r, Part *parts, int *broken, double *clock, double *origin) {
+  const double step = r->z[1], next = time_of(of, r, step + 1);
+  int n = 1;
+  *clock = next, *broken = 0, *origin = NEVER;
+  if (r->grid != NULL) {
+    const Grid *grid = r->grid;
+    const int64_t k = place_of(grid, step);
+    if (k < grid->n && (double)grid->step[k] == step) {
+      n = (int)(grid->first[k + 1] - grid->first[k]);
+      memcpy(parts, grid->part + grid->first[k], n * sizeof(Part));
+      *clock = grid->clock[k], *broken = (int)grid->broken[k], *origin = grid->origin[k];
+      return n;
+    }
+    parts[0].start = time_of(of, r, step), parts[0].length = next - parts[0].start, parts[0].before = NEVER, parts[0].after = -NEVER;
+  } else {
+    n = parts_of(of, r, parts, clock);
+    *broken = n > 1 || parts[0].before < NEVER;
+  }
+  *origin = r->z[T0] + (*clock - next);
+  return n;
+}
+
 /* the step that z is at, in parts; with: through the events in it. */
-static void in_parts(const Model *of, Run *r, const Part *parts, int n, double clock, int with, Room room) {
+static void in_parts(const Model *of, Run *r, const Part *parts, int n, double clock, double origin, int with, Room room) {
   double *S = r->S;
   const double step = r->z[1];
   int k, ends = 0;
@@ -396,24 +508,23 @@ static void in_parts(const Model *of, Run *r, const Part *parts, int n, double c
     if (with) {
       ends = reach(of, r, parts[k].start, parts[k].length, &reached, room);
       if (!ends && parts[k].before < NEVER) ends = jumped(of, r, parts[k].before, parts[k].after, room);
-      if (ends) clock = reached;
+      if (ends) clock = reached, origin = r->z[T0] + (clock - time_of(of, r, step + 1));
       continue;
     }
     make_part(of, r, S, parts[k].start, parts[k].length);
   }
-  S[of->CLOCK] = clock, S[of->ORIGIN] = r->z[T0] + (clock - time_of(of, r, step + 1));
+  S[of->CLOCK] = clock, S[of->ORIGIN] = origin;
   of->to_grid(S, r->read, r->w);
   memcpy(r->z, S, of->NZ * sizeof(double));
 }
 
 /* one step with the stops in it */
 static void one_step(const Model *of, Run *r, int with, Room room) {
-  Part *parts = (Part *)REALS(4 * (2 * MOST_STOPS + 2));
-  double clock = time_of(of, r, r->z[1] + 1);
-  int n;
-  parts[0].before = NEVER;
-  n = parts_of(of, r, parts, &clock);
-  if (n > 1 || parts[0].before < NEVER || with) in_parts(of, r, parts, n, clock, with, room);
+  Part *parts = (Part *)REALS(4 * MOST_PARTS);
+  double clock, origin;
+  int broken;
+  const int n = of_step(of, r, parts, &broken, &clock, &origin);
+  if (broken || with) in_parts(of, r, parts, n, clock, origin, with, room);
   else whole(of, r, 1);
 }
 
@@ -448,36 +559,61 @@ static void set_out_from(const Model *of, Run *r, double t, Room room) {
 
 DOOR void set_out_at(const Model *of, double *z, const double *c, double t, double *w) {
   Room room;
-  Run r = made_run(of, z, c, w, &room);
+  Run r = made_run(of, z, c, c, w, &room);
   set_out_from(of, &r, t, room);
 }
 
 /* where inputs or the grid have changed */
 DOOR void look_again(const Model *of, double *z, const double *c, double *w) {
   Room room;
-  Run r = made_run(of, z, c, w, &room);
+  Run r = made_run(of, z, c, c, w, &room);
   look_anew(of, &r, room);
+}
+
+/* to step `end`, or to what ends the motion before. 1: the log has no room for the events of the next step */
+static int advance(const Model *of, Run *r, double end, double *kept, Room room) {
+  double *z = r->z;
+  while (z[1] < end && z[ENDED] == 0) {
+    const int64_t ahead = end - z[1] < 64 ? (int64_t)(end - z[1]) : 64;
+    const int64_t free = plain(of, r, ahead);
+    const double first = z[1];
+    if (free < 0) {
+      z[ENDED] = TOO_MANY;
+      return 0;
+    }
+    memcpy(kept, z, of->NZ * sizeof(double));
+    if (free > 0) whole(of, r, free);
+    else one_step(of, r, 0, room);
+    if (of->NE > 0 && z[of->STEP_AT] < NEVER) {
+      const int64_t at = (int64_t)(z[of->STEP_AT] - 1 - first);
+      memcpy(z, kept, of->NZ * sizeof(double));
+      if (at > 0) whole(of, r, at);
+      if (r->log != NULL && r->log->room < ROOM_OF_A_STEP) return 1;
+      with_events(of, r, room);
+    }
+  }
+  return 0;
 }
 
 DOOR int step(const Model *of, double *z, const double *c, double *w, int64_t n) {
   Room room;
-  Run r = made_run(of, z, c, w, &room);
+  Run r = made_run(of, z, c, c, w, &room);
   double *kept = REALS(of->NZ);
-  const double end = z[1] + (double)n;
-  while (z[1] < end && z[ENDED] == 0) {
-    const int64_t ahead = end - z[1] < 64 ? (int64_t)(end - z[1]) : 64;
-    const int64_t free = clear(of, &r, ahead);
-    const double first = z[1];
-    if (free < 0) return (int)(z[ENDED] = TOO_MANY);
-    memcpy(kept, z, of->NZ * sizeof(double));
-    if (free > 0) whole(of, &r, free);
-    else one_step(of, &r, 0, room);
-    if (of->NE > 0 && z[of->STEP_AT] < NEVER) {
-      const int64_t at = (int64_t)(z[of->STEP_AT] - 1 - first);
-      memcpy(z, kept, of->NZ * sizeof(double));
-      if (at > 0) whole(of, &r, at);
-      with_events(of, &r, room);
-    }
-  }
+  (void)advance(of, &r, z[1] + (double)n, kept, room);
   return (int)z[ENDED];
+}
+
+/* a run: to each of these steps, with a copy of z (NZ) to the rows of `out`; how many of them were reached */
+DOOR int64_t run_rows(const Model *of, const Grid *grid, Log *log, double *z, const double *ready, const double *c, double *w,
+                      const int64_t *ends, int64_t rows, double *out) {
+  Room room;
+  Run r = made_run(of, z, ready, c, w, &room);
+  double *kept = REALS(of->NZ);
+  int64_t k;
+  r.grid = grid, r.log = log;
+  for (k = 0; k < rows; ++k) {
+    if (advance(of, &r, (double)ends[k], kept, room) || z[ENDED] != 0 || log->lost) return k;
+    memcpy(out + k * of->NZ, z, of->NZ * sizeof(double));
+  }
+  return k;
 }

@@ -23,6 +23,27 @@ typedef struct {
   double cool_down;
 } Event;
 
+typedef struct {
+  double start, length, before, after; /* from a clock on, so long; clocks on both sides of what jumps at its end, or NEVER */
+} Part;
+
+/* steps that are not just from one time of the grid to the next, in order: are they broken?, their parts one after
+   another, from first[k] on, and behind each step the clock and t0 */
+typedef struct {
+  int64_t n;
+  const int64_t *step, *broken, *first;
+  const Part *part;
+  const double *clock, *origin;
+} Grid;
+
+/* what has happened: records of events, see `record`, and room for more. lost: there was none. unresolved: error of a rate
+   behind a load that acts for less than two steps; opened: clock, which kinks (NE) and S (NS) behind the last event */
+typedef struct {
+  double *records;
+  int64_t n, room, lost;
+  double unresolved, *opened;
+} Log;
+
 typedef struct { /* an interval */
   double low, high;
 } I;
