@@ -18,6 +18,8 @@ _BLOCK = re.compile(r"^(\d*)([-+=.)])(?=\s|[-=]*\s*$)")  # what begins a list or
 
 def shown(text: str) -> str:
     """On one line, what is not printed by its Python escape."""
+    if text.isprintable():
+        return text
     return "".join(char if char.isprintable() else char.encode("unicode_escape").decode() for char in text)
 
 

@@ -9,6 +9,7 @@ schemes/switching/event_search.py; what impacts and friction make of the velocit
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from itertools import takewhile
 from math import ceil
 from typing import Any, NamedTuple
@@ -17,10 +18,10 @@ import numpy as np
 
 from runtime.contract.records import EventRecord
 from runtime.contract.status import Event, Status
-from runtime.running.impacts import hit_in_order, impacts_given, impacts_of, impulse_given
+from runtime.running.impacts import impacts_given, impacts_of, impulse_given
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.scheme import Scheme
-from runtime.schemes.switching.impulse import Impulse, impulse_text
+from runtime.schemes.switching.impulse import Impulse, impulse_text, moves_in_time
 from runtime.schemes.switching.native_events import EventRecord as NativeRecord
 from runtime.schemes.switching.native_events import KinkMemory
 from runtime.schemes.switching.settle import losses, losses_text
@@ -79,6 +80,10 @@ class EventHandler:
         self._declared = len(own.model.description.events)
         self._recent: dict[str, list[float]] = {}  # of kinks behind the number of their sleeps
         self.start = np.zeros(0)  # the state before the step that `advance` made last
+
+    @cached_property
+    def _driven(self) -> bool:
+        return moves_in_time(self.own.model)
 
     def step(self, z: np.ndarray) -> np.ndarray | None:
         """Advance z in place, to the end of the step or to a terminal event; (n_w,) the inputs if they changed."""
@@ -269,20 +274,25 @@ class EventHandler:
 
     def _tell_records(self, records: list[NativeRecord]) -> None:
         """What native code has found."""
-        model, modes, step = self.own.model, self.own.model.element_modes, -1
-        given = impacts_given(model, self.own.c, [one for one in records if one.order.any()])
+        model, step, dt = self.own.model, -1, np.nan
+        events, constants = model.mode_events, self.own.c
+        given = impacts_given(model, self.own.c, [one for one in records if one.hits])
+        places = self._inputs.start + model.element_modes
         for one in records:
             if one.step != step:  # what chatters does so within a step
                 step = one.step
                 for event in self._events[: self._declared]:
                     self._recent.pop(event.name, None)
-            observed = _ObservedState(one.z, self._scheme.constants(self.own.c, one.dt_seen), one.values)
-            self._tell_events(one.z.copy(), one.t, one.happened, observed)
-            if one.order.any():
-                elements = [(k, model.mode_events[k]) for k in hit_in_order(one)]
+            if one.dt_seen != dt:
+                dt, constants = one.dt_seen, self._scheme.constants(self.own.c, one.dt_seen)
+            observed = _ObservedState(one.z, constants, one.values)
+            self._tell_events(one.z, one.t, one.happened, observed)
+            if one.hits:
+                elements = [(k, events[k]) for k in one.hits]
                 each = [float(-own.side * one.impulse[k] * one.passing[own.row]) for k, own in elements]
                 self._tell_hits(impacts_of(one), each, next(given), one.t, float(np.nextafter(one.t, -np.inf)))
-            self._tell_modes(one.t, one.z[self._inputs][modes], one.inputs[modes])
+            if len(places):
+                self._tell_modes(one.t, one.z[places], one.inputs[model.element_modes])
             self.own.note_change(one.t, one.z, observed.c, one.inputs, one.push)
 
     def _push(self, settled: Any) -> np.ndarray:
@@ -322,7 +332,7 @@ class EventHandler:
     def _tell_modes(self, t: float, before: np.ndarray, after: np.ndarray) -> None:
         """What holds, opens or slides from t [s] on, by modes (n_m,)."""
         first = self._declared - len(after)
-        for k in np.flatnonzero(after != before):
+        for k in (after != before).nonzero()[0]:
             name = self._events[first + k].name
             if text := _mode_text(self._events[first + k], float(before[k]), float(after[k])):
                 self.reported.append(Event(t, "mode", f"{name} {text}", name))
@@ -338,12 +348,21 @@ class EventHandler:
             earlier = self.own.impulses.get(before)
             gained = given.energy + (0.0 if earlier is None else earlier.energy)
             self.own.impulses[before] = Impulse(gained, given.jumps)
-            lost = losses_text(model, sum(each), given.energy)
+            lost = losses_text(sum(each), given.energy, self._driven)
         for impact, own in zip(impacts, each, strict=True):
             name = model.mode_events[impact.k].name
             text = f"{name} is hit at {-impact.before:.6g} and left at {impact.after:.6g}{lost}"
-            speeds = {"before": impact.before, "after": impact.after}
-            self.reported.append(Event(t, "impact", text, name, impulse=impact.impulse, **speeds, energy_lost=own))
+            one = Event(
+                t,
+                "impact",
+                text,
+                name,
+                impulse=impact.impulse,
+                before=impact.before,
+                after=impact.after,
+                energy_lost=own,
+            )
+            self.reported.append(one)
             if impact.rests is not None:
                 text = f"{name}: its bounces are over, summed from t = {t:.9g} s on"
                 self.reported.append(Event(t + impact.rests, "rest", text, name))

@@ -14,19 +14,13 @@ from runtime.schemes.switching.native_events import EventRecord
 from runtime.schemes.switching.stops import Impact
 
 
-def hit_in_order(record: EventRecord) -> list[int]:
-    """The stops (positions among the elements) that were hit, one after another."""
-    hit = np.flatnonzero(record.order)
-    return [int(k) for k in hit[np.argsort(record.order[hit])]]
-
-
-def impacts_of(record: EventRecord, restitution: Sequence[float] | None = None) -> list[Impact]:
-    """In order."""
+def impacts_of(record: EventRecord) -> list[Impact]:
+    """In order; their restitution is not told."""
     found = []
-    for k in hit_in_order(record):
+    for k in record.hits:
         rests = float(record.rests[k])
-        numbers = (float(one[k]) for one in (record.before, record.after))
-        found.append(Impact(k, *numbers, np.nan, float(record.impulse[k]), rests if rests > 0 else None))
+        before, after, impulse = (float(one[k]) for one in (record.before, record.after, record.impulse))
+        found.append(Impact(k, before, after, np.nan, impulse, rests if rests > 0 else None))
     return found
 
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from logging import INFO, WARNING
+from logging import DEBUG, INFO, WARNING
 from math import ceil
 from typing import Any
 
@@ -127,7 +127,7 @@ def unresolved_share(run: Run, rates: np.ndarray) -> float:
 
 def _log(solution: Solution) -> None:
     name, status = solution.model.name, solution.status
-    for event in solution.events:
+    for event in solution.events if EVENTS.isEnabledFor(DEBUG) else ():
         EVENTS.debug("%s: %s", name, printable(str(event)))
     how = f"{solution.scheme}, {solution.pace}"
     RUN.log(INFO if status.ok else WARNING, "%s: %s; %s; error %s", name, printable(str(status)), how, solution.error)

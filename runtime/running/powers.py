@@ -52,12 +52,11 @@ def powers_at(times: np.ndarray, segments: list[SteppedModel]) -> np.ndarray:
         if not segment.changes:
             continue
         at = np.array([one.t for one in segment.changes])
-        both = _powers(segment)
-        for k, time in enumerate(times.tolist()):
-            near = np.flatnonzero(np.abs(at - time) <= ONE_TIME * (1 + abs(time)))
-            if len(near):
-                follows = k > 0 and time - times[k - 1] <= ONE_TIME * (1 + abs(time))
-                found[k] = *(both[near[-1], 2:] if follows else both[near[0], :2]), *both[near[-1], 2:]
+        both, margin = _powers(segment), ONE_TIME * (1 + np.abs(times))  # changes are in the order of their times
+        first, last = np.searchsorted(at, times - margin), np.searchsorted(at, times + margin, side="right") - 1
+        follows = np.diff(times, prepend=-np.inf) <= margin
+        for k in np.flatnonzero(first <= last):
+            found[k] = *(both[last[k], 2:] if follows[k] else both[first[k], :2]), *both[last[k], 2:]
     return found
 
 

@@ -240,8 +240,12 @@ class SteppedModel:
 
     def note_change(self, t: float, z: np.ndarray, c: np.ndarray, w: np.ndarray, push: np.ndarray) -> None:
         """Keep what `powers` tells of a change at t [s], see there."""
-        if len(self.changes) < MAX_CHANGES and tell_powers(self.plan.scheme):
+        if len(self.changes) < MAX_CHANGES and self._tells_powers:
             self.changes.append(Change(t, z[: self.plan.scheme.layout.size].copy(), c.copy(), w.copy(), push.copy()))
+
+    @cached_property
+    def _tells_powers(self) -> bool:
+        return tell_powers(self.plan.scheme)
 
     def take_inputs(self, w: np.ndarray) -> None:
         """From now on p and c have these numbers (n_w,) of the inputs; z has its own."""

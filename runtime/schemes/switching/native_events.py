@@ -26,7 +26,6 @@ from runtime.engine.native_functions import NativeFunction, native_functions
 from runtime.engine.native_text import load
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.event_model import (
-    FUNCTIONS,
     KEPT_OF_A_KINK,
     PARTS,
     WAYS,
@@ -79,10 +78,11 @@ def _model_structure() -> type[ctypes.Structure]:
 
 class EventRecord(NamedTuple):
     """What happened at t [s] in a step: which events (positions), their values (n_e,), and the state (n_z,) that steps
-    dt_seen [s] show, before they acted; inputs (n_w,) behind them; push (n_i,): added to the rates. Of stops and
-    friction, if there are any: the order in which stops are hit (from one on, 0: not), rates before and after,
-    impulses, and how much later [s] their bounces are over (n_m,); the mean rate of each row (n_v,), and the states
-    (q_i, q_d, q_i_dot, q_d_dot, t) before and after.
+    dt_seen [s] show, before they acted; inputs (n_w,) behind them; push (n_i,): added to the rates.
+
+    Of stops and friction, where there are any: hits, the stops (positions) that were hit, one after another; rates
+    before and after, impulses, and how much later [s] bounces are over that are at once (n_m,); passing (n_v,): the
+    mean rate of each row; the states (q_i, q_d, q_i_dot, q_d_dot, t) before and after.
     """
 
     t: float
@@ -93,7 +93,7 @@ class EventRecord(NamedTuple):
     z: np.ndarray
     inputs: np.ndarray
     push: np.ndarray
-    order: np.ndarray
+    hits: list[int]
     before: np.ndarray
     after: np.ndarray
     impulse: np.ndarray
@@ -152,8 +152,6 @@ class NativeEvents:
         found |= {name: self._at(np.array([*table, 0], dtype=np.intc)) for name, table in tables(scheme).items()}
         for code in self._codes:
             found |= code.addresses
-        unknown = set(found) - {name for name, _ in _model_structure()._fields_}
-        assert not unknown and set(FUNCTIONS) <= {name for name, _ in _model_structure()._fields_}
         return _model_structure()(**self.sizes, **found)
 
     def work(self) -> int:
@@ -193,8 +191,13 @@ class NativeEvents:
         found = []
         for row in numbers:
             t, step, dt, happened, *others = (row[a:b] for a, b in places)
-            which = np.flatnonzero(happened).tolist()
-            found.append(EventRecord(float(t[0]), int(step[0]), float(dt[0]), which, *others))
+            values, z, inputs, push, order, *struck = others
+            which = [k for k, one in enumerate(happened.tolist()) if one]
+            first = order.tolist()
+            hits = sorted((k for k, one in enumerate(first) if one), key=first.__getitem__)
+            found.append(
+                EventRecord(float(t[0]), int(step[0]), float(dt[0]), which, values, z, inputs, push, hits, *struck)
+            )
         return found
 
     def put_kinks(self, z: np.ndarray, kinks: list[KinkMemory]) -> None:

@@ -21,7 +21,6 @@ from runtime.schemes.sparse_lu import Number, factor, solve
 from runtime.schemes.switching.complementarity import balancing, complementary, times
 from runtime.schemes.switching.consistency import NoMode as NoMode
 from runtime.schemes.switching.consistency import broken_law, no_limit
-from runtime.schemes.switching.impulse import moves_in_time
 from runtime.schemes.switching.stops import AT_REST, Impact, Stops
 
 PIVOT = 1e-9
@@ -132,9 +131,9 @@ def losses(model: EmittedModel, at: Mapping[str, np.ndarray], c: np.ndarray, fou
     return [-one.side * p * float(passing[one.row]) for one, p in impacts]
 
 
-def losses_text(model: EmittedModel, lost: float, gained: float) -> str:
-    """What energy is `gained` besides what is lost comes by the impulses of drives."""
-    given = f", work done by the prescribed motion: {gained + lost:.6g} J" if moves_in_time(model) else ""
+def losses_text(lost: float, gained: float, driven: bool) -> str:
+    """What energy is `gained` besides what is lost comes by the impulses of drives, where there are any."""
+    given = f", work done by the prescribed motion: {gained + lost:.6g} J" if driven else ""
     return f", {lost:.6g} J lost{given}"
 
 
