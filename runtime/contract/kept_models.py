@@ -1,20 +1,27 @@
-"""Models kept in the cache: generated once, loaded from then on without what derives."""
+"""Models kept in the cache: generated once, loaded from then on without what derives.
+
+What a kept model leaves out is derived when it is asked for, and kept in its folder from then on.
+"""
 
 from __future__ import annotations
 
+import hashlib
 import os
 import shutil
 import tempfile
 import time
-from collections.abc import Callable
+import zlib
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import TypeVar
 
+import casadi as ca
+
 from runtime.contract.cache import cache_folder, leftovers, read_own, refused_folder
 from runtime.contract.errors import ModelError, SymgenError
-from runtime.contract.files import WRITING, OutputError
+from runtime.contract.files import WRITING, OutputError, replacing
 from runtime.contract.loading import load_folder
 from runtime.contract.log import CACHE
 from runtime.contract.model import EmittedModel
@@ -73,7 +80,8 @@ class KeptModels:
             return None
         with suppress(OSError):
             os.utime(folder)  # the least recently used go first
-        return found
+        emitted = {spec.name for spec in found.description.functions}
+        return replace(found, builders=KeptFunctions(folder / "functions", found.builders, emitted))
 
     def _write(self, name: str, generate: Generate) -> bool:
         """The folder, complete at once: others see all of it or nothing. The oldest go where there are many."""
@@ -96,6 +104,59 @@ class KeptModels:
             for old in sorted(self.entries(), key=lambda one: one.stat().st_mtime)[:-MOST_KEPT]:
                 _remove(old)
         return True
+
+
+class KeptFunctions(Mapping[str, Callable[[], ca.Function]]):
+    """What builds each function of a kept model; those that its text leaves out are derived once and kept.
+
+    A file holds the SHA-256 of what follows, and CasADi's own text of the function, packed: every operation in its
+    order, so the bits are those of the function that was derived.
+
+    Parameters
+    ----------
+    folder : Path
+        Of the functions, inside that of the model.
+    builders : mapping
+        What derives each function, by name.
+    emitted : collection of str
+        Functions that the text of the model has.
+    """
+
+    def __init__(self, folder: Path, builders: Mapping[str, Callable[[], ca.Function]], emitted: set[str]) -> None:
+        self._folder, self._builders, self._emitted = folder, builders, emitted
+
+    def __getitem__(self, name: str) -> Callable[[], ca.Function]:
+        build = self._builders[name]
+        return build if name in self._emitted else lambda: self._read(name) or self._kept(name, build())
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._builders
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._builders)
+
+    def __len__(self) -> int:
+        return len(self._builders)
+
+    def of(self, builders: Mapping[str, Callable[[], ca.Function]]) -> KeptFunctions:
+        """The same functions by other builders: of a model that this process has derived already."""
+        return KeptFunctions(self._folder, builders, self._emitted)
+
+    def _read(self, name: str) -> ca.Function | None:
+        """The function as it was kept; None where there is none that can be read."""
+        with suppress(OSError, ValueError, RuntimeError, zlib.error):
+            content = read_own(self._folder / name)
+            if hashlib.sha256(content[32:]).digest() == content[:32]:
+                return ca.Function.deserialize(zlib.decompress(content[32:]).decode())
+        return None
+
+    def _kept(self, name: str, made: ca.Function) -> ca.Function:
+        """The function, kept where that is possible; not one with tables, whose numbers come from the model's text."""
+        if not made.find_functions() and not refused_folder(self._folder):
+            packed = zlib.compress(made.serialize().encode(), 1)
+            with suppress(OutputError), replacing(self._folder / name) as temporary:
+                temporary.write_bytes(hashlib.sha256(packed).digest() + packed)
+        return made
 
 
 def generated_aside(kind: type[M], generate: Generate) -> M:

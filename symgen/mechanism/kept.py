@@ -6,18 +6,19 @@ A folder is named by its scene's text, the generator's files and the libraries.
 from __future__ import annotations
 
 import hashlib
+from dataclasses import replace
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from runtime.contract.files import stamp_of
-from runtime.contract.kept_models import KeptModels
+from runtime.contract.kept_models import KeptFunctions, KeptModels
 from runtime.model import Model, load_model
 
 if TYPE_CHECKING:
     from symgen.mechanism.scene import SceneRecord
 
-KEPT_COMPLETE = 40  # coordinates; of longer trees what grows with the square of their length is derived when asked for
+KEPT_COMPLETE = 40  # coordinates; of larger scenes each function is derived when it is first asked for
 PACKAGE = Path(__file__).resolve().parents[1]
 FOLLOWED = (PACKAGE, PACKAGE.parent / "runtime" / "contract")  # what generated code follows from
 LIBRARIES = ("casadi", "sympy")
@@ -36,16 +37,23 @@ def kept_model(scene: SceneRecord) -> Model:
     facts = [stamp_of(*FOLLOWED), *(version(library) for library in LIBRARIES), text]
     name = f"{scene.name}-{hashlib.sha256(repr(facts).encode()).hexdigest()[:24]}"
 
-    def generated(folder: Path) -> Path:
-        from symgen.derivation import generate
+    derived: list[Model] = []
 
-        return generate(scene, folder, largest=KEPT_COMPLETE)
+    def generated(folder: Path) -> Path:
+        from symgen.derivation import generate, leave, model_of
+
+        if scene.tables or len(scene.coordinates()) <= KEPT_COMPLETE:  # a function with tables is kept as text only
+            return generate(scene, folder, largest=KEPT_COMPLETE)
+        derived.append(model_of(scene))
+        return leave(derived[0], folder)
 
     found = KeptModels("models").model(name, Model, generated)
     if found is None:
         from symgen.derivation import model_of
 
-        return model_of(scene)
+        return derived[0] if derived else model_of(scene)
+    if derived and isinstance(found.builders, KeptFunctions):  # what this process has derived is not derived again
+        return replace(found, builders=found.builders.of(derived[0].builders))
     return found
 
 
