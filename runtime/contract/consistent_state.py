@@ -93,6 +93,8 @@ JACOBIAN_ROUNDING = 1e-13  # of the largest entry of C_q
 OTHER_STARTS, TURN_OPEN = 6, 0.6  # rad or m
 AS_NEAR = 1.25  # times as far away is another branch that may have been meant
 ONE_PLACE = 1e-6  # rad or m between places that are one
+MANY_ROWS, MOSTLY_ZERO = 200, 0.05  # from here, and for so few entries that are not zero, sparse equations
+SPARSE_ROUNDING = 1e-13  # of the side: what sparse equations may leave of it
 REMEDY = {
     "position": "free one of the fixed values, correct lengths and axes, take a joint that leaves more free, or start "
     "closer to an assembled position",
@@ -322,9 +324,35 @@ def _least_change(C_q: np.ndarray, side: np.ndarray, free: np.ndarray) -> np.nda
     """Smallest step with C_q step = side on the free coordinates (least squares if there is none)."""
     step = np.zeros(C_q.shape[1])
     if side.any() and free.any():
-        with one_thread(len(free)):
-            step[free] = np.linalg.lstsq(C_q[:, free], side, rcond=1e-13)[0]
+        found = _least_change_sparse(C_q[:, free], side) if min(C_q.shape) > MANY_ROWS else None
+        if found is None:
+            with one_thread(len(free)):
+                found = np.linalg.lstsq(C_q[:, free], side, rcond=1e-13)[0]
+        step[free] = found
     return step
+
+
+def _least_change_sparse(A: np.ndarray, side: np.ndarray) -> np.ndarray | None:
+    """A^T (A A^T)^-1 side, refined once, for rows that hardly touch each other; None where that is no solution.
+
+    Rows that depend on each other leave it to the dense least squares: the square of their condition shows in what is
+    left of the side.
+    """
+    from scipy.sparse import csc_array  # takes long to load, and few mechanisms are so large
+    from scipy.sparse.linalg import splu
+
+    rows = csc_array(A)
+    if rows.nnz > MOSTLY_ZERO * A.size:
+        return None
+    try:
+        factors = splu(csc_array(rows @ rows.T))
+    except RuntimeError:  # exactly singular
+        return None
+    step = np.asarray(rows.T @ factors.solve(side))
+    step += rows.T @ factors.solve(side - rows @ step)
+    left = float(np.abs(side - rows @ step).max())
+    solved = np.isfinite(step).all() and left <= SPARSE_ROUNDING * float(np.abs(side).max())
+    return step if solved else None
 
 
 def _scale(values: np.ndarray) -> float:
@@ -465,7 +493,9 @@ def with_words(state: ConsistentState, coordinates: Sequence[Coordinate], given:
     """The state with `reported` of what assembly did; given: names of coordinates that were."""
     reported: list[str] = []
     if state.placed is not None:
-        far = [k for k in _left_open(coordinates, given) if _is_far(coordinates, k, state.placed, state.q)]
+        origins = [k for k, one in enumerate(coordinates) if one.kind == "position"]
+        extent = float(np.ptp(state.q[origins])) if origins else 0.0
+        far = [k for k in _left_open(coordinates, given) if _is_far(coordinates, k, state.placed, state.q, extent)]
         moves = [f"{coordinates[k].name} {state.placed[k]:.4g} -> {state.q[k]:.4g}" for k in far]
         if moves:
             reported.append(
@@ -509,8 +539,8 @@ def _left_open(coordinates: Sequence[Coordinate], given: Collection[str]) -> lis
     return sorted(columns, key=lambda k: not coordinates[k].turns)
 
 
-def _is_far(coordinates: Sequence[Coordinate], k: int, placed: np.ndarray, q: np.ndarray) -> bool:
-    """More than a quarter turn, or than the extent of the mechanism?"""
+def _is_far(coordinates: Sequence[Coordinate], k: int, placed: np.ndarray, q: np.ndarray, extent: float) -> bool:
+    """More than a quarter turn, or than the extent [m] of the mechanism?"""
     if coordinates[k].kind == "angle":
         return abs(float(q[k] - placed[k])) > QUARTER
     if coordinates[k].kind == "euler_parameter":
@@ -518,8 +548,6 @@ def _is_far(coordinates: Sequence[Coordinate], k: int, placed: np.ndarray, q: np
             j for j, one in enumerate(coordinates) if (one.owner, one.kind) == (coordinates[k].owner, "euler_parameter")
         ]
         return k == own[0] and abs(float(q[own] @ placed[own])) < np.cos(QUARTER / 2)
-    origins = [j for j, one in enumerate(coordinates) if one.kind == "position"]
-    extent = float(np.ptp(q[origins]))
     return 0 < extent < abs(float(q[k] - placed[k]))
 
 

@@ -196,8 +196,12 @@ def turning_columns(model: EmittedModel) -> np.ndarray:
 
 def mechanism_length(model: EmittedModel, C_q: np.ndarray) -> float:
     """The largest lever arm in C_q (n_c x n) [m], 1 if there is none."""
-    arms = np.abs(np.asarray(C_q)[np.ix_(length_rows(model), turning_columns(model))])
-    longest = float(arms.max(initial=0.0))
+    return longest_arm(np.asarray(C_q)[np.ix_(length_rows(model), turning_columns(model))])
+
+
+def longest_arm(arms: np.ndarray) -> float:
+    """The largest of lever arms [m], 1 if there is none."""
+    longest = float(np.abs(arms).max(initial=0.0))
     return longest if longest > SMALLEST_ARM else 1.0
 
 

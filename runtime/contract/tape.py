@@ -199,7 +199,10 @@ class Node(NamedTuple):
 
 @dataclass(frozen=True)
 class Tape:
-    """Nodes in an order in which each uses earlier ones only; outputs[k] lists the node of every entry."""
+    """Nodes in an order in which each uses earlier ones only; outputs[k] lists the node of every entry.
+
+    patterns: of a packed tape the entries of each output that are listed; the others are zero. () where all are.
+    """
 
     input_names: list[str]
     input_sizes: list[int]
@@ -207,6 +210,7 @@ class Tape:
     output_shapes: list[tuple[int, int]]
     nodes: list[Node]
     outputs: list[list[int]]
+    patterns: tuple[ca.Sparsity, ...] = ()
 
     @property
     def operations(self) -> int:
@@ -226,6 +230,15 @@ class Tape:
     def instructions(self) -> int:
         """CasADi's count for the Function this tape came from, in which constants, loads and stores are too."""
         return len(self.nodes) + sum(len(entries) for entries in self.outputs)
+
+    def unpacked(self) -> Tape:
+        """The same with every entry of the outputs listed."""
+        if not self.patterns:
+            return self
+        nodes = list(self.nodes)
+        parts = zip(self.patterns, self.outputs, strict=True)
+        outputs = [_dense(pattern, entries, nodes) for pattern, entries in parts]
+        return replace(self, nodes=nodes, outputs=outputs, patterns=())
 
 
 BINARY = frozenset(
@@ -255,8 +268,8 @@ COMMUTING = (ca.OP_ADD, ca.OP_MUL)
 UNUSED = -1
 
 
-def read_tape(function: ca.Function) -> Tape:
-    """The tape of an SX Function, structural zeros of its outputs as the number 0.
+def read_tape(function: ca.Function, packed: bool = False) -> Tape:
+    """The tape of an SX Function, structural zeros of its outputs as the number 0, or left out of a packed one.
 
     Raises ValueError for any other kind of Function.
 
@@ -267,15 +280,19 @@ def read_tape(function: ca.Function) -> Tape:
     shapes = [function.size_out(k) for k in range(function.n_out())]
     found = [[UNUSED] * function.nnz_out(k) for k in range(function.n_out())]
     nodes, plain = _read_nodes(function, found)
-    outputs = [_dense(function.sparsity_out(k), entries, nodes) for k, entries in enumerate(found)]
+    patterns = tuple(function.sparsity_out(k) for k in range(function.n_out()))
     tape = Tape(
         function.name_in(),
         [function.nnz_in(k) for k in range(function.n_in())],
         function.name_out(),
         shapes,
         nodes,
-        outputs,
+        found,
+        patterns,
     )
+    if packed and plain:
+        return tape
+    tape = tape.unpacked()
     if plain:
         return tape
     return without_repetitions(read_tape(as_function(function.name(), tape)))  # and without products with 0 and 1
@@ -376,10 +393,14 @@ def as_function(name: str, tape: Tape) -> ca.Function:
     for node in tape.nodes:
         values.append(node_value(node, values, entries[node.a] if node.op == ca.OP_INPUT else []))
     zeros = {k for k, node in enumerate(tape.nodes) if node.op == ca.OP_CONST and node.value == 0.0}
-    outputs = [
-        ca.densify(_matrix(values, found, shape, zeros))
-        for found, shape in zip(tape.outputs, tape.output_shapes, strict=True)
-    ]
+    if tape.patterns:
+        parts = zip(tape.patterns, tape.outputs, strict=True)
+        outputs = [ca.SX(pattern, ca.vertcat(*(values[k] for k in found))) for pattern, found in parts]
+    else:
+        outputs = [
+            ca.densify(_matrix(values, found, shape, zeros))
+            for found, shape in zip(tape.outputs, tape.output_shapes, strict=True)
+        ]
     return ca.Function(name, inputs, outputs, tape.input_names, tape.output_names)
 
 

@@ -15,7 +15,15 @@ from typing import Any, NamedTuple
 import casadi as ca
 import numpy as np
 
-from runtime.contract.coordinates import independent_part, joined, length_rows, loop_part, mechanism_length, whole
+from runtime.contract.coordinates import (
+    independent_part,
+    joined,
+    length_rows,
+    longest_arm,
+    loop_part,
+    turning_columns,
+    whole,
+)
 from runtime.contract.model import EmittedModel
 from runtime.contract.status import Status
 from runtime.operating.mode_solver import ModeSolver, State
@@ -84,7 +92,7 @@ class Monitor:
             self.length, self._bodies = like.length, like._bodies
             return None
         if self.look.constrained:
-            self.length = mechanism_length(self.model, self.look.jacobian(z, self.c))
+            self.length = self.look.mechanism_length(z, self.c)
         if not positive_definite(self.look(z, self.c).M_hat):
             return self._ends(Failure("mass at the start"), z)
         h = self.scheme.grid.h[-1]
@@ -275,10 +283,16 @@ class CloseLook:
         M_hat = ca.SX(0, 1) if self._long else ca.vec(model.evaluate("condensed", **observation)["M_hat"])
         return ca.Function("close_look", [z, c], [ca.densify(ca.vertcat(C, M_hat, q))])
 
-    def jacobian(self, z: np.ndarray, c: np.ndarray) -> np.ndarray:
-        """C_q (n_c, n)."""
-        values = direct(self.scheme, "look at C_q", lambda: observed(self.model, self.scheme, "constraints", ("C_q",)))
-        return values(z, c).reshape(-1, len(self.model.constraints)).T
+    def mechanism_length(self, z: np.ndarray, c: np.ndarray) -> float:
+        """The largest lever arm in C_q [m], 1 if there is none."""
+        return longest_arm(direct(self.scheme, "lever arms", self._lever_arms)(z, c))
+
+    def _lever_arms(self) -> ca.Function:
+        """(z, c) -> what is not zero of the rows of C_q that are lengths, by angles."""
+        (z, c), found = _observed(self.model, self.scheme, "constraints")
+        rows, columns = (np.flatnonzero(one(self.model)).tolist() for one in (length_rows, turning_columns))
+        arms = ca.sparsify(found["C_q"][rows, columns])
+        return ca.Function("lever_arms", [z, c], [ca.vertcat(*arms.nonzeros()) if arms.nnz() else ca.SX(1, 1)])
 
 
 def _symbols(scheme: Scheme) -> tuple[ca.SX, ca.SX]:
@@ -301,16 +315,19 @@ def observed(model: EmittedModel, scheme: Scheme, name: str, outputs: Sequence[s
     """(z, c) -> outputs of a kernel of (q, q_dot, t) at the state that z shows; built once for a scheme."""
 
     def build() -> ca.Function:
-        z, c = _symbols(scheme)
-        observation = scheme.observer(z=z, c=c)
-        q, q_dot = (
-            joined(model, observation["q_i"], observation["q_d"]),
-            joined(model, observation["q_i_dot"], observation["q_d_dot"]),
-        )
-        found = model.evaluate(name, q=q, q_dot=q_dot, t=observation["t"], c=observed_constants(scheme, z, c))
-        return ca.Function(f"observed_{name}", [z, c], [ca.densify(found[output]) for output in outputs])
+        symbols, found = _observed(model, scheme, name)
+        return ca.Function(f"observed_{name}", [*symbols], [ca.densify(found[output]) for output in outputs])
 
     return scheme.derived(f"observed {name} {outputs}", build)
+
+
+def _observed(model: EmittedModel, scheme: Scheme, name: str) -> tuple[tuple[ca.SX, ca.SX], dict[str, ca.SX]]:
+    """((z, c), outputs of a kernel of (q, q_dot, t) at the state that z shows)."""
+    z, c = _symbols(scheme)
+    observation = scheme.observer(z=z, c=c)
+    q = joined(model, observation["q_i"], observation["q_d"])
+    q_dot = joined(model, observation["q_i_dot"], observation["q_d_dot"])
+    return (z, c), model.evaluate(name, q=q, q_dot=q_dot, t=observation["t"], c=observed_constants(scheme, z, c))
 
 
 def observed_constants(scheme: Scheme, z: ca.SX, c: ca.SX) -> ca.SX:

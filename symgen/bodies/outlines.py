@@ -54,11 +54,13 @@ def drawn_references(scene: SceneRecord) -> Iterator[str]:
     used = [reference for joint in scene.joints for reference in joint.markers.values()]
     used += [reference for load in scene.loads for reference in load.markers.values()]
     used += [reference for measure in scene.measures for reference in measure.markers.values()]
+    named: dict[str, list[str]] = {}
+    for reference in used:
+        named.setdefault(reference.partition(".")[0], []).append(reference)
     for body in (scene.ground, *scene.moving_bodies):
-        named = [reference for reference in used if reference.partition(".")[0] == body.name]
         lone = [f"{body.name}.origin"] if len(body.markers) < 2 and not isinstance(body, BeamBody) else []
         declared = [f"{body.name}.{marker}" for marker in body.markers]
-        yield from dict.fromkeys([*lone, *declared, *named])
+        yield from dict.fromkeys([*lone, *declared, *named.get(body.name, [])])
 
 
 def rectangle(area: ca.SX, second_moment: ca.SX, second_moment_z: ca.SX) -> tuple[ca.SX, ca.SX]:

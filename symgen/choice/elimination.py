@@ -66,6 +66,7 @@ def structural_pivots(
     placing |= system.orientations.children
     rows.sort(key=lambda r: constraints[r].joint not in placing)
     depends_on: dict[int, set[int]] = {}
+    used: set[int] = set()  # columns that some dependent one depends on
     pairs: list[tuple[int, int]] = []
     loops: list[int] = []
     for row in rows:
@@ -81,26 +82,32 @@ def structural_pivots(
             and c not in equations.elastic_columns
             and c not in turns
             and c not in keep
-            and not _reaches(depends_on, set(entries) - {c}, c)
+            and not (c in used and _reaches(depends_on, set(entries) - {c}, c))
         ]
         if not candidates:
             loops.append(row)
             continue
         column = max(candidates, key=lambda c: (column_distance.get(c, 0), -c))
         depends_on[column] = set(entries) - {column}
+        used |= depends_on[column]
         pairs.append((row, column))
     return _evaluation_order(pairs, depends_on), sorted(loops)
 
 
 def _evaluation_order(pairs: list[tuple[int, int]], depends_on: dict[int, set[int]]) -> list[tuple[int, int]]:
-    ordered: list[tuple[int, int]] = []
-    waiting, done = list(pairs), set()
-    while waiting:
-        ready = [pair for pair in waiting if all(c in done for c in depends_on[pair[1]] if c in depends_on)]
-        ordered += ready
-        done |= {column for _, column in ready}
-        waiting = [pair for pair in waiting if pair not in ready]
-    return ordered
+    """The pairs by how many others each has to wait for, one after the other; those that wait as long as they come."""
+    rounds: dict[int, int] = {}
+    stack = [column for _, column in pairs]
+    while stack:
+        column = stack[-1]
+        before = [c for c in depends_on[column] if c in depends_on]
+        waiting = [c for c in before if c not in rounds]
+        if waiting:
+            stack += waiting
+            continue
+        rounds[column] = 1 + max((rounds[c] for c in before), default=0)
+        stack.pop()
+    return sorted(pairs, key=lambda pair: rounds[pair[1]])
 
 
 def _reaches(depends_on: dict[int, set[int]], start: set[int], target: int) -> bool:

@@ -14,6 +14,7 @@ from symgen.algebra.scalar import length
 from symgen.condensed.condensation import Condensed
 from symgen.kernels.specification import block_signals
 
+MANY_ENTRIES, MOSTLY = 20_000, 0.9  # of matrices of a long chain only what is not zero is written
 MUCH_LONGER = 1.15  # a form that has this many times the operations of another is not simplified to compare
 
 
@@ -28,11 +29,16 @@ class Kernel:
     outputs: dict[str, ca.SX]
     others: tuple[Kernel, ...] = ()
 
-    def tape(self) -> Tape:
-        """The kernel as straight-line code, common subexpressions shared, outputs dense."""
+    def tape(self, packed: bool = False) -> Tape:
+        """The kernel as straight-line code, common subexpressions shared, outputs dense.
+
+        packed: of large outputs that are nearly all zeros only what is not zero.
+        """
         outputs = shared([ca.sparsify(value) for value in self.outputs.values()])
+        entries, zeros = sum(one.numel() for one in outputs), sum(one.numel() - one.nnz() for one in outputs)
         return read_tape(
-            ca.Function("kernel", list(self.inputs.values()), outputs, list(self.inputs), list(self.outputs))
+            ca.Function("kernel", list(self.inputs.values()), outputs, list(self.inputs), list(self.outputs)),
+            packed=packed and entries >= MANY_ENTRIES and zeros > MOSTLY * entries,
         )
 
 

@@ -260,7 +260,7 @@ def unhoisted(kernel: Kernel, p: ca.SX) -> Tape:
 
     Inputs that no output uses are dropped. Raises DerivationError for a constant that is not finite.
     """
-    tape = _simplified(kernel, Graph(), p)
+    tape = _simplified(kernel, Graph(), p, packed=True)
     return _without_unused_inputs(replace(tape, input_names=[*tape.input_names[:-1], "c"]))
 
 
@@ -288,12 +288,12 @@ def _without_unused_inputs(tape: Tape) -> Tape:
     )
 
 
-def _simplified(kernel: Kernel, graph: Graph, p: ca.SX) -> Tape:
+def _simplified(kernel: Kernel, graph: Graph, p: ca.SX, packed: bool = False) -> Tape:
     """The kernel as a tape of nodes that went through the common graph, p its last input."""
     if kernel.others:
         forms = [replace(kernel, others=()), *kernel.others]
-        return _simplified(min(forms, key=lambda form: _operations(form, p)), graph, p)
-    tape = Kernel({**kernel.inputs, "p": p}, kernel.outputs).tape()
+        return _simplified(min(forms, key=lambda form: _operations(form, p)), graph, p, packed)
+    tape = Kernel({**kernel.inputs, "p": p}, kernel.outputs).tape(packed)
     first, last = graph.new_arguments(len(kernel.inputs)), len(kernel.inputs)
     numbers: list[int] = []
     for node, count in zip(tape.nodes, uses(tape), strict=True):
@@ -361,8 +361,8 @@ class TapesOnDemand(Mapping[str, Tape]):
         return self._made[name]
 
     def made(self, always: Collection[str] = ()) -> dict[str, Tape]:
-        """Those that were looked at and those of these names, in the order of all."""
-        return {name: self[name] for name in self._makers if name in self._made or name in always}
+        """Those that were looked at and those of these names, in the order of all, with every entry."""
+        return {name: self[name].unpacked() for name in self._makers if name in self._made or name in always}
 
     def __contains__(self, name: object) -> bool:  # without making it
         return name in self._makers
