@@ -132,10 +132,11 @@ def _bodies(derived: Derived) -> list[BodyRecord]:
     scene, found = derived.scene, []
     if scene.structure is not None:
         return []
+    by_angles = scene.euler_angles()
     for body in (scene.ground, *scene.moving_bodies):
         markers = sorted({**body.implicit_markers(), **body.markers})
         orientation = "" if scene.space == "planar" else str(getattr(body, "orientation", ""))
-        angles = angle_names(body.name) if body.name in scene.euler_angles() else []
+        angles = angle_names(body.name) if body.name in by_angles else []
         found.append(BodyRecord(body.name, body.type, markers, orientation, angles))
     return found
 

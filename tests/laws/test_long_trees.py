@@ -130,3 +130,36 @@ def test_sums_as_deep_as_long_chains_have_are_derived() -> None:
     values = np.random.default_rng(0).uniform(-1, 1, 3000)
     found = as_function("y", tape).call([ca.DM(values)])
     assert abs(float(found[0]) + values.sum()) <= 1e-11
+
+
+def test_a_long_chain_is_assembled_and_its_matrix_of_constraints_is_right() -> None:
+    """R_k - R_(k-1) - A(theta_(k-1)) (L, 0) = 0, and its slopes, by hand; more than 90 % of C_q is zero."""
+    links = 120
+    angles = np.random.default_rng(4).uniform(-1.5, 1.5, links)
+    model = chain(links).initial({f"b{k}.theta": float(one) for k, one in enumerate(angles)}).model()
+    x, y, theta = model.initial_q.reshape(links, 3).T
+    arms = LENGTH * np.stack([np.cos(angles), np.sin(angles)])
+    assert np.array_equal(theta, angles)
+    assert np.abs(np.stack([x, y])[:, 1:] - np.cumsum(arms, axis=1)[:, :-1]).max() < 1e-12
+    wanted = np.zeros((2 * links, 3 * links))
+    for k in range(links):
+        wanted[[2 * k, 2 * k + 1], [3 * k, 3 * k + 1]] = 1.0
+        if k:
+            wanted[[2 * k, 2 * k + 1], [3 * k - 3, 3 * k - 2]] = -1.0
+            wanted[[2 * k, 2 * k + 1], 3 * k - 1] = arms[1, k - 1], -arms[0, k - 1]
+    c = model.constants(model.parameter_vector())
+    found = model.evaluate("constraints", q=model.initial_q, q_dot=0 * model.initial_q, t=0.0, c=c)
+    signs = np.sign(np.asarray(found["C_q"])[range(2 * links), np.tile([0, 1], links) + 3 * np.repeat(range(links), 2)])
+    assert np.abs(signs[:, None] * np.asarray(found["C_q"]) - wanted).max() < 1e-14
+    assert np.abs(np.asarray(found["C"])).max() < 1e-12
+
+
+def test_rows_that_depend_on_each_other_do_not_stop_the_assembly_of_a_long_chain() -> None:
+    """The last link hangs on the one before by two hinges at one place: a row more of each kind than there are."""
+    links = 110
+    scene = chain(links).revolute("again", f"b{links - 2}.end", f"b{links - 1}.origin")
+    model = scene.initial({f"b{k}.theta": 0.02 * k for k in range(links)}).model()
+    x, y, theta = model.initial_q.reshape(links, 3).T
+    arms = LENGTH * np.stack([np.cos(theta), np.sin(theta)])
+    assert np.abs(np.diff(np.stack([x, y])) - arms[:, :-1]).max() < 1e-12
+    assert len(model.redundant) == 2

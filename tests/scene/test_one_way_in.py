@@ -109,3 +109,47 @@ def test_a_kept_model_runs_without_what_derives(cache: Path) -> None:
     seen = [subprocess.run(words, capture_output=True, text=True, check=True).stdout.split() for _ in range(2)]
     assert "sympy" in seen[0]
     assert not {"sympy", "symgen.pipeline", "matplotlib"} & set(seen[1])
+
+
+def long_scene() -> Scene:
+    """48 coordinates, of which each function is derived when it is asked for."""
+    scene, previous = Scene("kept_chain").gravity(0, -9.81), "ground.origin"
+    for k in range(16):
+        scene.rigid(f"b{k}", mass=1.0, inertia=0.1, markers={"end": {"position": [0.5, 0.0]}})
+        scene.revolute(f"j{k}", previous, f"b{k}.origin")
+        previous = f"b{k}.end"
+    return scene
+
+
+LONG_PROGRAM = f"""
+import sys
+from symgen import Scene
+
+{inspect.getsource(long_scene)}
+run = long_scene().model().simulate(t_end=0.01, dt=1e-3, scheme="rk4")
+assert run.status.ok
+print(run.q.tobytes().hex(), *(name for name in sys.modules if name in ("symgen.pipeline", "symgen.derivation")))
+"""
+
+
+def test_functions_of_a_large_scene_are_derived_once_and_kept(cache: Path) -> None:
+    words = [sys.executable, "-c", LONG_PROGRAM]
+    first, second = (subprocess.run(words, capture_output=True, text=True, check=True).stdout.split() for _ in "ab")
+    assert "symgen.pipeline" in first and second == first[:1]  # the same bits, and nothing derives
+    (folder,) = cache.iterdir()
+    assert {"forward_dynamics", "constraints"} <= {path.name for path in (folder / "functions").iterdir()}
+    assert "augmented" not in {path.name for path in (folder / "functions").iterdir()}
+    for path in (folder / "functions").iterdir():
+        path.write_bytes(path.read_bytes()[:-1] + b"?")
+    third = subprocess.run(words, capture_output=True, text=True, check=True).stdout.split()
+    assert third[:1] == first[:1]
+
+
+def test_what_a_large_scene_was_not_asked_for_is_derived_later(cache: Path) -> None:
+    model = long_scene().model()
+    assert "augmented" not in model.operations and model.has("augmented")
+    q = np.random.default_rng(1).standard_normal(48)
+    values = {"q": q, "q_dot": q[::-1], "t": 0.0, "c": model.constants(model.parameter_vector())}
+    found = [one.evaluate("augmented", **values)["M"] for one in (model, long_scene().model(), long_scene().model())]
+    masses = np.tile([1.0, 1.0, 0.1], 16)
+    assert all(np.array_equal(np.asarray(M), np.diag(masses)) for M in found)
