@@ -292,7 +292,7 @@ class CloseLook:
         (z, c), found = _observed(self.model, self.scheme, "constraints")
         rows, columns = (np.flatnonzero(one(self.model)).tolist() for one in (length_rows, turning_columns))
         arms = ca.sparsify(found["C_q"][rows, columns])
-        return ca.Function("lever_arms", [z, c], [ca.vertcat(*arms.nonzeros()) if arms.nnz() else ca.SX(1, 1)])
+        return ca.Function("lever_arms", [z, c], [ca.densify(ca.vec(arms.nz[:])) if arms.nnz() else ca.SX.zeros(1)])
 
 
 def _symbols(scheme: Scheme) -> tuple[ca.SX, ca.SX]:
