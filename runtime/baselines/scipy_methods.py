@@ -163,7 +163,7 @@ def counted(slope: Slope, method: str) -> Slope:
         if done > MOST_SLOPE_EVALUATIONS:
             raise NoResult(
                 f"{method} needs more than {MOST_SLOPE_EVALUATIONS:.0e} evaluations to get beyond t = {t:.9g} s: "
-                "its steps shrink, as at a singular position of q_i or of Euler angles"
+                "its steps shrink, as near a singular position of q_i or of Euler angles"
             )
         return slope(t, y).copy()
 

@@ -143,7 +143,7 @@ def arguments(**kinds: Kind) -> Callable[[Callable[P, R]], Callable[P, R]]:
             for name in wanted[len(values) :]:
                 if name not in named:
                     what = known[name].wanted if name in known else f"{title} wants {', '.join(wanted[1:] or wanted)}"
-                    raise ArgumentError(name, f"is missing in {title}", what)
+                    raise ArgumentError(name, f"is required by {title}", what)
             try:
                 return function(*values, **named)
             except OverflowError as error:  # Python's integers know no bound
@@ -168,8 +168,9 @@ def _said(argument: Parameter) -> str:
 def _one_too_many(title: str, value: Any, known: Sequence[str], by_place: Sequence[str]) -> ArgumentError:
     """Of what stands by place where names are wanted: a number may be the end of a motion."""
     meant = f"did you mean t_end={_short(value)}?" if "t_end" in known and is_finite_number(value) else ""
-    taken = f"{title} takes {', '.join(by_place) or 'nothing'} by place"
-    return ArgumentError(_short(value), f"is given by place, and {taken}", meant or "name the argument")
+    allowed = f"only {', '.join(by_place)} by position" if by_place else "keyword arguments only"
+    taken = f"{title} takes {allowed}"
+    return ArgumentError(_short(value), f"is positional, and {taken}", meant or "name the argument")
 
 
 def clipped_name(name: str) -> str:

@@ -43,7 +43,7 @@ def refused_folder(folder: Path) -> str:
     except OSError as error:
         return f"{folder} cannot be used: {error}"
     if not stat.S_ISDIR(found.st_mode):
-        return f"{folder} is no folder of its own"
+        return f"{folder} is not a folder of its own"
     if os.name != "nt" and found.st_uid != os.getuid():
         return f"{folder} belongs to another user"
     if os.name != "nt" and found.st_mode & 0o077:
@@ -64,7 +64,7 @@ def read_own(path: Path) -> bytes:
     with open(os.open(path, flags), "rb") as file:
         found = os.fstat(file.fileno())
         if not stat.S_ISREG(found.st_mode):
-            raise PermissionError(f"{path} is no ordinary file")
+            raise PermissionError(f"{path} is not a regular file")
         if os.name != "nt" and found.st_uid != os.getuid():
             raise PermissionError(f"{path} belongs to another user")
         if os.name != "nt" and found.st_mode & 0o022:

@@ -48,7 +48,7 @@ def xml_attribute(text: str) -> str:
 
 
 def words(names: Iterable[str], longest: int | None = None, taken: Iterable[str] = ()) -> list[str]:
-    """Names with _ for what is no letter, digit or _, cut to `longest` signs; numbers at the end keep them apart."""
+    """Names with _ for what is not a letter, digit or _, cut to `longest` signs; numbers at the end keep them apart."""
     found, used = list[str](), set(taken)
     for name in names:
         plain, k = re.sub(r"\W", "_", name)[:longest], 2

@@ -64,7 +64,7 @@ def try_writing(path: str | Path) -> None:
     target = Path(path)
     try:
         if not stat.S_ISREG(os.stat(target).st_mode):
-            raise OutputError(f"{target} is no ordinary file; choose another name")
+            raise OutputError(f"{target} is not a regular file; choose another name")
     except FileNotFoundError:
         pass
     except (OSError, ValueError) as error:
@@ -81,7 +81,7 @@ def _temporary(target: Path) -> Path:
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         for stale in target.parent.glob(f"{WRITING}*"):
-            with suppress(OSError):  # another process was first, or it is no file
+            with suppress(OSError):  # another process was first, or it is not a file
                 if time.time() - stale.lstat().st_mtime > STALE:
                     stale.unlink()
         os.close(os.open(path, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o644))

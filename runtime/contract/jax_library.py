@@ -21,6 +21,6 @@ def require_64_bits(who: str) -> None:
     if import_jax().numpy.zeros(0).dtype != "float64":
         raise ArgumentError(
             who,
-            "needs 64 bits, and JAX computes with 32 here",
-            'call jax.config.update("jax_enable_x64", True) when the program begins',
+            "needs 64 bits, but JAX uses 32 here",
+            'call jax.config.update("jax_enable_x64", True) at the start of the program',
         )

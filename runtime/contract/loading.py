@@ -116,7 +116,7 @@ def left_out(folder: Path, names: Iterable[str], described: Description, scene_t
 
 
 def _refused(folder: Path, problem: str, remedy: str) -> ModelError:
-    item = f"{folder} leaves out functions that it was not asked for when it was written"
+    item = f"{folder} leaves out functions that it was not requested when it was written"
     return ModelError(item, problem, f"{remedy}, or write all with: symgen generate {folder} --complete")
 
 
@@ -149,9 +149,7 @@ def load_folder(
     path = Path(folder)
     manifest = read_manifest(path, read)
     if digest is not None and manifest["sha256"] != digest:
-        raise ModelError(
-            f"{path}", "it holds another model than was meant: it was generated anew", "begin anew with it"
-        )
+        raise ModelError(f"{path}", "it holds a different model: it was regenerated", "start again with it")
     try:
         texts = {name: _checked_text(path / name, expected, read) for name, expected in manifest["files"].items()}
         module = _module(path / "model.py", texts["model.py"])

@@ -545,8 +545,8 @@ def refuse_events(model: EmittedModel, who: str) -> None:
     if names:
         raise ModelError(
             f"events {', '.join(names)} of model {model.name}",
-            f"are not looked for by {who}",
-            "take simulate with steps of one length, or a scene without events",
+            f"are not located by {who}",
+            "use simulate with a fixed step, or remove the events",
         )
 
 

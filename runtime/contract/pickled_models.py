@@ -38,7 +38,7 @@ def _packed(folder: str, digest: str) -> bytes:
     path = Path(folder)
     manifest = read_manifest(path)
     if manifest["sha256"] != digest:
-        raise ModelError(f"{folder}", "it was generated anew since this model was loaded", "load it again")
+        raise ModelError(f"{folder}", "it was regenerated after this model was loaded", "load it again")
     names = ("manifest.json", *manifest["files"])
     return zlib.compress(json.dumps({name: (path / name).read_text(encoding="utf-8") for name in names}).encode())
 
@@ -67,13 +67,13 @@ def _unpacked(kind: type[M], files: bytes, digest: str) -> M:
     def write(folder: Path) -> Path:
         for name, text in json.loads(zlib.decompress(files)).items():
             if Path(name).name != name:
-                raise ModelError("a pickled model", f"has a file {name!r}", "pickle it anew")
+                raise ModelError("a pickled model", f"has a file {name!r}", "pickle it again")
             write_text(folder / name, text)
         return folder
 
     found = KeptModels(KIND).model(digest[:32], kind, write) or generated_aside(kind, write)
     if found.digest != digest:
-        raise ModelError("a pickled model", "its files are not those of its hash", "pickle it anew")
+        raise ModelError("a pickled model", "its files are not those of its hash", "pickle it again")
     return found
 
 

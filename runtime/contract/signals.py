@@ -174,8 +174,8 @@ def traced(function: Callable[[Any], Any], name: str) -> ca.Function:
         raise ArgumentError(f"the function for input {name!r} must give one number, not {found.numel_out(0)}")
     if any(isnan(float(found(time))) and _is_number(function, time) for time in TRIED):
         raise ArgumentError(
-            f"the function for input {name!r} cannot take a symbol: it makes a number of it, as math.sin and float do. "
-            "Write np.sin for math.sin, casadi.if_else for a choice, or give (times, values)"
+            f"the function for input {name!r} cannot take a symbol: it converts it to a number, as math.sin and "
+            "float do. Write np.sin for math.sin, casadi.if_else for a choice, or give (times, values)"
         )
     return found
 
@@ -184,7 +184,7 @@ def _is_number(function: Callable[[Any], Any], time: float) -> bool:
     """Does a function of a user give a number at a time [s]?"""
     try:
         return not isnan(float(function(time)))
-    except Exception:  # whatever it raises, it is no number
+    except Exception:  # whatever it raises, it is not a number
         return False
 
 

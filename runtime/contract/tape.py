@@ -162,7 +162,7 @@ def marked(value: float) -> tuple[Table, int]:
 
 
 def mark_of(function: ca.Function) -> float | None:
-    """The value of a node that calls a Function; None if it is no table."""
+    """The value of a node that calls a Function; None if it is not a table."""
     found = NAME.fullmatch(function.name())
     return mark(int(found[1]), int(found[2])) if found and int(found[1]) in _known else None
 

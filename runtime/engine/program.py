@@ -35,7 +35,7 @@ class Program:
             return sequence([part.fold(call, sequence, again) for part in self.parts])
         if isinstance(self, Repeat | Until):
             return again(self.body.fold(call, sequence, again), self)
-        raise TypeError(f"{type(self).__name__} is no kind of program")
+        raise TypeError(f"{type(self).__name__} is not a kind of program")
 
     def map(self, change: Callable[[ca.Function], ca.Function]) -> Program:
         """The same program of changed stages; each distinct stage is changed once."""

@@ -206,7 +206,7 @@ def _parts(
 
 
 def _refuse(crossing: EventCrossing) -> NoReturn:
-    raise NoResult(f"an event at t = {crossing.clock:.6g} s", "happens just where a load jumps", "move one of them")
+    raise NoResult(f"an event at t = {crossing.clock:.6g} s", "coincides with a jump of a load", "move one of them")
 
 
 # How the times of jumps move with parameters: g(t, c(p)) = 0 gives dt/dp = -g_p / g_t.
@@ -258,7 +258,7 @@ class MovingJumps:
         if any(np.abs(one - found[0]).max() > ALIKE_SLOPES * scale for one in found[1:]):
             raise NoResult(
                 f"model {self._model.name}",
-                f"two conditions change at t = {there[0].time:.6g} s and move apart with what is differentiated by "
+                f"two conditions change at t = {there[0].time:.6g} s and separate when these change: "
                 f"({', '.join(there[0].owners)})",
                 "move one of them a little, or leave out of `by` what moves them",
             )

@@ -49,8 +49,8 @@ class EventCrossings:
         if ends:
             raise ArgumentError(
                 f"events {', '.join(ends)} of model {self._model.name}",
-                "end the run at a time that moves, of which the derivative of a run does not know",
-                "take a scene without them, or let them not be terminal",
+                "end the run at a time that depends on `by`: the derivative leaves that out",
+                "remove them, or make them non-terminal",
             )
         sets, modes = any(event.sets for event in events), any(event.mode for event in events)
         filtered = SINCE in self._model.signals.names
@@ -117,7 +117,7 @@ class EventCrossings:
         if struck:
             raise NoResult(
                 f"sample of an input at t = {z[0] + z[1] * own.plan.grid.dt_L:.6g} s",
-                f"comes just where {struck[0]} is struck",
+                f"coincides with an impact on {struck[0]}",
                 "move it a little",
             )
         if settled is None:
@@ -161,7 +161,7 @@ class EventCrossings:
             if len(acting) > 1 and (beside or not self._alike(one, acting)):
                 raise NoResult(
                     f"events {', '.join(self._events[k].name for k in acting)} of model {self._model.name}",
-                    f"act at one time, t = {one.t:.6g} s, and move apart with what is differentiated by",
+                    f"act at one time, t = {one.t:.6g} s, and separate when these change:",
                     "move one of them a little, or let one event do both",
                 )
             way = abs(float(values[acting[0]])) / max(one.t - t, 1e-300) if one is made[0] else 0.0

@@ -72,7 +72,7 @@ def fit(
     ArgumentError
         For data or bounds that cannot be used.
     NoResult
-        Where the data do not tell the parameters.
+        Where the data do not determine the parameters.
     ModelError, SchemeError, InitialStateError
         As of `DifferentiableRun`.
 
@@ -208,7 +208,7 @@ def _covariance(names: Sequence[str], jacobian: np.ndarray) -> np.ndarray:
         untold = ", ".join(name for name, share in zip(names, blind, strict=True) if share > 0.1 * blind.max())
         raise NoResult(
             f"fit of {untold}",
-            "the data do not tell " + ("it" if "," not in untold else "them apart"),
+            "the data do not determine " + ("it" if "," not in untold else "them apart"),
             "measure another output, or another motion, or leave one of them fixed",
         )
     return np.asarray((directions.T / values**2) @ directions)
@@ -219,7 +219,7 @@ def _limits(model: EmittedModel, names: Sequence[str], bounds: Bounds, x: np.nda
     signs = {parameter.name: parameter.bound for parameter in model.parameters}
     wrong = [name for name in bounds if name not in names]
     if wrong:
-        raise ArgumentError(f"bounds of {wrong[0]}", "are of nothing that is fitted", f"bound {', '.join(names)}")
+        raise ArgumentError(f"bounds of {wrong[0]}", "belong to no fitted parameter", f"bound {', '.join(names)}")
     low, high = np.full(len(x), -np.inf), np.full(len(x), np.inf)
     for k, name in enumerate(names):
         if signs.get(name, "any") != "any":
@@ -337,7 +337,7 @@ class Fit:
 
 def _share(confidence: float) -> float:
     if not 0 < confidence < 1:
-        raise ArgumentError("confidence", f"is {confidence}", "give a share between 0 and 1, such as 0.95")
+        raise ArgumentError("confidence", f"is {confidence}", "give a fraction between 0 and 1, such as 0.95")
     return confidence
 
 
@@ -381,7 +381,7 @@ def measured(run: Predicts, data: Mapping[str, Any], deviation: float | Mapping[
                 "interpolate the data, or choose dt, seen_every and t_end to fit them",
             )
     if deviation is None and len(names) > 1:
-        raise ArgumentError("deviation", "is missing", "with more than one output say how exact each of them is")
+        raise ArgumentError("deviation", "is missing", "with several outputs, give the standard deviation of each")
     given = (
         deviation
         if isinstance(deviation, Mapping)
@@ -392,7 +392,7 @@ def measured(run: Predicts, data: Mapping[str, Any], deviation: float | Mapping[
             raise ArgumentError(f"deviation of {name}", "is missing", f"give one for each of {', '.join(names)}")
     spread = np.column_stack([_column(_spread(given[name], samples), f"{name} (deviation)", samples) for name in names])
     if not (spread > 0).all():
-        raise ArgumentError("deviation", "must be positive", "let it be infinite where nothing was measured")
+        raise ArgumentError("deviation", "must be positive", "set it to infinity where nothing was measured")
     values = np.column_stack([_column(data[name], name, samples) for name in names])
     there = np.isfinite(spread)
     for k, name in enumerate(names):
@@ -401,7 +401,7 @@ def measured(run: Predicts, data: Mapping[str, Any], deviation: float | Mapping[
             raise ArgumentError(
                 f"data of {name}",
                 f"is {values[bad[0], k]} at t = {run.t[bad[0]]:.6g} s",
-                "leave it out by an infinite deviation there",
+                "exclude it with an infinite deviation there",
             )
     found = Measured(np.where(there, values, 0.0), np.where(there, 1.0 / spread, 0.0), deviation is not None)
     if found.count <= len(run.by):
@@ -418,7 +418,7 @@ def _column(values: Any, name: str, samples: int) -> np.ndarray:
     try:
         column = np.asarray(values, dtype=float)
     except (TypeError, ValueError) as error:
-        raise ArgumentError(f"data of {name}", f"are no numbers ({error})", "give an array of them") from error
+        raise ArgumentError(f"data of {name}", f"are not numbers ({error})", "give an array of them") from error
     if column.shape != (samples,):
         raise ArgumentError(
             f"data of {name}", f"have shape {column.shape}", f"give one value for each of the {samples} saved times"

@@ -114,7 +114,7 @@ def held_at_start(scheme: Scheme, z: np.ndarray, c: np.ndarray, p: np.ndarray) -
         raise NoResult(
             f"the start of model {model.name}",
             "has no derivative: a stop is struck there, or no modes are consistent",
-            "start a little beside it",
+            "start slightly away from it",
         )
     p[len(p) - model.signals.size + model.element_modes] = found.modes
     own, modes = elements(model, at, c), list(enumerate(zip(events, found.modes, strict=True)))
@@ -146,8 +146,8 @@ def held_slopes(
         if moved.max() > MOVES * max(1.0, np.abs(slopes).max()):
             raise NoResult(
                 f"derivative by {by[int(moved.argmax())]}",
-                f"is another to each side: {event.name} is at rest at the start and not held",
-                "start a little beside it, or leave it out of `by`",
+                f"differs on the two sides: {event.name} is at rest at the start and not held",
+                "start slightly away from it, or leave it out of `by`",
             )
     return found
 

@@ -98,8 +98,8 @@ class SquaredError:
         if deviation.shape not in ((), t.shape) or not np.all(deviation > 0):
             raise ArgumentError(
                 f"deviation of {self.output}",
-                "is no positive number, or one for each saved time",
-                "let it be infinite where nothing was measured",
+                "is not a positive number, or one for each saved time",
+                "set it to infinity where nothing was measured",
             )
         weights = 1.0 / np.broadcast_to(deviation, t.shape)
         bad = np.flatnonzero((weights > 0) & ~np.isfinite(data))
@@ -107,7 +107,7 @@ class SquaredError:
             raise ArgumentError(
                 f"data of {self.output}",
                 f"is {data[bad[0]]} at t = {t[bad[0]]:.6g} s",
-                "let deviation be infinite there",
+                "set the deviation to infinity there",
             )
         residual = np.where(weights > 0, y[:, 0] - data, 0.0) * weights
         return float(residual @ residual), (2 * residual * weights)[:, None]
@@ -175,7 +175,7 @@ def _numbers(values: Any, item: str) -> np.ndarray:
     try:
         return np.asarray(values, dtype=float)
     except (TypeError, ValueError, OverflowError, RecursionError):
-        raise ArgumentError(item, "are no numbers", "give an array of them") from None
+        raise ArgumentError(item, "are not numbers", "give an array of them") from None
 
 
 def trapezoid_weights(t: np.ndarray) -> np.ndarray:

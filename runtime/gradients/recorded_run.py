@@ -56,7 +56,7 @@ class RecordedRun:
         try:
             bars = np.array(cotangents, dtype=float)
         except (TypeError, ValueError, OverflowError, RecursionError):
-            raise ArgumentError("cotangents", "is no array of numbers", f"give {self.values.shape}") from None
+            raise ArgumentError("cotangents", "is not an array of numbers", f"give {self.values.shape}") from None
         if bars.shape != self.values.shape:
             wanted = f"give {self.values.shape}: {len(self.t)} saved times, outputs {', '.join(self.outputs)}"
             raise ArgumentError("cotangents", f"has shape {bars.shape}", wanted)
@@ -78,5 +78,5 @@ def require_finite(slopes: np.ndarray, by: tuple[str, ...]) -> None:
         raise NoResult(
             f"derivative by {names}",
             "is not finite: the run passes a point where a function has none (a root at zero, a division)",
-            "start a little beside that point",
+            "start slightly away from that point",
         )

@@ -34,7 +34,7 @@ def as_torch(run: DifferentiableRun, mode: str = "auto") -> Callable[[Any], Any]
     ImportError
         If PyTorch is not installed (extra `torch`).
     ArgumentError
-        At a call, for what is no tensor of 64 bits with n values last.
+        At a call, for what is not a tensor of 64 bits with n values last.
     NoResult
         At a call, for a run without a result or without a derivative.
 

@@ -180,8 +180,8 @@ class TurnProgram:
         ):
             raise NoResult(
                 who,
-                f"leads to impacts that follow one another at t = {crossing.clock:.6g} s: they have no derivative",
-                "start a little beside that motion, so that they come one after the other",
+                f"leads to several impacts at t = {crossing.clock:.6g} s: which have no derivative",
+                "start slightly away from that motion, so that the impacts happen at different times",
             )
 
     # ---- its stages, and their code -------------------------------------------------------------------------

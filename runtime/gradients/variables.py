@@ -48,7 +48,7 @@ class Variables:
         try:
             values = np.asarray(x, dtype=float)
         except (TypeError, ValueError, OverflowError, RecursionError):
-            raise ArgumentError("x", "is no list of numbers", f"give {', '.join(self.names)}") from None
+            raise ArgumentError("x", "is not a list of numbers", f"give {', '.join(self.names)}") from None
         if values.shape != (len(self.names),):
             wanted = f"{len(self.names)} values: {', '.join(self.names)}"
             raise ArgumentError("x", f"has shape {values.shape}", f"give {wanted}")

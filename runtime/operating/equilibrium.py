@@ -275,7 +275,7 @@ def _clamped(
     if placed is None:
         wanted = ", ".join(f"{name} = {held[name]:g}" for name in held) or "closed loops"
         raise InitialStateError(
-            f"model {model.name} has no state with {wanted} in reach of its initial one: begin closer with "
+            f"model {model.name} has no state with {wanted} near its initial one: start closer with "
             "`initial`, or hold other coordinates"
         )
     return replace(task, v=steady_rates(functions, t, placed, task.loop, rates)), placed
@@ -348,7 +348,7 @@ def _sliding(clamped: Clamped, q_i: np.ndarray, p: np.ndarray) -> tuple[np.ndarr
         return p, clamped
     from runtime.operating.resting import signs, state_of, with_modes
 
-    refuse_reactions(model, "is open in an equilibrium", "give coulomb, or step it")
+    refuse_reactions(model, "is not determined in an equilibrium", "give coulomb, or step it")
     state, c = state_of(clamped, at, q_i)
     found = with_modes(model, p, signs(model, state, c))
     return found, clamped.with_constants(model.constants(found))
@@ -408,7 +408,7 @@ def _failure(model: EmittedModel, clamped: Clamped, found: Found) -> NoEquilibri
             "precesses is steady in hinge angles: take a universal and a revolute joint with a light body between them"
         )
     return NoEquilibrium(
-        f"model {model.name} has no equilibrium in reach of its initial state: a force of {residual[worst]:.6g} "
+        f"model {model.name} has no equilibrium near its initial state: a force of {residual[worst]:.6g} "
         f"{force_unit(model, worst)} is left at {worst} after {found.iterations} iterations. {remedy}"
         f"{_of_when(clamped)}",
         residual,
@@ -417,7 +417,7 @@ def _failure(model: EmittedModel, clamped: Clamped, found: Found) -> NoEquilibri
 
 def _no_trim(clamped: Clamped, trim: list[str], fixed: list[str]) -> NoEquilibrium:
     return NoEquilibrium(
-        f"model {clamped.model.name}: no value of {', '.join(trim)} in reach of the default keeps {', '.join(fixed)} "
+        f"model {clamped.model.name}: no value of {', '.join(trim)} near the default keeps {', '.join(fixed)} "
         f"without a holding force. Do these inputs act on them?{_of_when(clamped)}",
         {},
     )

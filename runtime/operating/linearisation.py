@@ -198,7 +198,7 @@ class Linearisation:
         Returns
         -------
         control.StateSpace
-            Continuous, SI units. Its signals have our names with _ for what is no letter or digit, as python-control
+            Continuous, SI units. Its signals have our names with _ for what is not a letter or digit, as python-control
             takes no dots: `crank.theta_dot` is `crank_theta_dot`, and a number at the end keeps equal ones apart. An
             input that is a coordinate is a force or torque on it.
 

@@ -69,7 +69,7 @@ class Unlocked:
             if (np.abs(R - before) <= SETTLED_FORCES * np.abs(R).max(initial=0.0)).all():
                 return np.asarray(self.Q + own["Q_hat_R"] @ R)
         raise ModelError(
-            f"friction of model {self.model.name}", "its forces of joints by mu have no solution at this state",
+            f"friction of model {self.model.name}", "the joint forces that mu needs have no solution at this state",
             "take a smaller mu, or a smaller radius",
         )  # fmt: skip
 

@@ -231,7 +231,7 @@ class KeptBranch:
             raise ArgumentError("resume", problem, "name another folder, or remove the file") from None
         if question != self._question:
             problem = f"{self._path} holds the branch of another model, range, period or scheme"
-            raise ArgumentError("resume", problem, "ask as it was asked, or name another folder")
+            raise ArgumentError("resume", problem, "repeat the same call, or name another folder")
         rows = zip(*columns, strict=True)
         return [Place(str(a), float(b), float(c), x, tangent, bool(d)) for a, b, c, x, tangent, d in rows], complete
 

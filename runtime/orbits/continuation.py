@@ -101,12 +101,12 @@ def periodic_over(
         raise ArgumentError("span", f"is {span!r}", "give two different numbers, the first and the last value")
     low, high = (float(value) for value in span)
     if over not in [entry.name for entry in model.parameters]:
-        raise ArgumentError(f"over {over!r}", f"is no parameter of model {model.name}", "see model.parameters")
+        raise ArgumentError(f"over {over!r}", f"is not a parameter of model {model.name}", "see model.parameters")
     if not np.isfinite([low, high]).all() or low == high:
         raise ArgumentError("span", f"is {span!r}", "give two different numbers, the first and the last value")
     if isinstance(start, PeriodicBranch):
         if not start.points:
-            raise ArgumentError("start", "is a branch without points", "begin anew")
+            raise ArgumentError("start", "is a branch without points", "start a new branch")
         first, done = start.first, list(start.points)
     else:
         own = start.parameters if isinstance(start, PeriodicMotion) else {}

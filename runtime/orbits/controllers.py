@@ -47,11 +47,11 @@ def refuse_controllers(model: EmittedModel, inputs: Inputs, free: bool) -> None:
     for name, controller in controllers_in(inputs).items():
         item = f"input {name!r}"
         if controller.memory is None:
-            raise ArgumentError(item, "may remember what does not repeat", "give memory=[...], () if it has none")
+            raise ArgumentError(item, "may have a memory that does not repeat", "give memory=[...], () if it has none")
         if name in moving:
             raise ArgumentError(item, "has rates or a filter, which samples do not set", "take an input without them")
         if controller.every <= 0:
-            raise ArgumentError(item, f"is decided every {controller.every:g} s", "give a positive time")
+            raise ArgumentError(item, f"is sampled every {controller.every:g} s", "give a positive time")
 
 
 def samples_in(period: float, inputs: Inputs) -> int:
@@ -64,7 +64,7 @@ def _times(period: float, name: str, controller: Sampled) -> int:
     if count < 1 or abs(period / controller.every - count) > SAMPLE_AT_STEP * count:
         raise ArgumentError(
             f"input {name!r}",
-            f"is decided every {controller.every:.6g} s, and the period of {period:.9g} s is no whole multiple of that",
+            f"is sampled every {controller.every:.6g} s: the period, {period:.9g} s, is not a whole multiple of that",
             "give a period that is one, or another sampling time",
         )
     return count
@@ -126,7 +126,7 @@ def decision(name: str, controller: Sampled, t: float) -> ca.Function:
     except Exception as error:  # whatever a function says that gets symbols
         raise ArgumentError(
             f"input {name!r}",
-            f"is decided by a function that is not differentiated, for it takes no symbols: {str(error)[:80]}",
+            f"is set by a function that cannot be differentiated, as it takes no symbols: {str(error)[:80]}",
             "write it with +, -, *, / and functions of CasADi (ca.fmin, ca.if_else), or as states of the scene",
         ) from None
     return ca.Function("decision", [values, memory], [decided, slopes])

@@ -190,7 +190,7 @@ def _gradient(motion: PeriodicMotion, of: Objective, by: Sequence[str]) -> Gradi
     own = {entry.name for entry in model.parameters}
     unknown = [name for name in by if name not in own]
     if unknown:
-        raise ArgumentError(f"by {unknown[0]!r}", f"is no parameter of model {model.name}", "see model.parameters")
+        raise ArgumentError(f"by {unknown[0]!r}", f"is not a parameter of model {model.name}", "see model.parameters")
     states, n = motion.states, len(motion.x)
     shown = tuple(states.outputs)
     run = gradient_run(motion, tuple(dict.fromkeys((*of.outputs, *shown))), [*states.names, *by])

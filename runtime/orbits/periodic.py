@@ -160,7 +160,9 @@ class _Asked:
         if self.speed is not None:
             known = [one.name for one in self.model.parameters]
             if self.speed not in known:
-                raise ArgumentError("speed", f"{self.speed!r} is no parameter of the model", "name one in rad/s")
+                raise ArgumentError(
+                    "speed", f"{self.speed!r} is not a parameter of the model", "name a parameter in rad/s"
+                )
             if self.turns <= 0:
                 raise ArgumentError("turns", f"is {self.turns!r}", "give a positive number")
         elif self.period != FREE and not (
@@ -364,7 +366,7 @@ def _difference(motion: PeriodicMotion, other: PeriodicMotion) -> MotionError:
         every = one.steps // places
         run = one.simulate(1, seen_every=every * one.period / one.steps)
         if not run.status.ok:
-            raise SymgenError(f"model {motion.model.name}: the motion that repeats cannot be simulated: {run.status}")
+            raise SymgenError(f"model {motion.model.name}: the periodic motion cannot be simulated: {run.status}")
         columns = followed(motion.model)[1]
         samples.append((run.t, run.q[:, columns]))
     (t, q), (_, beside) = samples

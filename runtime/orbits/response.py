@@ -55,7 +55,7 @@ def harmonic_response(
     given = {one.name: one.default for one in model.description.inputs} | dict(model.input_values)
     value = (given | dict(model.sources) | dict(motion.inputs)).get(by)
     if not isinstance(value, int | float):
-        raise ArgumentError(f"by {by!r}", "is no input that is constant over the period", "name one")
+        raise ArgumentError(f"by {by!r}", "is not an input that is constant over the period", "name one")
     shown, h = tuple(outputs) or tuple(model.q_i), motion.period / steps
     held = (motion.t0 + h * np.arange(steps), np.full(steps, float(value)))
     run = DifferentiableRun(

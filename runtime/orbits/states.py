@@ -26,7 +26,7 @@ class States:
         at = model.places
         if at.split:
             raise ModelError(
-                f"model {model.name} has bodies of which loops hold some turns and leave others free: periodic motions "
+                f"model {model.name} has bodies whose rotation is partly constrained by loops: periodic motions "
                 "are found where all turns of a body are in q_i or none; put hinges or universal joints there"
             )
         self.model = model

@@ -190,6 +190,6 @@ def one_place(name: str, places: Sequence[T], body: str) -> T:
     """Where a joint or load acts on a body. Raises ModelError where that is at two places."""
     if len(places) > 1:
         raise ModelError(
-            f"{name} acts on {body} at two places, whose parts are not told apart; divide the body or the load"
+            f"{name} acts on {body} at two places, whose parts cannot be separated; divide the body or the load"
         )
     return places[0]

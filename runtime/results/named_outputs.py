@@ -58,7 +58,7 @@ def column(model: EmittedModel, name: str) -> Column:
         more = ", ..." if len(listed) > SHOWN_NAMES else ""
         raise ModelError(
             f"output {name!r}",
-            f"model {model.name} has none of this name{meant}",
+            f"model {model.name} has no output of this name{meant}",
             f"take one of {', '.join(listed[:SHOWN_NAMES])}{more}, rates `_dot`, accelerations `_ddot`, `lam.row`, or "
             "a joint's force",
         )

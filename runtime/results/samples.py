@@ -294,7 +294,7 @@ class Samples(WithLater):
     stops: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))
     powers: np.ndarray = field(default_factory=lambda: np.zeros((0, 4)))
     frictions: np.ndarray = field(default_factory=lambda: np.zeros((0, 0, 2)))
-    error: MotionError = field(default_factory=lambda: MotionError(reason="it was not asked for"))
+    error: MotionError = field(default_factory=lambda: MotionError(reason="it was not requested"))
     driven: Mapping[str, list[float] | None] = field(default_factory=dict)
 
     def __repr__(self) -> str:

@@ -347,7 +347,7 @@ def section_forces(
     Raises
     ------
     ModelError
-        For a body that is no beam with exact shapes, and for a load with two markers on it.
+        For a body that is not a beam with exact shapes, and for a load with two markers on it.
     ArgumentError
         For fractions outside [0, 1] and unknown ways.
 
@@ -380,7 +380,7 @@ def by_equilibrium(solution: Samples, beam: Beam, field: SectionField) -> np.nda
     for name, along in beam.spread.items():
         if along[2] > 1:
             raise ModelError(
-                f"{name} is more than linear along {beam.name}, so that its part beyond a section is not told apart; "
+                f"{name} is more than linear along {beam.name}, so its part beyond a section cannot be separated; "
                 'take way="modes", or loads on parts of the beam that are linear there'
             )
     gravity = np.resize([*solution.model.description.gravity, 0.0, 0.0, 0.0], 3)

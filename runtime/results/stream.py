@@ -97,7 +97,7 @@ class StreamFile(Table):
             raise ModelError(item, "it holds the stream of another run than the one that is resumed", remedy)
 
     def _refuse_foreign(self) -> None:
-        """A folder that holds files, and is no stream of ours, is somebody's. Raises OutputError."""
+        """A folder that holds files, and is not a stream of ours, is somebody's. Raises OutputError."""
         files = sorted(path.name for path in self.folder.iterdir() if not path.name.startswith(WRITING))
         started = files == [ROWS] and (self.folder / ROWS).stat().st_size == 0  # by another run, or one that was killed
         if started or not files:
@@ -106,7 +106,7 @@ class StreamFile(Table):
             read_header(self.folder)
         except ModelError as error:
             raise OutputError(
-                f"{self.folder} holds {files[0]} and is no stream of samples; choose a new or an empty folder"
+                f"{self.folder} holds {files[0]} and is not a stream of samples; choose a new or an empty folder"
             ) from error
 
     def _lock(self) -> None:
@@ -132,7 +132,7 @@ class StreamFile(Table):
             self._file.write(np.ascontiguousarray(block, dtype="<f8").tobytes())
             self._file.flush()
         except OSError as error:
-            raise OutputError(f"{self.folder} takes no more samples ({error.strerror}); make room") from error
+            raise OutputError(f"{self.folder} cannot take more samples ({error.strerror}); free some space") from error
         self.rows += len(block)
 
     def keep(self, rows: int) -> None:

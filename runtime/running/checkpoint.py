@@ -88,7 +88,7 @@ def claim(path: str | Path) -> None:
     try_writing(path)
     target = Path(path)
     if target.exists() and target.stat().st_size > 0 and not _looks_like_one(target):
-        raise OutputError(f"{path} is there and is no checkpoint; choose another name")
+        raise OutputError(f"{path} is there and is not a checkpoint; choose another name")
 
 
 def _looks_like_one(path: Path) -> bool:

@@ -41,7 +41,7 @@ class ColumnRecord(Record):
         if self._stream is not None:
             self.folder, self.run = self._stream.folder, self._stream.run
         cause = "the run did not come to its end"
-        running = Status("interrupted", segment.plan.t0, None, cause, "What was streamed is there.")
+        running = Status("interrupted", segment.plan.t0, None, cause, "The samples streamed so far are kept.")
         self._write_header(replace(observed, status=running), segment.p)
 
     first: tuple[int, np.ndarray] | None

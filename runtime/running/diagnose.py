@@ -81,8 +81,8 @@ def _damper(A_q: np.ndarray, A_v: np.ndarray, h: float) -> str:
     if not decay * h > STRONG:
         return ""
     return (
-        f"A damper lets a motion decay at {decay:.3g} 1/s, {decay * h:.3g} times in a step of {h:.3g} s: take radau or "
-        "exponential with propagation = decaying, whose steps let such a decay die out."
+        f"A damper makes a motion decay at {decay:.3g} 1/s, {decay * h:.3g} times in a step of {h:.3g} s: take radau "
+        "or exponential with propagation = decaying, whose steps damp it out."
     )
 
 
@@ -162,13 +162,13 @@ CHECKS: dict[str, tuple[StatusName, str, str | Callable[[Monitor], str]]] = {  #
     "limit": ("no_mode", "{}", _of_limits),
     "mode": (
         "no_mode",
-        "{}, and no event has told: what holds and what moves is no longer right",
+        "{}, and no event was found: what sticks and what moves is no longer consistent",
         "Take smaller steps, or a tolerance instead of steps.",
     ),
     "mass": ("mass_not_positive", "M_hat is no longer positive definite", OF_STIFFENING),
     "deflection": (
         "deflection_too_large",
-        "{} is bent by {:.2g} of its length and {:.2g} rad, beyond its linear modes",
+        "{} is deformed by {:.2g} of its length and {:.2g} rad, beyond its linear modes",
         _of_deflections,
     ),
     "branch": (
@@ -176,7 +176,7 @@ CHECKS: dict[str, tuple[StatusName, str, str | Callable[[Monitor], str]]] = {  #
         "the loop closure is singular within the next step",
         lambda monitor: f"{shorter_steps(monitor)} Or start elsewhere, or change a length a little.",
     ),
-    "user": ("interrupted", "stopped by the user", "What was computed is kept."),
+    "user": ("interrupted", "stopped by the user", "Results up to here are kept."),
     "output": ("output_failed", "{}", "Go on from the last checkpoint, or stream elsewhere."),
 }
 
@@ -228,8 +228,8 @@ def laid_to_loads(status: Status, solution: Solution, events: Sequence[Event], n
     if status.name not in OF_LOADS or not endless + missed:
         return status
     advice = (
-        "Let it be finite, or end the run before."
+        "Make it finite, or end the run earlier."
         if endless
-        else "Declare an event there, or name a scheme and a dt that sees it."
+        else "Declare an event there, or name a scheme and a dt that resolves it."
     )
     return replace(status, cause=(endless + missed)[0].text, advice=advice)

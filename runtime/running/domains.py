@@ -1,7 +1,7 @@
 """Which expression of a scene has no value just ahead of where a run broke down: its item, argument, value and time.
 
-A root of what becomes negative, a logarithm, a pole: the state behind it is no number, and nothing in it tells why. So
-the motion is continued from the last good state by its velocity and acceleration, and the expressions in the text of
+A root of what becomes negative, a logarithm, a pole: the state behind it is not a number, and nothing in it tells why.
+So the motion is continued from the last good state by its velocity and acceleration, and the expressions in the text of
 the scene are read along it. Nothing is executed: the syntax tree is walked, and what it does not know has no say.
 """
 
@@ -29,7 +29,7 @@ ENDS_BY_EXPRESSIONS = (
 OF_A_CONTROLLER = "the controller of input"  # whose own numbers are to blame
 STEPS_AHEAD = 4.0  # steps that are looked at
 PLACES_ON_THE_WAY = 65  # places on the way, and again between two of them
-WORDS = ("title", "description", "name", "unit", "type")  # whose text is no expression
+WORDS = ("title", "description", "name", "unit", "type")  # whose text is not an expression
 ONE = {"loads": "load", "bodies": "body", "joints": "joint", "events": "event", "states": "state"}
 ADVICE = (
     "Write it so that it has a value wherever the motion may go, such as by max(..., 0) in a root or logarithm, or end "

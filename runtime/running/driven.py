@@ -236,7 +236,7 @@ def quasi_static_motion(
     asked = seen_every_of(seen_every, samples, t0, end)
     step = asked or float(model.simulation.get("seen_every", (end - t0) / DRIVEN_SAMPLES))
     if not (np.isfinite([t0, end, step]).all() and step > 0 and end > t0):
-        raise SchemeError("t_end", "does not make a motion", "take t_end > t0")
+        raise SchemeError("t_end", "is not after t0", "take t_end > t0")
     times = _instants(t0, end, step)
     p = model.parameter_vector(parameters)
     c = model.constants(p)

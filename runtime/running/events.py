@@ -233,7 +233,7 @@ class EventHandler:
         endless = next((name for name, value in changes.items() if not np.isfinite(value)), None)
         if endless is not None:
             cause = f"event {self.reported[-1].name} sets {endless} to {changes[endless]}"
-            self.status = Status("not_finite", t, None, cause, "Let its action have a finite value there.")
+            self.status = Status("not_finite", t, None, cause, "Make its action finite there.")
         elif changes:
             z[self._inputs] = self.own.model.signals.changed(z[self._inputs].copy(), t, changes)
         settled = None

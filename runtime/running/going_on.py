@@ -53,7 +53,7 @@ def goes_on(
 ) -> GoesOn | None:
     """What goes along into a run from t0 [s] with parameters p (n_p,); None where it does not begin at another's end.
 
-    parameters, inputs: what is given anew, and stays as it is given. Raises ModelError for what cannot go along.
+    parameters, inputs: what is given anew, and stays as it is given. Raises ModelError for what cannot be continued.
     """
     if not isinstance(initial, Solution) or initial.model.digest != model.digest or not len(initial.t):
         return None
@@ -98,18 +98,21 @@ def _remembering(name: str, value: InputValue, initial: Solution, t0: float) -> 
     if kept is None and own is None:
         raise ModelError(
             f"input {name!r}",
-            "what its controller remembers cannot go along",
+            "the memory of its controller cannot be continued",
             "give its numbers as Sampled(..., memory=[...]), memory=() if it has none, or initial=run.initial_values()",
         )
     phase = (t0 - float(initial.t[0])) / value.every
     if abs(phase - round(phase)) > ON_ITS_GRID * max(1.0, abs(phase)):
         raise ModelError(
             f"input {name!r}",
-            f"its controller is asked every {value.every:g} s from {initial.t[0]:g} s on, and t0 = {t0:g} s is between",
-            "begin where it is asked, or with initial=run.initial_values()",
+            f"its controller is sampled every {value.every:g} s from {initial.t[0]:g} s on, and t0 = {t0:g} s lies "
+            "between two samples",
+            "start at a sample, or with initial=run.initial_values()",
         )
     if kept is None or own is None:
         return value
     if len(kept) != len(own):
-        raise ModelError(f"input {name!r}", "its controller does not remember what the run's did", "give that one")
+        raise ModelError(
+            f"input {name!r}", "its controller has another memory than that of the run", "pass the same controller"
+        )
     return replace(value, memory=list(kept))

@@ -74,7 +74,7 @@ def scheduled(model: EmittedModel, inputs: Mapping[str, InputValue] | None, t0: 
             every = _steps(name, value.every, dt)
             if every < 1:
                 raise ModelError(
-                    f"input {name!r}", "its controller must be asked every dt or less often", f"dt = {dt:g}"
+                    f"input {name!r}", "its controller must be sampled every dt or less often", f"dt = {dt:g}"
                 )
             schedule.controllers.append(
                 Controller(name, every, value.function, tuple(value.reads), _memory(name, value))
@@ -111,7 +111,7 @@ def _memory(name: str, controller: Sampled) -> np.ndarray | None:
     except (TypeError, ValueError):
         found = np.full(1, np.nan)
     if found.ndim != 1 or not np.isfinite(found).all():
-        raise ModelError(f"input {name!r}", "what its controller remembers is no list of finite numbers", "give one")
+        raise ModelError(f"input {name!r}", "what its controller remembers is not a list of finite numbers", "give one")
     return found
 
 
@@ -198,7 +198,7 @@ class Controller:
             ) from None
         if not np.isfinite(found):
             cause = f"the controller of input {self.name!r} gave {found}"
-            raise EndlessInput(Status("not_finite", t, None, cause, "What was computed until then is kept."))
+            raise EndlessInput(Status("not_finite", t, None, cause, "Results up to that time are kept."))
         return found
 
 
@@ -244,7 +244,9 @@ class Schedule:
         for one in self.controllers:
             if one.memory is None or len(one.memory) != len(kept.get(one.name, [])):
                 raise ModelError(
-                    f"input {one.name!r}", "its controller does not remember what the checkpoint's did", "give that one"
+                    f"input {one.name!r}",
+                    "its controller has another memory than that of the checkpoint",
+                    "pass the same controller",
                 )
             one.memory[:] = kept[one.name]
 

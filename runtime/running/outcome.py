@@ -271,9 +271,9 @@ def measured(run: Run, solution: Solution) -> MotionError:
     """
     plan, comparison_times = run.record.segments[0].plan, run.comparison_times
     if comparison_times is None or not comparison_times.samples:
-        return MotionError(reason="the run was not looked at on its way")
+        return MotionError(reason="the run was not monitored")
     if not run.problem.forgets:
-        return MotionError(reason="a controller keeps a memory of its own: give its numbers as Sampled(memory=...)")
+        return MotionError(reason="a controller has a memory of its own: declare it by Sampled(memory=...)")
     columns = followed(run.problem.model)[1]
     sampled = np.stack([solution.q[:, columns], solution.q_dot[:, columns]])
     sampled = np.concatenate(
@@ -416,7 +416,7 @@ def beside(
         raise KeyboardInterrupt
     both = among(other_times.at, np.array(other_times.steps()))
     if status.ok and not both.any():
-        return MotionError(reason="it ends before it is looked at twice")
+        return MotionError(reason="it ends before it can be compared")
     if not status.ok:
         reason = f"made again with steps of {other.segment.plan.grid.dt_L:.3g} s the motion ends as {status.name}"
         return MotionError(reliable_until=status.time, reason=f"{reason} at t = {status.time:.4g} s")
@@ -445,7 +445,7 @@ def compared_behind_start(
         among(comparison_times.at, np.array(comparison_times.steps())) & (comparison_times.at > first)
     ]
     if problem.model.description.events or problem.inputs or len(run.record.segments) > 1 or not len(at):
-        return MotionError(reason="it cannot be begun with other steps")
+        return MotionError(reason="it cannot be started with other steps")
     fine = stepped_by(problem, plan, plan.grid.dt_L / START_FINER, first * START_FINER, 1 / START_FINER)
     start = start_run(problem, fine, None, quiet=True, like=run)
     status = start.integrate()

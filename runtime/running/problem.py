@@ -107,7 +107,7 @@ def span_of(model: EmittedModel, t0: Any, t_end: Any) -> tuple[float, float]:
 def seen_every_of(seen_every: Any, samples: Any, t0: float, t_end: float) -> float | None:
     """The time from sample to sample that is asked for [s], 0 for every step; None: nothing is. Raises SchemeError."""
     if seen_every is not None and samples is not None:
-        raise SchemeError("seen_every, samples", "are two answers", "give the time between samples or their number")
+        raise SchemeError("seen_every, samples", "exclude each other", "give the time between samples or their number")
     if samples is not None:
         if isinstance(samples, bool) or not isinstance(samples, int | np.integer) or samples < 1:
             raise SchemeError(f"samples must be a whole number of at least 1, not {samples!r}")
@@ -321,7 +321,7 @@ def refuse_alike(t0: float, end: float, dt: float) -> None:
     latest = max(abs(t0), abs(end))
     if dt < DISTINCT_TIMES * latest:
         near = f"times near {latest:g} s that are {dt:g} s apart"
-        raise SchemeError(f"{near} cannot be told from each other; begin at t0 = 0")
+        raise SchemeError(f"{near} cannot be distinguished; start at t0 = 0")
 
 
 def tolerance_of(

@@ -173,7 +173,7 @@ def simulate(
     if asked is not None and dt is not None:
         raise SchemeError(
             "dt",
-            "is the step, which a tolerance chooses",
+            "cannot be given with a tolerance, which chooses the step",
             "leave dt out (seen_every spaces the samples), or name a scheme",
         )
     if asked is not None and spacing is None and scheme is None and tolerance is None:

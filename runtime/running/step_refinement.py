@@ -96,7 +96,7 @@ class RefinementLevel:
     seconds: float = 0.0
     differs: float = np.nan
     error: float = np.nan
-    estimated: MotionError = field(default_factory=lambda: MotionError(reason="there is no rung before it"))
+    estimated: MotionError = field(default_factory=lambda: MotionError(reason="there is no coarser level"))
 
     @cached_property
     def reached(self) -> np.ndarray:

@@ -134,7 +134,7 @@ class Scheme(ABC):
     def of_one_length(self, what: str) -> None:
         """Refuse steps that a tolerance makes, for `what` needs them all alike. Raises SchemeError."""
         if self.adaptive:
-            raise SchemeError("tolerance", f"{what} needs steps of one length", "leave the tolerance out and give dt")
+            raise SchemeError("tolerance", f"{what} needs a fixed step", "leave the tolerance out and give dt")
 
     def hit_min_step(self, z: np.ndarray) -> bool:
         """Was a step rejected that is as short as steps may be? Never one of a given length."""

@@ -54,7 +54,7 @@ class Closure:
 
     @property
     def step_factor(self) -> ca.SX:
-        """h_next / h, at most, with which they would; SHRINK where the error is no number."""
+        """h_next / h, at most, with which they would; SHRINK where the error is not a number."""
         factor = (CLOSURE_AIM * self.limit / ca.fmax(self.error, LEAST_CLOSURE)) ** (1 / CLOSURE_ORDER)
         return ca.if_else(self.error >= 0, ca.fmax(factor, SHRINK), SHRINK)
 
@@ -69,7 +69,7 @@ class StepSizeController:
     error_order: int
 
     def keeps_step(self, square: ca.SX, peak: ca.SX) -> ca.SX:
-        """May h stay as it is? Not where the error is no number."""
+        """May h stay as it is? Not where the error is not a number."""
         return ca.logic_and(square <= 1, peak >= LOW_ERROR**2)
 
     def judge(self, square: ca.SX, closure: Closure | None) -> ca.SX:

@@ -152,7 +152,7 @@ def leading(model: EmittedModel) -> ca.Function:
 def smooth_sides(model: EmittedModel) -> ca.Function:
     """(t, lead, c) -> (1 where nothing jumps in time from t to a lead [s] later, the same to a lead before).
 
-    Rates are differences of two equilibria, and a jump between them is no rate. Built once for a model.
+    Rates are differences of two equilibria, and a jump between them is not a rate. Built once for a model.
     """
 
     def build() -> ca.Function:
@@ -315,8 +315,8 @@ class ElasticEquilibrium:
         at = balance(found.x) if found.converged else None
         if at is None or _soft(at):
             raise InitialStateError(
-                "there is no quasi-static elastic equilibrium in reach of the initial state (a soft or buckled "
-                "body, or rigid ones that stiff springs throw about?): start = equilibrium, which settles these, too, "
+                "there is no quasi-static elastic equilibrium near the initial state (a soft or buckled "
+                "body, or rigid bodies on stiff springs?): start = equilibrium, which settles these, too, "
                 "or given, with elastic coordinates of your own"
             )
         if not self.unstable and float(_curvatures(at).max()) > UNSTABLE_CURVATURE * float(

@@ -116,7 +116,7 @@ def one_group(structure: LinearStructure, step: float | None = None) -> Regions:
 
 
 def checked_step(step: float | None, limit: float, item: str) -> None:
-    """Raises StructureError for a step that is no positive number, or beyond a limit."""
+    """Raises StructureError for a step that is not a positive number, or beyond a limit."""
     if step is None:
         return
     if not (np.isfinite(step) and step > 0):

@@ -425,7 +425,7 @@ def _left(
 
 def _status(level: _Level, last: float, error: StructureRunError, tolerance: float | None) -> Status:
     if level.failed == "interrupted":
-        return Status("interrupted", last, None, "stopped by the user", "what was computed is kept")
+        return Status("interrupted", last, None, "stopped by the user", "results up to here are kept")
     if level.failed:
         return Status(
             "not_finite",

@@ -223,7 +223,7 @@ def _checked_names(given: Sequence[str], n: int) -> list[str]:
         raise StructureError("coordinates", f"{len(names)} names for {n} rows of K", "give one name a row")
     if len(set(names)) < n:
         twice = next(name for name in names if names.count(name) > 1)
-        raise StructureError("coordinates", f"'{twice}' is there twice", "rename one of them")
+        raise StructureError("coordinates", f"'{twice}' appears twice", "rename one of them")
     return names
 
 

@@ -285,7 +285,7 @@ def convergence(
     if levels not in (1, 2):
         raise ArgumentError("levels", f"cannot be {levels}", "give 1 or 2")
     if of == EQUILIBRIUM and (t_end is not None or start is not None):
-        raise ArgumentError("t_end" if t_end is not None else "start", "is of a motion", "leave it out, or of")
+        raise ArgumentError("t_end" if t_end is not None else "start", "applies to motions only", "leave it out, or of")
     if samples < 2:
         raise ArgumentError("samples", f"cannot be {samples}", "give a number from 2 on")
     wanted = None if callable(outputs) else _readings(model, outputs, of)
@@ -343,12 +343,14 @@ def _readings(model: EmittedModel, outputs: Any, of: str) -> list[tuple[str, str
         if any(name in (one, f"{one}_dot", f"{one}_ddot") for one in elastic):
             raise ArgumentError(
                 f"outputs {name!r}",
-                "is the share of a shape, which has no limit of its own",
+                "is the amplitude of one shape, which does not converge",
                 "name a measure of a place",
             )
         for how in [hows] if isinstance(hows, str) else hows:
             if how not in HOWS:
-                raise ArgumentError(f"outputs {name!r}", f"there is no reading {how!r}", f"take of {', '.join(HOWS)}")
+                raise ArgumentError(
+                    f"outputs {name!r}", f"there is no reading {how!r}", f"choose from {', '.join(HOWS)}"
+                )
             found.append((name, how if of == MOTION else "end"))
     return list(dict.fromkeys(found))
 
@@ -379,7 +381,9 @@ def _chosen(
     asked = list(USUAL if knobs is None else knobs)
     for name in asked if knobs is not None else ():
         if not any(name in (one["name"], one["kind"]) for one in known.values()):
-            raise ArgumentError(f"knobs {name!r}", "is no knob of this scene", f"it has {', '.join(known) or 'none'}")
+            raise ArgumentError(
+                f"knobs {name!r}", "is not a knob of this scene", f"it has {', '.join(known) or 'none'}"
+            )
     can = [one for one in known.values() if "blind" not in one and one["name"] not in given]
     chosen = [one for one in can if one["kind"] in asked or one["name"] in asked]
     return chosen, [str(one["name"]) for one in can if one not in chosen]

@@ -100,7 +100,9 @@ def _reductions(reduce: Mapping[str, str | Sequence[str]]) -> list[tuple[str, st
     found = [(name, one) for name, which in reduce.items() for one in ([which] if isinstance(which, str) else which)]
     for name, one in found:
         if one not in REDUCED:
-            raise ArgumentError(f"reduce[{name!r}]", f"there is no reduction {one!r}", f"take of {', '.join(REDUCED)}")
+            raise ArgumentError(
+                f"reduce[{name!r}]", f"there is no reduction {one!r}", f"choose from {', '.join(REDUCED)}"
+            )
     return found
 
 
@@ -204,7 +206,7 @@ def fit_periodic(
     ArgumentError, ModelError, SchemeError
         For what cannot be used.
     NoResult
-        Where the data do not tell the parameters, and where the guess has no motion that repeats.
+        Where the data do not determine the parameters, and where the guess has no motion that repeats.
 
     Notes
     -----
@@ -217,9 +219,9 @@ def fit_periodic(
     outputs = [name for name in data if name != "t"]
     counts = {np.size(data[name]) for name in outputs}
     if len(counts) != 1 or min(counts, default=0) < 2:
-        raise ArgumentError("data", "are not as many values of each output", "give one for each time of the period")
+        raise ArgumentError("data", "have different numbers of values", "give one for each time of the period")
     if how.get("speed") in parameters or how.get("period") == "free":
-        raise ArgumentError("parameters", "the period would move with them, and data at fixed times", "fix the period")
+        raise ArgumentError("parameters", "would change the period, but the data are at fixed times", "fix the period")
     run = SteadyRun(model, tuple(outputs), tuple(parameters), dict(fixed or {}), counts.pop(), dict(how))
     return fit_prepared(run, {name: data[name] for name in outputs}, bounds=bounds, guess=guess, deviation=deviation)
 

@@ -151,7 +151,7 @@ def _chosen(names: list[str], wanted: tuple[str, ...] | None) -> list[str]:
         if not any(fnmatchcase(name, pattern) for name in names):
             raise DerivationError(
                 "partition.stiff",
-                f"'{pattern}' is no elastic coordinate and no rotational spring between independent coordinates",
+                f"'{pattern}' is neither an elastic coordinate nor a rotational spring between independent coordinates",
                 f"choose among {', '.join(names)}" if names else "leave it out",
             )
     return [name for name in names if any(fnmatchcase(name, pattern) for pattern in wanted)]

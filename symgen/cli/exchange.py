@@ -26,7 +26,7 @@ def import_robot(arguments: argparse.Namespace) -> Outcome:
 
     path = Path(arguments.out) if arguments.out else Path(f"{Path(arguments.file).stem}.toml")
     if path.exists() and not arguments.force:
-        raise SceneError(f"file '{path}'", "is there already", "choose another --out, or replace it with --force")
+        raise SceneError(f"file '{path}'", "already exists", "choose another --out, or replace it with --force")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RobotWarning)  # the list below has them
         robot = read(

@@ -158,8 +158,7 @@ def loaded_or_run(arguments: argparse.Namespace) -> tuple[Solution, Path | None]
         given = [flags.get(name, name) for name in RUN if name != "engine" and getattr(arguments, name)]
         if given:
             raise UsageError(
-                f"{arguments.scene} holds results that are there already; --{given[0].replace('_', '-')} "
-                "needs a SCENE to simulate"
+                f"{arguments.scene} holds results already; --{given[0].replace('_', '-')} needs a SCENE to simulate"
             )
         return results_of(folder), folder
     return run_model(opened_model(arguments.scene, arguments.made_with), arguments), None

@@ -32,7 +32,7 @@ def new(arguments: argparse.Namespace) -> Outcome:
     if path.suffix != ".toml":
         raise SceneError(f"file '{path}'", "does not end in .toml", f"use --out {path}.toml")
     if path.exists() and not arguments.force:
-        raise SceneError(f"file '{path}'", "is there already", "choose another --out, or replace it with --force")
+        raise SceneError(f"file '{path}'", "already exists", "choose another --out, or replace it with --force")
     write_text(path, text)
     return Outcome(
         {"scene": name, "file": str(path)},

@@ -87,7 +87,7 @@ def _made(name: str, make: Callable[..., SceneRecord], made_with: Mapping[str, f
     values: dict[str, float | int] = {}
     for key, value in made_with.items():
         if key not in known:
-            raise SceneError(f"--with {key}", f"scene {name} is not made with that", did_you_mean(key, known))
+            raise SceneError(f"--with {key}", f"scene {name} does not take that", did_you_mean(key, known))
         if isinstance(known[key].default, bool):
             if value not in (0, 1):
                 raise SceneError(f"--with {key}", f"{value:g} is neither 0 nor 1", "give 1 for yes or 0 for no")
@@ -95,7 +95,7 @@ def _made(name: str, make: Callable[..., SceneRecord], made_with: Mapping[str, f
             continue
         counts = isinstance(known[key].default, int)
         if counts and (value != int(value) or not 0 <= value <= MAX_COUNT):
-            raise SceneError(f"--with {key}", f"{value:g} is not a whole number from 0 to {MAX_COUNT}", "count again")
+            raise SceneError(f"--with {key}", f"{value:g} is not a whole number from 0 to {MAX_COUNT}", "correct it")
         values[key] = int(value) if counts else value
     return make(**values)
 

@@ -104,7 +104,7 @@ def campbell(arguments: argparse.Namespace) -> Outcome:
     if arguments.points < 2:
         raise UsageError("--points must be at least 2")
     if arguments.initial:
-        raise UsageError("--initial has no place here: every equilibrium starts from the one before")
+        raise UsageError("--initial does not apply here: every equilibrium starts from the one before")
     name, first, last = arguments.over
     model = opened_model(arguments.scene, arguments.made_with)
     how = settings(arguments, ("held", "rates", "parameters", "locked"))

@@ -40,7 +40,7 @@ def sweep(arguments: argparse.Namespace) -> Outcome:
         try_writing(arguments.out)
     sampled = arguments.seen_every is not None or arguments.samples is not None
     if arguments.reduce and sampled:
-        raise UsageError("--reduce and samples are two answers: give one")
+        raise UsageError("--reduce and samples exclude each other: give one")
     model = opened_model(arguments.scene, arguments.made_with)
     columns = _combined(arguments.over)
     hows = [] if sampled else arguments.reduce or ["peak", "end"]
@@ -177,9 +177,9 @@ def periodic(arguments: argparse.Namespace) -> Outcome:
     how = settings(arguments, ("period", "speed", "turns", "settle", "tolerance", "parts", "scheme", "parameters"))
     how["start"] = arguments.initial or None
     if arguments.flips and not arguments.over:
-        raise UsageError("--flips goes with --over")
+        raise UsageError("--flips needs --over")
     if arguments.resume and not arguments.over:
-        raise UsageError("--resume goes with --over")
+        raise UsageError("--resume needs --over")
     if arguments.over:
         name, first, last = arguments.over
         further = {"flips": arguments.flips, "resume": arguments.resume}
@@ -280,7 +280,7 @@ def converge(arguments: argparse.Namespace) -> Outcome:
     if hows and not outputs:
         raise UsageError("--reduce needs --outputs NAMES")
     if hows and arguments.equilibrium:
-        raise UsageError("--reduce is of a motion: leave it or --equilibrium out")
+        raise UsageError("--reduce applies to motions: remove it or --equilibrium")
     model = opened_model(arguments.scene, arguments.made_with)
     others: dict[str, Any] = {
         side: {knob: opened_model(word) for knob, word in getattr(arguments, side).items()}

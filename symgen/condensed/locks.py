@@ -158,7 +158,9 @@ def locks(system: Condensed) -> Locks:
     for one, row in zip(elements, rows, strict=True):
         if one.stops and all(row.get(c, ZERO).is_zero() for c in system.choice.independent):
             remedy = "leave the limits out, or let the joint move by forces"
-            raise DerivationError(f"{one.joint}.limits", "are on a way that is prescribed: no stop can hold it", remedy)
+            raise DerivationError(
+                f"{one.joint}.limits", "are along a prescribed motion, which no stop can hold", remedy
+            )
     bias = [
         sub(total(mul(value, still[c]) for c, value in one.row.items() if c in still), one.gamma) for one in elements
     ]

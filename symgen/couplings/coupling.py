@@ -54,7 +54,7 @@ class Coupling(StrictModel):
     def faults(self, scene: Surroundings) -> Iterator[Fault]:
         """Names of no coordinate, of one twice, of one of the wrong kind, of an angle that is none; zeros."""
         if self.name in {joint.name for joint in scene.joints}:
-            yield Fault("", "has the name of a joint", "rename one of them: forces are told by these names")
+            yield Fault("", "has the name of a joint", "rename one of them: forces are identified by these names")
         for key in self.not_zero:
             if getattr(self, key) == 0:
                 yield Fault(key, "is zero, so that nothing would be coupled", "give a number that is not zero")

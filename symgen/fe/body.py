@@ -354,7 +354,9 @@ class FlexibleBody:
             For other elements, by name and number; for sets that are not there; for files that cannot be read.
         """
         if not isinstance(material, Material):
-            raise FiniteElementError("material", f"{material!r} is none", "give Material(E, nu, rho) in SI, or STEEL")
+            raise FiniteElementError(
+                "material", f"{material!r} is not a material", "give Material(E, nu, rho) in SI, or STEEL"
+            )
         found = FileMesh(path, units)
         return cls.from_mesh(
             found.mesh,

@@ -302,7 +302,7 @@ def modal_fields(
     ):
         raise FiniteElementError(
             "damping_ratio",
-            f"{damping_ratio!r} is not a share of the critical damping, or one per mode",
+            f"{damping_ratio!r} is not a fraction of critical damping, or one per mode",
             f"give one number from 0 to 1, 0.02 for 2 %, or {len(eigenvalues)}",
         )
     arrays = {

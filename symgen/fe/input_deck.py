@@ -38,7 +38,7 @@ def plain_deck(file: Path) -> str:
         elif keyword in sets:
             _named(sets[keyword], head, _members(file, number, head, data, sets[keyword]))
         elif keyword == "INCLUDE":
-            raise FiniteElementError(file.name, f"line {number}: {head[:60]}", "put the included file in its place")
+            raise FiniteElementError(file.name, f"line {number}: {head[:60]}", "insert the included file there")
     lines = ["*NODE", *nodes.values(), *elements]
     for keyword, named in sets.items():
         for name, members in named.items():

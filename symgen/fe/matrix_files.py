@@ -41,7 +41,7 @@ def read_matrix(path: str | Path, dofs: ArrayLike | None = None, name: str | Non
     Raises
     ------
     FiniteElementError
-        With the line, for what is no number, an entry outside or a node that `dofs` does not have.
+        With the line, for what is not a number, an entry outside or a node that `dofs` does not have.
     """
     file = Path(path)
     if file.suffix.lower() == ".op4":
@@ -52,7 +52,7 @@ def read_matrix(path: str | Path, dofs: ArrayLike | None = None, name: str | Non
             return sp.csr_matrix(scipy.io.mmread(file))
         except ValueError as error:
             raise FiniteElementError(
-                str(file.name), f"is no sound MatrixMarket file: {error}", "export it again"
+                str(file.name), f"is not a valid MatrixMarket file: {error}", "export it again"
             ) from error
     lines, entries = _numbers(file, text)
     if entries.shape[1] == 5:
@@ -144,7 +144,7 @@ def _numbers(file: Path, text: str) -> tuple[list[int], Array]:
         lines.append(number)
         if len(rows[-1]) != len(rows[0]):
             problem = f"line {number} has {len(rows[-1])} numbers, those before have {len(rows[0])}"
-            raise FiniteElementError(file.name, problem, "the file is cut or mixed: export it again")
+            raise FiniteElementError(file.name, problem, "the file is truncated or mixed: export it again")
     if not rows:
         raise FiniteElementError(file.name, "holds no entries", "export the matrix again")
     return lines, np.array(rows)
@@ -189,7 +189,7 @@ def _op4(file: Path, name: str | None) -> sp.csr_matrix:
     try:
         found = op4.load(str(file), into="dct", justmatrix=True)
     except (OSError, ValueError, IndexError) as error:
-        raise FiniteElementError(file.name, f"is no sound OP4 file: {error}", "export it again") from error
+        raise FiniteElementError(file.name, f"is not a valid OP4 file: {error}", "export it again") from error
     if name is None and len(found) != 1 or name is not None and name.lower() not in found:
         wanted = "which is wanted is not said" if name is None else f"there is no {name!r}"
         raise FiniteElementError(file.name, f"holds {', '.join(found)}: {wanted}", "give name=... of one of them")

@@ -192,7 +192,9 @@ def with_static_shapes(
             energy = float(static @ (body.K @ static))
             if energy <= ENERGY_ROUNDING * _largest(body, loads):
                 raise FiniteElementError(
-                    "static", f"{name!r} does not bend the body as it is held", "leave it out, or hold an interface"
+                    "static",
+                    f"{name!r} does not deform the body with its interfaces held",
+                    "leave it out, or hold an interface",
                 )
             rest = static - shapes @ (shapes.T @ (body.K @ static) / eigenvalues)
             left = float(rest @ (body.K @ rest))
@@ -209,7 +211,7 @@ def _loads(name: str, fields: Array, interfaces: Mapping[str, Interface]) -> Arr
     kind, _, axis = name.partition("_")
     if kind not in KINDS or axis not in ("x", "y", "z"):
         known = [*(f"{one}_{along}" for one in KINDS for along in "xyz"), *interfaces]
-        raise FiniteElementError("static", f"{name!r} is not known", f"take of {', '.join(known)}")
+        raise FiniteElementError("static", f"{name!r} is not known", f"choose from {', '.join(known)}")
     k = "xyz".index(axis)
     i, j = (k + 1) % AXES, (k + 2) % AXES
     linear = fields[:, AXES:].reshape(len(fields), AXES, AXES)  # M x_i e_j

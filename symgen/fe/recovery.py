@@ -225,7 +225,7 @@ class StressRecovery:
                     items[k],
                     f"({_point(places[k] - origin)}) m lies outside of the body; its nearest node, "
                     f"{apart[k]:.3g} m away, is at ({_point(nearest)}) m",
-                    "give a place on or in the body; one beside it by a tenth of a cell moves to its surface",
+                    "give a place on or in the body; a point up to a tenth of a cell outside is moved to the surface",
                 )
             elements[k], local[k] = found
         return elements, local, nodes

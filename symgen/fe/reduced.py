@@ -155,14 +155,14 @@ def _dense(item: str, matrix: Any, n_b: int) -> Array:
 def _point(item: str, at: ArrayLike, units: str) -> Array:
     place = np.asarray(at, dtype=float)
     if place.shape != (AXES,) or not np.isfinite(place).all():
-        raise FiniteElementError(item, f"{at!r} is no place", "give x, y, z of the interface node")
+        raise FiniteElementError(item, f"{at!r} is not a place", "give x, y, z of the interface node")
     return place * LENGTHS[units]
 
 
 def _origin(origin: str | ArrayLike, places: Mapping[str, Array], units: str) -> Array:
     if isinstance(origin, str):
         if origin not in places:
-            raise FiniteElementError("origin", f"{origin!r} is no interface", f"choose one of {list(places)}")
+            raise FiniteElementError("origin", f"{origin!r} is not an interface", f"choose one of {list(places)}")
         return places[origin]
     return _point("origin", origin, units)
 

@@ -89,7 +89,7 @@ def acting(motion: BodyMotion, nf: int, interfaces: Mapping[str, Array], size: f
         return causes(motion, interfaces, size)
     except UnknownInterface as error:
         raise FiniteElementError(
-            f"marker '{error}'", "forces act there, but it is no interface", "name an interface at that place"
+            f"marker '{error}'", "forces act there, but it is not an interface", "name an interface at that place"
         ) from None
 
 

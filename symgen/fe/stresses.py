@@ -95,7 +95,7 @@ class EquilibriumStresses:
         analysis, Int. J. Numer. Methods Eng. 24 (1987) 337-357.
         """
         if not self.error_rows:
-            raise FiniteElementError("mesh_error", "is of places", "take body.equilibrium_stresses(at=...)")
+            raise FiniteElementError("mesh_error", "applies to places only", "take body.equilibrium_stresses(at=...)")
         amounts = self._causes(motion)
         return np.stack([np.linalg.norm(amounts @ rows.T, axis=1) for rows in self.error_rows], axis=1)
 
@@ -175,7 +175,7 @@ def _compressed(rows: Array) -> Array:
 def _places(at: ArrayLike) -> Array:
     wanted = np.atleast_2d(np.asarray(at, dtype=float))
     if wanted.shape[1] != AXES or not np.isfinite(wanted).all():
-        raise FiniteElementError("at", "has rows that are no points", "give x, y, z in metres")
+        raise FiniteElementError("at", "has rows that are not points", "give x, y, z in metres")
     return wanted
 
 
@@ -240,7 +240,7 @@ def _place(body: FEStructure, origin: Array, name: str, given: int | ArrayLike) 
         return np.asarray(body.positions[body.places(item, [int(given)])[0]] - origin)
     point = np.asarray(given, dtype=float)
     if point.shape != (AXES,) or not np.isfinite(point).all():
-        raise FiniteElementError(item, f"{given!r} is no place", "give x, y, z in metres, or the id of a node")
+        raise FiniteElementError(item, f"{given!r} is not a place", "give x, y, z in metres, or the id of a node")
     return point
 
 
@@ -355,7 +355,7 @@ class ModalStresses:
         Raises
         ------
         FiniteElementError
-            For rows that are no points, and for a place farther outside.
+            For rows that are not points, and for a place farther outside.
         """
         found = self._recovered(places)
         columns = self._columns(found)

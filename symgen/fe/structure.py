@@ -87,7 +87,7 @@ def interface(body: FEStructure, name: str, nodes: NodeSet, position: Array | No
     else:
         raise FiniteElementError(
             item,
-            "its nodes lie on one line and have no rotations, so that they tell none",
+            "its nodes lie on one line and have no rotations, so the rotation about that line is undefined",
             "take three or more nodes that are not on a line",
         )
     if position is None:
@@ -198,7 +198,7 @@ class FEStructure:
     def places(self, item: str, ids: Iterable[int]) -> Integers:
         """Places of nodes in the table. Raises FiniteElementError for unknown or repeated ids, or for none."""
         if not NODES.holds(ids):
-            raise FiniteElementError(item, f"{shown_value(ids)} is no list of nodes", NODES.wanted)
+            raise FiniteElementError(item, f"{shown_value(ids)} is not a list of nodes", NODES.wanted)
         wanted = np.asarray(list(ids), dtype=np.int64)
         place = {int(name): k for k, name in enumerate(self.ids)}
         unknown = [int(name) for name in wanted if int(name) not in place]
@@ -231,9 +231,9 @@ def structure(
             "give x, y, z of every node",
         )
     if len(np.unique(ids)) < len(ids):
-        raise FiniteElementError("nodes", "an id stands twice in the table", "give each node one row")
+        raise FiniteElementError("nodes", "an id appears twice in the table", "give each node one row")
     if len(np.unique(np.stack([node, component]), axis=1).T) < n:
-        raise FiniteElementError("dofs", "a motion of a node stands twice in the dof map", "give each one row")
+        raise FiniteElementError("dofs", "a motion of a node appears twice in the dof map", "give each one row")
     stiffness, mass = _checked("stiffness", K, n), _checked("mass", M, n)
     empty = np.flatnonzero((stiffness.diagonal() == 0.0) & (mass.diagonal() == 0.0))
     if empty.size:

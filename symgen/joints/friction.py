@@ -73,14 +73,14 @@ class Friction(StrictModel):
             yield Fault("friction.stribeck", "is beyond what holds, which is coulomb", remedy)
         if not falls and self.stribeck_velocity is not None:
             remedy = f"give a {holds} above {slides}" if self.stribeck is None else "leave it out, or stribeck"
-            yield Fault("friction.stribeck_velocity", "has nothing to act on", remedy)
+            yield Fault("friction.stribeck_velocity", "has no effect", remedy)
         if not falls and least == 0 and not most:
-            yield Fault("friction", "holds nothing", f"give a {slides} above zero, or damping where it is only viscous")
+            yield Fault("friction", "is zero", f"give a {slides} above zero, or damping where it is only viscous")
         numbers = [one for one in (most, least, self.stribeck or 0.0) if isinstance(one, float | int)]
         if len(numbers) == 3 and numbers[0] < numbers[1] + numbers[2]:
             together = slides if self.stribeck is None else "coulomb and stribeck together"
             yield Fault(
-                f"friction.{holds}", f"{numbers[0]:g} is below {together}: what holds would slide at once",
+                f"friction.{holds}", f"{numbers[0]:g} is below {together}: the joint would slide at once",
                 "give a larger one",
             )  # fmt: skip
 
@@ -91,4 +91,4 @@ class Friction(StrictModel):
                 "friction.radius", "is missing: a hinge rubs on its bearing", "give the radius of the bearing [m]"
             )
         if self.mu is not None and not turns and self.radius is not None:
-            yield Fault("friction.radius", "is of hinges", "leave it out of a joint that slides")
+            yield Fault("friction.radius", "applies to hinges only", "leave it out of a joint that slides")

@@ -280,11 +280,11 @@ def together(m: InSpace) -> list[Equation]:
 
 
 def beam_faults(key: str, name: str, scene: Surroundings, moving: bool = False) -> Iterator[Fault]:
-    """Of a body that is no beam, or not one on which something can move."""
+    """Of a body that is not a beam, or not one on which something can move."""
     body = next((one for one in scene.bodies if one.name == name), None)
     beams = [one.name for one in scene.bodies if one.type == "beam"]
     if body is None or body.type != "beam":
-        what = "there is no body" if body is None else "is no beam: body"
+        what = "there is no body" if body is None else "is not a beam: body"
         yield Fault(key, f"{what} '{name}'", did_you_mean(name, beams) if beams else "add a body of type beam")
     elif moving and body.stiffening:
         yield Fault(key, f"'{name}' shortens as it bends", "take no stiffening: it is not known along the beam")

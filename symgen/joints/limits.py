@@ -44,7 +44,7 @@ class Limits(StrictModel):
         """No end at all, or ends that are crossed; neither rigid nor compliant, or both. The rest is bounded."""
         yield from self._law_faults()
         if self.lower is None and self.upper is None:
-            yield Fault("limits", "has no end", "give lower or upper, or leave the limits out")
+            yield Fault("limits", "have neither lower nor upper", "give lower or upper, or leave the limits out")
         ends = [one for one in (self.lower, self.upper) if isinstance(one, float | int)]
         if len(ends) == 2 and ends[0] >= ends[1]:
             yield Fault("limits", f"lower {ends[0]:g} is not below upper {ends[1]:g}", "exchange or move them")
@@ -55,9 +55,11 @@ class Limits(StrictModel):
             both = "a restitution and a stiffness" if "stiffness" in compliant else f"a restitution and {compliant[0]}"
             yield Fault("limits", f"has {both}", f"leave {' and '.join(compliant)} out of a rigid stop")
         elif not self.rigid and self.stiffness is None:
-            yield Fault("limits", "does not say what its stops do", "give a restitution, or a stiffness")
+            yield Fault("limits", "have neither restitution nor stiffness", "give a restitution, or a stiffness")
         elif not self.rigid and self.beyond is not None:
-            yield Fault("limits.beyond", "is of rigid stops", "leave it out, or give a restitution for the stiffness")
+            yield Fault(
+                "limits.beyond", "applies to rigid stops only", "leave it out, or give a restitution for the stiffness"
+            )
         if isinstance(self.restitution, float | int) and self.restitution > 1:
             problem = f"{self.restitution:g} is above 1: an impact would make energy"
             yield Fault("limits.restitution", problem, "give 0 (plastic) to 1 (elastic)")

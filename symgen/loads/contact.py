@@ -89,12 +89,12 @@ class Contact(Load):
     def faults(self, scene: Surroundings) -> Iterator[Fault]:
         """Nothing to touch, or two things; a ball without size against another."""
         if (self.plane is None) == (self.other is None):
-            yield Fault("plane", "names nothing to touch, or two things", "give plane or other, one of them")
+            yield Fault("plane", "needs plane or other, and not both", "give one of them")
         elif self.marker.partition(".")[0] == (self.plane or self.other or "").partition(".")[0]:
             body, key = self.marker.partition(".")[0], "plane" if self.plane is not None else "other"
             yield Fault(key, f"is on the body '{body}' of the ball: a body does not touch itself", "name another body")
         elif self.plane is not None and self.other_radius != 0:
-            yield Fault("other_radius", "is of another ball, and there is a plane", "leave it out")
+            yield Fault("other_radius", "applies to a second ball, but a plane is given", "leave it out")
         elif self.other is not None and self.radius == 0 and self.other_radius == 0:
             yield Fault("radius", "is zero, and so is other_radius: two points never touch", "give one a radius")
 

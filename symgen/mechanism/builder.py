@@ -257,7 +257,7 @@ class Scene(SceneEntries):
         Raises
         ------
         SceneError
-            In `build` for a wrong number of components and for what is no quantity.
+            In `build` for a wrong number of components and for what is not a quantity.
         """
         return self._set("gravity", list(components))
 
@@ -578,7 +578,7 @@ class Scene(SceneEntries):
         Raises
         ------
         SceneError
-            For what is no mapping with names; in `build` for unknown names.
+            For what is not a mapping with names; in `build` for unknown names.
         """
         return self._start("coordinates", coordinates)
 
@@ -598,7 +598,7 @@ class Scene(SceneEntries):
         Raises
         ------
         SceneError
-            For what is no mapping with names; in `build` for unknown names.
+            For what is not a mapping with names; in `build` for unknown names.
         """
         return self._start("rates", rates)
 
@@ -656,7 +656,7 @@ class Scene(SceneEntries):
         Raises
         ------
         SceneError
-            For a scene that `build` refuses, and for what is no path.
+            For a scene that `build` refuses, and for what is not a path.
         OutputError
             For a place that cannot be written.
         """
@@ -714,7 +714,7 @@ class Scene(SceneEntries):
 
     def _start(self, kind: str, values: dict[str, Any]) -> Self:
         if not isinstance(values, Mapping) or not all(isinstance(key, str) for key in values):
-            raise SceneError(f"initial.{kind}", f"{show(values)} is no table", 'give names: {"rod.theta": 0.1}')
+            raise SceneError(f"initial.{kind}", f"{show(values)} is not a table", 'give names: {"rod.theta": 0.1}')
         start = self._data.setdefault("initial", {})
         start[kind] = {**start.get(kind, {}), **_plain(values, "initial")}
         return self
@@ -815,7 +815,9 @@ def _method(section: str, type: str, record: type[StrictModel]) -> Callable[...,
             problem = f"{show(values[len(needed)])} is one value too many: {type}({', '.join(['name', *needed])})"
             raise SceneError(f"{section} {show(name)}", problem, f"name it: {', '.join(free) or 'none'}")
         if twice := sorted(placed.keys() & fields.keys()):
-            raise SceneError(f"{section} {show(name)}.{twice[0]}", "is given by place and by name", "give it once")
+            raise SceneError(
+                f"{section} {show(name)}.{twice[0]}", "is given twice, by position and by name", "give it once"
+            )
         return self._add(section, type, name, {**placed, **fields})
 
     either, named = Parameter.POSITIONAL_OR_KEYWORD, Parameter.KEYWORD_ONLY

@@ -327,7 +327,7 @@ class _QuantityCheck:
         if isinstance(value, str) and meaning.scope not in (Scope.EVENTS, Scope.MOTION):
             for name in sorted(self.late & set(WORD.findall(value))):
                 raise SceneError(
-                    path, f"uses '{name}', which is of the force of a load and known behind the loads only",
+                    path, f"uses '{name}', a force of a load, which is known only after all loads",
                     "write the law of that force here; events and expressions of measures may use it",
                 )  # fmt: skip
         if meaning.scope is Scope.PARAMETERS and isinstance(value, str):
@@ -358,8 +358,8 @@ def damping_errors(scene: SceneParts) -> Iterator[SceneError]:
         if ratio > 1 and getattr(body, "damping_frequency", None) is None:
             yield SceneError(
                 f"{item_path('bodies', index, body.name)}.damping_ratio",
-                f"is {ratio:g}, of which 1 is critical: no mode would vibrate",
-                "give a share, 0.02 for 2 %, or damping_frequency where it holds",
+                f"is {ratio:g} of critical: no mode would vibrate",
+                "give a fraction, 0.02 for 2 %, or damping_frequency where it holds",
             )
 
 

@@ -294,7 +294,7 @@ class Structure(StrictModel):
             yield Fault("coordinates", "is empty", "name at least one coordinate")
         for index, name in enumerate(names):
             if name in names[:index]:
-                yield Fault(f"coordinates[{index}]", f"'{name}' is there twice", "rename one of them")
+                yield Fault(f"coordinates[{index}]", f"'{name}' appears twice", "rename one of them")
         yield from size_faults(self, len(names))
 
 

@@ -38,7 +38,7 @@ def lumped_mesh_faults(beam: BeamBody, space: str) -> Iterator[Fault]:
     for key in numbers:
         if isinstance(getattr(beam, key), str):
             remedy = "give a number, or leave mesh out: shapes in closed form follow parameters"
-            yield Fault(key, "is no number, which the shapes of a mesh need", remedy)
+            yield Fault(key, "is not a number, which the shapes of a mesh need", remedy)
     if beam.lateral is not None:
         yield from _ends_fault("lateral", beam.lateral.ends, beam.lateral.modes, beam.elements)
     if beam.axial is not None:

@@ -129,7 +129,7 @@ class SectionForceMeasure(_Measure):
         """A marker that is on no beam with shapes of the kind that is asked for."""
         body, kind = scene.marker(self.of)[0], KNOWN_BY[self.type]
         if not isinstance(body, BeamBody):
-            yield Fault("of", f"'{body.name}' is no beam", "name a marker of a beam")
+            yield Fault("of", f"'{body.name}' is not a beam", "name a marker of a beam")
         elif getattr(body, kind) is None:
             problem = f"'{body.name}' has no {kind} shapes, which would know its {self.type.replace('_', ' ')}"
             yield Fault("type", problem, f"give it {kind} modes, or take Solution.section_forces")
@@ -256,7 +256,7 @@ class ForceMeasure(_Measure):
         return f"{self.type} of {self.of}, {self.component} in the axes of {self.axes}"
 
     def faults(self, scene: Any) -> Iterator[Fault]:
-        """What is no load, has no such force, or no direction of its own."""
+        """What is not a load, has no such force, or no direction of its own."""
         loads = {load.name: load for load in scene.loads}
         if (kind := pushing(scene).get(self.of)) is not None:
             if self.type != kind:
@@ -273,13 +273,13 @@ class ForceMeasure(_Measure):
             if load.type != "contact" or self.type != "force":
                 yield Fault("component", f"only the force of a contact has a {self.component} part", "take x, y or z")
             elif self.axes != WORLD:
-                yield Fault("axes", "are of x, y and z", "leave them out")
+                yield Fault("axes", "apply to x, y and z only", "leave them out")
         elif self.type not in kind:
             yield Fault("type", f"the {load.type} '{self.of}' has a {kind} only", f'take "{kind}"')
         elif self.component == "own" and not load.directed:
             yield Fault("component", f"the {load.type} '{self.of}' has no line of its own", "take x, y or z")
         elif self.component == "own" and self.axes != WORLD:
-            yield Fault("axes", "are of a component", "leave them out, or take x, y or z")
+            yield Fault("axes", "apply to a component only", "leave them out, or take x, y or z")
         elif scene.space == "planar" and self.component in (("x", "y") if self.type == "moment" else ("z",)):
             what = "moments have z alone" if self.type == "moment" else "forces have x and y"
             yield Fault("component", f"in a planar scene {what}", SPATIAL)

@@ -61,7 +61,7 @@ class Partition(StrictModel):
             elif name not in names:
                 yield unknown_coordinate(key, name, names)
             elif self.independent and name in self.independent[:index]:
-                yield Fault(key, f"'{name}' is there twice", "remove one of them")
+                yield Fault(key, f"'{name}' appears twice", "remove one of them")
         if self.independent is not None and not self.independent:
             yield Fault("independent", "is empty", "name coordinates, or leave it out to have them chosen")
         if self.groups is not None and not self.groups:

@@ -116,7 +116,7 @@ class StructureScene:
         for where, pattern, text in _entries(force, names):
             if not isinstance(text, str | int | float):
                 raise SceneError(
-                    f"structure.force {where}", f"{show(text)} is no expression of t", "give a number or text"
+                    f"structure.force {where}", f"{show(text)} is not an expression of t", "give a number or text"
                 )
             by_text[str(text)] = by_text.get(str(text), np.zeros(len(names))) + pattern
         t = ca.SX.sym("t")
@@ -154,7 +154,9 @@ def _entries(force: Any, names: Sequence[str]) -> list[tuple[str, Array, Any]]:
         found = []
         for name, text in force.items():
             if name not in index:
-                raise SceneError(f"structure.force {show(name)}", "is no coordinate of the structure", "see the names")
+                raise SceneError(
+                    f"structure.force {show(name)}", "is not a coordinate of the structure", "see the names"
+                )
             found.append((str(name), np.eye(1, n, index[name])[0], text))
         return found
     if isinstance(force, str) or not isinstance(force, Sequence | np.ndarray):
@@ -213,7 +215,7 @@ def _of_body(given: FlexibleBody | FEStructure, fixed: Sequence[str | int] | NDA
     body: Any = getattr(given, "structure", given)
     interfaces = getattr(given, "interfaces", {})
     if not all(hasattr(body, name) for name in ("K", "M", "ids", "positions", "component")):
-        raise SceneError("structure.body", f"{show(given)} is no finite-element body", "give one of symgen.fe")
+        raise SceneError("structure.body", f"{show(given)} is not a finite-element body", "give one of symgen.fe")
     if body.component.max(initial=0) >= len(AXES):
         raise SceneError("structure.body", "has rotations", "give bodies of solid elements, or matrices")
     place = {int(node): k for k, node in enumerate(body.ids)}

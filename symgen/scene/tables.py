@@ -191,7 +191,7 @@ def read_points(path: str | Path, columns: Sequence[int] | Literal["grid"], item
     if columns == "grid":
         if len(rows) < 3 or {len(row) for row in rows[1:]} not in ({len(rows[0])}, {len(rows[0]) + 1}):
             remedy = "put y into the first row, and below it rows of x and the z of each y"
-            raise SceneError(f"{item}.file", f"'{path}' is no grid", remedy)
+            raise SceneError(f"{item}.file", f"'{path}' is not a grid", remedy)
         y = rows[0][len(rows[0]) - len(rows[1]) + 1 :]  # a number in the corner is left out
         return {"x": [row[0] for row in rows[1:]], "y": y, "z": [row[1:] for row in rows[1:]]}
     try:

@@ -47,11 +47,11 @@ def text_of(path: str | Path, item: str, kind: str) -> str:
 def content_of(path: str | Path, item: str, kind: str) -> bytes:
     """The bytes of a file; kind: what should be there, such as "a scene file".
 
-    Raises SceneError, with this item, for what is no ordinary file, larger than 50 MB or cannot be read.
+    Raises SceneError, with this item, for what is not a regular file, larger than 50 MB or cannot be read.
     """
     try:
         if not stat.S_ISREG(os.stat(path).st_mode):  # a pipe or a device may never end
-            raise SceneError(item, "is not an ordinary file", f"give the path of {kind}")
+            raise SceneError(item, "is not a regular file", f"give the path of {kind}")
         with open(path, "rb") as file:
             content = file.read(MAX_BYTES + 1)
     except FileNotFoundError:
@@ -240,7 +240,7 @@ def read_mesh(path: str | Path, item: str = "shape") -> dict[str, Any]:
     """{type, vertices [m], triangles} of a surface file (STL, OBJ, PLY, GLB, by trimesh), for a body's ``shape``.
 
     The file alone is read, none that it names. Raises SceneError if trimesh (the extra ``meshes``) is missing, and for
-    what is no ordinary file, another format, larger than 50 MB or cannot be read.
+    what is not a regular file, another format, larger than 50 MB or cannot be read.
     """
     place = Path(path)
     if place.suffix.lower() not in FORMATS:

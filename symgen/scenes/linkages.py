@@ -38,7 +38,7 @@ def n_four_bar(windows: int = 2) -> SceneRecord:
     Each time all bars lie in one line the mechanism has more than one freedom: a singular position.
     """
     if windows < 1:
-        raise SceneError("windows", f"{windows} windows are no mechanism", "give at least 1")
+        raise SceneError("windows", f"{windows} windows do not make a mechanism", "give at least 1")
     builder = Scene("n_four_bar", title=f"{windows} four-bar windows side by side").gravity(0, -9.81)
     builder.ground(markers={f"foot{k}": {"position": (k, 0)} for k in range(1, windows + 1)})
     _bar(builder, "upright0")

@@ -115,7 +115,7 @@ class Meaning:
 
 
 def about(description: str) -> Any:
-    """What a field is that is no quantity: said by the JSON Schema and by the method of `Scene` that adds the entry."""
+    """What a field is that is no quantity: the JSON Schema says it, and the method of `Scene` that adds the entry."""
     return Field(description=description)
 
 

@@ -170,7 +170,7 @@ class TreeSpace(SpatialSpace):
         return self._way_to(base, reference).end()
 
     def body_marker(self, body: str, point: SpatialPoint) -> SpatialMarker:
-        """Motion of a point of a body that is no marker of the scene."""
+        """Motion of a point of a body that is not a marker of the scene."""
         return self._way_of(GROUND, body, self._deformed(body, point)).end()
 
     def _way_to(self, base: int, reference: str) -> Path:

@@ -206,7 +206,7 @@ class SpatialSpace(Space[SpatialMarker]):
         return load.effect(SpatialActing(*markers, self, load, self.scene, self.table, read, reader, q, q_dot))
 
     def body_marker(self, body: str, point: SpatialPoint) -> SpatialMarker:
-        """Motion of a point of a body that is no marker of the scene."""
+        """Motion of a point of a body that is not a marker of the scene."""
         return self.bodies[body].marker(point)
 
     def mean(self, body: BeamBody, xi: np.ndarray, weights: np.ndarray) -> SpatialMarker:

@@ -170,7 +170,7 @@ class Robot:
 
 
 def robot_of(document: Element, file: str) -> Robot:
-    """The records of a `robot` element. Raises SceneError naming file and elements for what is no tree of links."""
+    """The records of a `robot` element. Raises SceneError naming file and elements for what is not a tree of links."""
     if document.tag != "robot":
         refuse(file, f"has the root element {show(document.tag)}", "give a URDF file, whose root element is 'robot'")
     notes = Notes([], [], [])
@@ -224,7 +224,7 @@ def _once(file: str, kind: str, name: str, known: Iterable[str]) -> None:
     if not name:
         refuse(file, f"a {kind} has no name", "give it one")
     if name in known:
-        refuse(f"{file}: {kind} '{name}'", "is there twice", "rename one of them")
+        refuse(f"{file}: {kind} '{name}'", "appears twice", "rename one of them")
 
 
 def refuse(item: str, problem: str, remedy: str) -> NoReturn:
@@ -233,7 +233,7 @@ def refuse(item: str, problem: str, remedy: str) -> NoReturn:
 
 
 def _root(file: str, links: dict[str, Link], joints: Iterable[RobotJoint]) -> str:
-    """The link that is no joint's child; all others hang on it."""
+    """The link that is not a joint's child; all others hang on it."""
     parents: dict[str, RobotJoint] = {}
     for joint in joints:
         item = f"{file}: joint '{joint.name}'"
@@ -260,7 +260,7 @@ def _root(file: str, links: dict[str, Link], joints: Iterable[RobotJoint]) -> st
         reached.update(found)
         waiting += found
     if loose := [name for name in links if name not in reached]:
-        refuse(f"{file}: link '{loose[0]}'", "hangs on its own child", "give a tree of links")
+        refuse(f"{file}: link '{loose[0]}'", "is its own descendant", "give a tree of links")
     return roots[0]
 
 
@@ -435,14 +435,14 @@ MAX_DEPTH = 100
 def read_document(path: str | Path) -> tuple[Element, list[Assumed]]:
     """The root element of a file, and what was assumed to read it.
 
-    Raises SceneError for what is no ordinary file, no XML, too large or hostile.
+    Raises SceneError for what is not a regular file, no XML, too large or hostile.
     """
     item = f"file '{path}'"
     content = content_of(path, item, "a URDF file")
     begins = content.lstrip()
     assumed = []
     if len(begins) < len(content) and begins.startswith(b"<?xml"):
-        assumed.append(Assumed(Path(path).name, "the white space before its XML declaration is not there"))
+        assumed.append(Assumed(Path(path).name, "the white space before its XML declaration does not exist"))
         content = begins
     return parse_document(content, item), assumed
 

@@ -77,7 +77,7 @@ class FlexibleLink:
         given = self.entry.get("length")
         length = float(given) if isinstance(given, int | float) else 0.0
         if not length > 0:
-            self._refuse("its length is no positive number", "give it in m")
+            self._refuse("its length is not a positive number", "give it in m")
         if abs(p[1]) > NEAR_ORIGIN or abs(p[2]) > NEAR_ORIGIN or not -NEAR_ORIGIN <= p[0] <= length + NEAR_ORIGIN:
             self._refuse(
                 f"joint '{name}' is at {_shown(p)} of it, off its line of {length:g} m",
@@ -126,7 +126,9 @@ def flexible_link(link: str, name: str, path: str | Path) -> FlexibleLink:
     except (ValueError, TypeError, AttributeError):
         raise SceneError(f"file '{path}'", "[frame] has no three numbers", "give xyz = [...] and rpy = [...]") from None
     if not np.all(np.isfinite([xyz, rpy])) or not isinstance(body.get("markers", {}), dict):
-        raise SceneError(f"file '{path}'", "has numbers that are not finite, or markers that are no table", "mend it")
+        raise SceneError(
+            f"file '{path}'", "has numbers that are not finite, or markers that are no table", "correct it"
+        )
     return FlexibleLink(link, {**body, "name": name, "markers": dict(body.get("markers", {}))}, pose(xyz, rpy))
 
 
@@ -277,7 +279,7 @@ class RobotBuilder(Scene):
             For a joint that is not there; what a field may be is checked in `build`.
         """
         if joint not in self.coordinates:
-            raise SceneError(f"joint '{joint}'", "is not there", did_you_mean(joint, self.coordinates))
+            raise SceneError(f"joint '{joint}'", "does not exist", did_you_mean(joint, self.coordinates))
         return self._change("joints", self.renamed.get(joint, joint), fields)
 
 
@@ -385,7 +387,7 @@ def _density(default_inertia: str | None, density: float | None) -> float | None
         refuse("default_inertia", f"is {default_inertia!r}", 'give "meshes" and a density, or leave it out')
     if default_inertia is None:
         if density is not None:
-            refuse("density", "has nothing to act on", 'give default_inertia="meshes", too')
+            refuse("density", "has no effect", 'give default_inertia="meshes", too')
         return None
     if not isinstance(density, int | float) or not 0 < density < np.inf:
         refuse("density", f"is {show(density)}", "give the density of the shapes [kg/m^3], above 0")
@@ -398,7 +400,7 @@ class _RobotScene:
         flexible = options.flexible
         self.folders = MeshFolders(path.parent, options.packages)
         for link in flexible.keys() - robot.links.keys():
-            refuse(f"{self.file}: link '{link}'", "is not there", did_you_mean(link, robot.links))
+            refuse(f"{self.file}: link '{link}'", "does not exist", did_you_mean(link, robot.links))
         self.groups = groups_of(robot, flexible)
         self.floating = self._floating()
         if not (self.free or self.groups.joints or flexible):
@@ -472,7 +474,7 @@ class _RobotScene:
             if self.free or self.groups.seats[joint.parent].group != self.robot.root:
                 refuse(
                     f"{self.file}: joint '{joint.name}'",
-                    "floats, but hangs on no fixed root",
+                    "floats, but is not attached to a fixed root",
                     "only a joint of a fixed root link may float",
                 )
         return found

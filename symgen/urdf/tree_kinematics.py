@@ -208,7 +208,7 @@ class RobotKinematics:
     def _placed(self, link: str, q: Any) -> tuple[np.ndarray, Pose]:
         """(J of the twist, the pose of the link's frame)."""
         if link not in self._tree.groups.seats:
-            self._refuse(f"link '{link}'", "is not there", did_you_mean(link, self._tree.groups.seats))
+            self._refuse(f"link '{link}'", "does not exist", did_you_mean(link, self._tree.groups.seats))
         try:
             values = np.array(q, dtype=float)
         except (TypeError, ValueError):

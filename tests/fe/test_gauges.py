@@ -80,7 +80,7 @@ def test_what_does_not_fit_is_named() -> None:
     fields = body.fields(gauges={"node": 0, "top": PLACES["top"]})
     assert fields["gauges"]["node"]["position"] == pytest.approx((body.structure.positions[0] - body.origin).tolist())
     for gauges, problem in (
-        ({"a": (0.0, 1.0)}, "is no place"),
+        ({"a": (0.0, 1.0)}, "is not a place"),
         ({"a": 10_000}, "not in the node table"),
     ):
         with pytest.raises(FiniteElementError, match=problem):

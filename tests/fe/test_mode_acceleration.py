@@ -102,10 +102,10 @@ def test_motions_that_do_not_fit() -> None:
     stresses = body.equilibrium_stresses(at=[0.0, 0.0, 0.0])
     for modes, forces, problem in (
         (2, [], "motion.*rod has 2 modes, not 1"),
-        (1, [pin], "marker 'pin'.*it is no interface"),
+        (1, [pin], "marker 'pin'.*it is not an interface"),
     ):
         motion = BodyMotion("rod", np.zeros(N), *np.zeros((3, N, modes)), still, still, still, forces)
         with pytest.raises(FiniteElementError, match=problem):
             stresses.of(motion)
-    with pytest.raises(FiniteElementError, match="at.*has rows that are no points"):
+    with pytest.raises(FiniteElementError, match="at.*has rows that are not points"):
         body.equilibrium_stresses(at=[1.0, 2.0])

@@ -225,7 +225,7 @@ def test_errors_that_are_not_known() -> None:
     scene = Scene("bar", space="spatial").flexible("bar", **fields).weld("wall", "ground.origin", "bar.root")
     run = simulate(model_of(scene.build()), scheme="rk4", dt=1e-8, t_end=1e-8)
     assert np.isnan(run.stresses("bar").mesh_error).all()
-    with pytest.raises(FiniteElementError, match="mesh_error.*is of places"):
+    with pytest.raises(FiniteElementError, match="mesh_error.*applies to places only"):
         body.equilibrium_stresses().mesh_error(run.body_motion("bar"))
     scene.measure("unknown", "stress", "bar.skin", component="mesh_error")
     with pytest.raises(Exception, match="gauge 'skin' does not know the error of its mesh"):

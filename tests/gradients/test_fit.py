@@ -73,7 +73,7 @@ def test_what_was_not_measured_does_not_count(swing: DifferentiableRun) -> None:
         ({"tip_x": 0}, ["lenght"], {}, ModelError, "did you mean 'length'"),
         ({"tip_x": np.zeros(40)}, ["length"], {}, ArgumentError, r"tip_x.*shape \(40,\).*each of the 41 saved times"),
         ({"tip_x": np.full(41, np.nan)}, ["length"], {}, ArgumentError, "tip_x: is nan at t = 0 s"),
-        ({"tip_x": ["a"] * 41}, ["length"], {}, ArgumentError, "tip_x: are no numbers"),
+        ({"tip_x": ["a"] * 41}, ["length"], {}, ArgumentError, "tip_x: are not numbers"),
         (
             {"t": np.linspace(0, 2, 41), "tip_x": 0},
             ["length"],
@@ -88,7 +88,7 @@ def test_what_was_not_measured_does_not_count(swing: DifferentiableRun) -> None:
         ({"tip_x": 0}, ["length"], {"bounds": {"length": (1.0, 2.0, 3.0)}}, ArgumentError, "give .lowest, highest"),
         ({"tip_x": 0}, ["length"], {"bounds": {"rod.mass": (2.0, 3.0)}}, ArgumentError, "bounds of rod.mass"),
         ({"tip_x": 0}, ["length"], {"guess": {"rod.mass": 2.0}}, ArgumentError, "guess of rod.mass"),
-        ({"tip_x": 0}, ["length", "rod.mass"], {}, NoResult, "fit of rod.mass: the data do not tell it"),
+        ({"tip_x": 0}, ["length", "rod.mass"], {}, NoResult, "fit of rod.mass: the data do not determine it"),
     ],
 )
 def test_data_that_cannot_be_used(

@@ -160,5 +160,5 @@ def test_what_has_no_derivative_is_refused_by_name(model_of: Build) -> None:
         builder.force("push", "ball.origin", f"where(t < {at}, 2, own)", 0.0)
         builder.event("takes", f"t - {at}", action={"own": "3"})
         model = model_of(builder.simulation(t_end=0.3, dt=0.03, scheme="rk4").build())
-        with pytest.raises(NoResult, match="happens just where a load jumps"):
+        with pytest.raises(NoResult, match="coincides with a jump of a load"):
             output_jacobian(model, ["ball.x"], ["ball.x_dot"])

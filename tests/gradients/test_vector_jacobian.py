@@ -80,7 +80,7 @@ def test_records_keep_their_run(built_in: Callable[[str], Model], whole: bool, m
     [
         (np.zeros((5, 1)), r"has shape \(5, 1\); give \(5, 2\): 5 saved times, outputs mass.x, mass.x_dot"),
         (np.full((5, 2), np.nan), "is nan for mass.x at t = 0 s"),
-        ("all", "is no array of numbers"),
+        ("all", "is not an array of numbers"),
     ],
 )
 def test_cotangents_that_cannot_be_used_are_named(run: DifferentiableRun, bars: Any, message: str) -> None:

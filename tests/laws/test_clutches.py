@@ -236,7 +236,7 @@ def test_what_lets_go_falls_to_coulomb_at_once(model_of: Build, scheme: str, bre
         ({"coulomb": "10 * (t - 1)"}, "must be not negative"),
         ({"coulomb": "nothing * 3"}, "unknown name 'nothing'"),
         ({"coulomb": 5.0, "stribeck": 3.0, "stribeck_velocity": 0.1}, "is beyond what holds"),
-        ({"coulomb": 5.0, "breakaway": 6.0, "stribeck": 0.0, "stribeck_velocity": 0.1}, "has nothing to act on"),
+        ({"coulomb": 5.0, "breakaway": 6.0, "stribeck": 0.0, "stribeck_velocity": 0.1}, "has no effect"),
     ],
 )
 def test_friction_that_makes_no_sense_is_refused(friction: dict[str, Any], says: str) -> None:

@@ -345,9 +345,9 @@ def test_what_leaves_a_beam_is_not_completed(space: str) -> None:
         (lambda b: b.distributed("d", "rod", [0.0, 1.0], start=0.5, end=1.5), "1.5 is outside the beam"),
         (lambda b: b.distributed("d", "rod", [0.0, 1.0], start=0.5, end=0.2), "is not beyond start"),
         (lambda b: b.distributed("d", "rod", [0.0, 1.0, 0.0]), "3 components"),
-        (lambda b: b.moving_force("d", "ball", "t", [0.0, 1.0]), "is no beam"),
+        (lambda b: b.moving_force("d", "ball", "t", [0.0, 1.0]), "is not a beam"),
         (lambda b: b.moving_force("d", "rod", 5.0, [0.0, 1.0]), "'d'.place: is off 'rod', which is 2 m long"),
-        (lambda b: b.slides_on("d", "ball.origin", "rod.start"), "is no beam"),
+        (lambda b: b.slides_on("d", "ball.origin", "rod.start"), "is not a beam"),
     ],
 )
 def test_bad_loads_on_beams_are_refused_by_name(add, said: str) -> None:  # type: ignore[no-untyped-def]

@@ -154,7 +154,7 @@ def test_two_discs_exchange_momentum(model_of: Build) -> None:
 @pytest.mark.parametrize(
     "fields, item, says",
     [
-        ({"limits": {"stiffness": 1.0}}, "'rail'.limits", "has no end"),
+        ({"limits": {"stiffness": 1.0}}, "'rail'.limits", "have neither lower nor upper"),
         ({"limits": {"lower": 0.5, "upper": 0.5, "stiffness": 1.0}}, "'rail'.limits", "not below upper"),
         ({"limits": {"lower": 0.5, "stiffness": 0.0}}, "'rail'.limits.stiffness", "positive"),
         ({"limits": {"lower": 0.5, "stiffness": 1.0, "exponent": 0.5}}, "limits.exponent", "1"),

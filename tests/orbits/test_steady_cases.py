@@ -84,7 +84,7 @@ def test_stiffness_and_damping_from_a_steady_state(model_of: Build) -> None:
 
 def test_what_cannot_be_asked(model_of: Build) -> None:
     model = model_of(oscillator())
-    with pytest.raises(ArgumentError, match="there is no reduction 'end'; take of max, min, peak"):
+    with pytest.raises(ArgumentError, match="there is no reduction 'end'; choose from max, min, peak"):
         model.periodic_cases({"k": [40.0, 50.0]}, {"b.x": "end"}, **HOW)
     with pytest.raises(ArgumentError, match="start: is that of each case"):
         model.periodic_cases({"k": [40.0, 50.0]}, {"b.x": "rms"}, start={}, **HOW)
@@ -92,5 +92,5 @@ def test_what_cannot_be_asked(model_of: Build) -> None:
         model.fit_periodic({"b.x": np.zeros(40)}, ["w"], **HOW)
     with pytest.raises(ArgumentError, match="steps: are 200, with 30 samples; give a multiple"):
         model.fit_periodic({"b.x": np.zeros(30)}, ["k"], **HOW)
-    with pytest.raises(NoResult, match="the data do not tell"):
+    with pytest.raises(NoResult, match="the data do not determine"):
         model.fit_periodic({"b.x": np.zeros(40)}, ["k", "b.inertia"], deviation=1.0, **HOW)

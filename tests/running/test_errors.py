@@ -54,7 +54,7 @@ def test_an_error_says_item_problem_and_remedy() -> None:
         (ValueError("a number of ours"), 3),
         (KeyError("gone"), 3),
         (OSError(5, "broken"), 3),
-        (SymgenError("x", "is wrong", "mend it"), 2),
+        (SymgenError("x", "is wrong", "correct it"), 2),
         (NoResult("it does not converge"), 1),
     ],
 )

@@ -75,7 +75,7 @@ def test_memories_of_controllers_go_along(model_of: Build) -> None:
     assert rest["u"][-1] == pytest.approx(whole["u"][-1], abs=1e-9)
     with pytest.raises(ModelError, match="'u'.*does not remember what the run's did"):
         simulate(model, t0=0.8, initial=half, inputs=by([0.0, 0.0]), error="off")
-    with pytest.raises(ModelError, match=r"'u'.*is asked every 0\.3 s"):
+    with pytest.raises(ModelError, match=r"'u'.*is sampled every 0\.3 s"):
         simulate(model, t0=0.8, initial=half, inputs=by([0.0], 0.3), dt=0.1, error="off")
     with pytest.raises(ModelError, match="'u'.*was driven in the run"):
         simulate(model, t0=0.8, initial=half, error="off")
@@ -86,7 +86,7 @@ def test_memories_of_controllers_go_along(model_of: Build) -> None:
 
     unknown = {"u": Sampled(forgets, every=0.05, reads=["b.x"])}
     half = simulate(model, t_end=0.8, inputs=unknown, error="off")
-    with pytest.raises(ModelError, match="'u'.*cannot go along"):
+    with pytest.raises(ModelError, match="'u'.*cannot be continued"):
         simulate(model, t0=0.8, initial=half, inputs=unknown, error="off")
     assert simulate(model, t0=0.8, initial=half.initial_values(), inputs=unknown, error="off").status.ok
 

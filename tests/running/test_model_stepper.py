@@ -131,7 +131,7 @@ def test_wrong_requests(built_in: Load, model_of: Build) -> None:
     stepper = model.stepper()
     with pytest.raises(ModelError, match="no parameter 'rod.m'"):
         stepper.change({"rod.m": 1.0})
-    with pytest.raises(ModelError, match="output 'tip'.*has none of this name"):
+    with pytest.raises(ModelError, match="output 'tip'.*has no output of this name"):
         stepper.reader(["tip"])
     with pytest.raises(ArgumentError, match="another model"):
         stepper.restore(model_of(cart()).stepper().save())

@@ -71,7 +71,7 @@ def test_two_runs_do_not_write_one_stream(built_in: Load, tmp_path: Path) -> Non
 @pytest.mark.parametrize("name", ["notes.txt", "header.json", ".hidden"])
 def test_a_folder_with_files_of_others_takes_no_stream(built_in: Load, tmp_path: Path, name: str) -> None:
     (tmp_path / name).write_text("mine")
-    with pytest.raises(OutputError, match=f"holds {name} and is no stream of samples; choose a new or an empty"):
+    with pytest.raises(OutputError, match=f"holds {name} and is not a stream of samples; choose a new or an empty"):
         simulate(built_in("pendulum"), t_end=0.01, stream=tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == [name] and (tmp_path / name).read_text() == "mine"
 
@@ -89,7 +89,7 @@ def test_a_stream_that_takes_no_more_ends_the_run_by_name(built_in: Load, tmp_pa
 
     def until_full(self: StreamFile, block: np.ndarray) -> None:
         if blocks:
-            raise OutputError(f"{self.folder} takes no more samples (No space left on device); make room")
+            raise OutputError(f"{self.folder} cannot take more samples (No space left on device); free some space")
         blocks.append(len(block))
         append(self, block)
 

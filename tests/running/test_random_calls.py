@@ -71,7 +71,7 @@ def test_calls_by_place_are_told_the_name(model: Model) -> None:
     ask: Any = model
     with pytest.raises(ArgumentError, match="did you mean t_end=1.0"):
         ask.simulate(1.0)
-    with pytest.raises(ArgumentError, match="parameters: is missing in fit"):
+    with pytest.raises(ArgumentError, match="parameters: is required by fit"):
         ask.fit({"t": [0.0]})
 
 

@@ -163,7 +163,7 @@ def test_what_knows_no_reactions_says_so(model_of: Build) -> None:
     [
         ("prismatic", {"coulomb": 1.0, "mu": 0.3}, "friction", "has coulomb and mu"),
         ("prismatic", {"viscous": 1.0}, "friction", "does not say how much"),
-        ("prismatic", {"mu": 0.3, "radius": 0.1}, "friction.radius", "is of hinges"),
+        ("prismatic", {"mu": 0.3, "radius": 0.1}, "friction.radius", "applies to hinges only"),
         ("revolute", {"mu": 0.3}, "friction.radius", "is missing"),
         ("prismatic", {"mu": 0.3, "breakaway": 2.0}, "friction.breakaway", "does not go with mu"),
         ("prismatic", {"coulomb": 1.0, "mu_static": 2.0}, "friction.mu_static", "does not go with coulomb"),

@@ -500,14 +500,14 @@ def test_an_impact_on_a_driven_cart_tells_apart_what_the_stop_took(model_of: Bui
 @pytest.mark.parametrize(
     ("limits", "item", "says"),
     [
-        ({"lower": 0.0}, "limits", "does not say what its stops do; give a restitution, or a stiffness"),
-        ({"restitution": 0.5}, "limits", "has no end"),
+        ({"lower": 0.0}, "limits", "have neither restitution nor stiffness; give a restitution, or a stiffness"),
+        ({"restitution": 0.5}, "limits", "have neither lower nor upper"),
         ({"lower": 0.5, "upper": 0.2, "restitution": 0.5}, "limits", "lower 0.5 is not below upper 0.2"),
         ({"lower": 0.0, "restitution": 1.2}, "limits.restitution", "1.2 is above 1"),
         ({"lower": 0.0, "restitution": -0.1}, "limits.restitution", "negative"),
         ({"lower": 0.0, "restitution": 0.5, "stiffness": 1e3}, "limits", "has a restitution and a stiffness"),
         ({"lower": 0.0, "restitution": 0.5, "damping": 1.0}, "limits", "has a restitution and damping"),
-        ({"lower": 0.0, "stiffness": 1e3, "beyond": "moved"}, "limits.beyond", "is of rigid stops"),
+        ({"lower": 0.0, "stiffness": 1e3, "beyond": "moved"}, "limits.beyond", "applies to rigid stops only"),
         ({"lower": 0.0, "restitution": 0.5, "beyond": "pushed"}, "limits.beyond", "pushed"),
     ],
 )

@@ -194,7 +194,7 @@ def test_section_forces_of_what_has_none(model_of: Build, built_in: Callable[[st
 @pytest.mark.parametrize(
     ("marker", "kind", "problem"),
     [
-        ("r.origin", "bending_moment", "'r' is no beam"),
+        ("r.origin", "bending_moment", "'r' is not a beam"),
         ("b.end", "normal_force", "'b' has no axial shapes, which would know its normal force"),
     ],
 )

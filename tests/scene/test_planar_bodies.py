@@ -144,7 +144,7 @@ def test_what_does_not_fit_is_named() -> None:
     for change, problem in (
         ({"elements": None}, "elements: is missing"),
         ({"mesh": "exact"}, "elements: belongs to a mesh"),
-        ({"length": "2 * L"}, "length: is no number"),
+        ({"length": "2 * L"}, "length: is not a number"),
         ({"lateral": {"modes": 2, "ends": "welded-welded"}}, "'welded-welded' has static shapes"),
         ({"lateral": {"modes": 10}}, "10 are more than the 9 of the mesh"),
         ({"axial": {"modes": 2, "ends": "fixed-loaded"}, "lateral": None}, "'fixed-loaded' has static shapes"),

@@ -180,7 +180,7 @@ def test_a_value_too_many_by_place_is_refused() -> None:
     """Loads and joints take what they need by place; the rest is named, and nothing is dropped."""
     with pytest.raises(SceneError, match="one value too many"):
         Scene("s").torque("twist", "arm.end", 30.0, 0.0, 0.0)
-    with pytest.raises(SceneError, match="by place and by name"):
+    with pytest.raises(SceneError, match="by position and by name"):
         Scene("s").torque("twist", "arm.end", 30.0, value=3.0)
 
 

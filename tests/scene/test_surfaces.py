@@ -123,7 +123,8 @@ def test_what_is_no_surface_is_refused(table: dict[str, Any], words: str) -> Non
 
 
 @pytest.mark.parametrize(
-    "text, words", [("0; 1; 2\n0; 1; 2; 3\n1; 1\n", "is no grid"), ("speed; 0; 1\n0; 1; 2\n1; 2; 3\n", "line 1 is not")]
+    "text, words",
+    [("0; 1; 2\n0; 1; 2; 3\n1; 1\n", "is not a grid"), ("speed; 0; 1\n0; 1; 2\n1; 2; 3\n", "line 1 is not")],
 )
 def test_a_grid_that_is_none_is_refused(tmp_path: Path, text: str, words: str) -> None:
     (tmp_path / "map.csv").write_text(text)

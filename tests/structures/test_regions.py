@@ -99,7 +99,7 @@ def test_options_that_cannot_be_used_are_named(call, says: str) -> None:
         ({"stiffness": [[1.0]], "mass": [1.0, 2.0]}, "mass: has shape (2,), K needs (1,)"),
         (
             {"stiffness": [[1.0, 0], [0, 1]], "mass": [1, 1], "coordinates": ["a", "a"]},
-            "coordinates: 'a' is there twice",
+            "coordinates: 'a' appears twice",
         ),
         ({"stiffness": [[1.0]], "mass": [1], "width": 2}, "width: 2 coordinates a node do not divide 1 rows"),
         ({"stiffness": [1.0], "mass": [1]}, "stiffness: has shape (1,)"),

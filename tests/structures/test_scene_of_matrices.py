@@ -161,7 +161,7 @@ def test_vtk_for_paraview(tmp_path) -> None:
 @pytest.mark.parametrize(
     ("fields", "says"),
     [
-        ({"force": {"n21": "1"}}, "structure.force 'n21': is no coordinate of the structure"),
+        ({"force": {"n21": "1"}}, "structure.force 'n21': is not a coordinate of the structure"),
         ({"force": {"n20": "x + 1"}}, "structure.force 'x + 1'"),
         ({"force": {"n20": "__import__('os')"}}, "structure.force"),
         ({"force": "1"}, "structure.force: '1' is not known"),

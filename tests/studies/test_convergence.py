@@ -215,7 +215,7 @@ def test_without_a_generator_it_says_so(monkeypatch: pytest.MonkeyPatch) -> None
         ({"knobs": ["mode"]}, "no knob of this scene.*arm.modes"),
         ({"levels": 3}, "give 1 or 2"),
         ({"samples": 1}, "from 2 on"),
-        ({"of": "equilibrium", "t_end": 1.0}, "is of a motion"),
+        ({"of": "equilibrium", "t_end": 1.0}, "applies to motions only"),
         ({"coarser": {"arm.mesh": 3}}, "give models"),
         ({"outputs": lambda model: {"x": "y"}}, "finite numbers by name"),
     ],

@@ -271,7 +271,7 @@ def test_a_dask_cluster_whose_workers_have_never_seen_the_folder(model, here, tm
     [
         ({"chunk": 0, "folder": "x"}, "chunk: must be a whole number of at least 1, not 0"),
         ({"retries": -1}, "retries: must be a whole number of at least 0, not -1"),
-        ({"chunk": 5}, "chunk: is of parts, which nobody asked for"),
+        ({"chunk": 5}, "chunk: applies to parts only"),
         ({"executor": 3}, "executor"),
     ],
 )

@@ -237,7 +237,7 @@ def test_no_library_and_no_card_are_named(monkeypatch, tmp_path) -> None:
 
     class NoCard(FakeDriver):
         def cuInit(self, flags):
-            raise RuntimeError("libcuda.so.1 is not there")
+            raise RuntimeError("libcuda.so.1 does not exist")
 
     bindings = ModuleType("cuda.bindings")
     bindings.driver = NoCard()

@@ -151,7 +151,7 @@ def test_kinematics_of_a_file_without_inertia(tmp_path: Path) -> None:
     point = [0.0, 0.3, 0.0]  # along -x of the arm
     assert found.position("tool", [phi, s], point) == pytest.approx((r - 0.3) * along + [0, 0, 0.1])
     assert found.jacobian("tool", [phi, s], point)[:3, 0] == pytest.approx((r - 0.3) * across)
-    with pytest.raises(SceneError, match="link 'tol': is not there; did you mean 'tool'"):
+    with pytest.raises(SceneError, match="link 'tol': does not exist; did you mean 'tool'"):
         found.pose("tol", [phi, s])
     with pytest.raises(SceneError, match="q: is not 2 finite numbers; for turn, push"):
         found.pose("tool", [phi])
@@ -252,7 +252,7 @@ def test_a_joint_that_was_read_is_changed(tmp_path: Path) -> None:
     builder = reading(tmp_path, text).change_joint("an axle", limits=None, friction=None, damping=np.float64(0.3))
     (own,) = builder.build().joints
     assert own.limits is None and own.friction is None and own.damping == 0.3
-    with pytest.raises(SceneError, match="joint 'axle': is not there; did you mean 'an axle'"):
+    with pytest.raises(SceneError, match="joint 'axle': does not exist; did you mean 'an axle'"):
         builder.change_joint("axle", damping=1.0)
 
 

@@ -344,13 +344,13 @@ BAD = {
     "two parents": (robot(link("a"), link("b"), joint("j", "revolute", "a", "b"), joint("k", "fixed", "a", "b")),
                     "joint 'k'.*already the child of joint 'j'"),
     "circle": (robot(link("a"), link("b"), link("c"), joint("j", "revolute", "b", "c"), joint("k", "fixed", "c", "b")),
-               "link 'b'.*hangs on its own child"),
+               "link 'b'.*is its own descendant"),
     "two roots": (robot(link("a"), link("b")), "links a, b are no joint's child"),
-    "twice": (robot(link("a"), link("a")), "link 'a'.*is there twice"),
+    "twice": (robot(link("a"), link("a")), "link 'a'.*appears twice"),
     "no axis": (robot(link("a"), link("b"), joint("j", "revolute", "a", "b", axis="0 0 0")), "has no direction"),
     "floating in the tree": (
         robot('<link name="w"/>', link("a"), link("b"), joint("j", "revolute", "w", "a"),
-              joint("k", "floating", "a", "b")), "joint 'k'.*floats, but hangs on no fixed root"),
+              joint("k", "floating", "a", "b")), "joint 'k'.*floats, but is not attached to a fixed root"),
     "sdf": ("<sdf/>", "has the root element 'sdf'"),
 }  # fmt: skip
 

@@ -143,7 +143,7 @@ def ensemble(
     spacing = seen_every_of(seen_every, samples, *span_of(model, t0, t_end))
     if reduce is not None and spacing is not None:
         remedy = "give reduce for values of whole runs, or seen_every (or samples)"
-        raise ArgumentError("reduce and seen_every", "are two answers", remedy)
+        raise ArgumentError("reduce and seen_every", "exclude each other", remedy)
     if tolerance is None:
         plan = make_plan(model, t_end, dt, m, scheme, spacing, options, t0, bounded=True)
         spec = EnsembleSpec.ask(model, names, plan, start, outputs, reduce)
@@ -163,7 +163,7 @@ def ensemble(
     if on_disk:
         check_store(folder)
     if chunk is not None and executor is None and folder is None:
-        raise ArgumentError("chunk", "is of parts, which nobody asked for", "give an executor or a folder, too")
+        raise ArgumentError("chunk", "applies to parts only", "give an executor or a folder, too")
 
     def parts(stopped: Callable[[], bool]) -> Iterator[tuple[int, LaneResults]]:
         if executor is None and folder is None:
@@ -190,7 +190,7 @@ def _on_device(spec: EnsembleSpec, device: str, executor: Executor | Maker | Non
     if device == "cpu":
         return spec
     if executor is not None:
-        raise ArgumentError("device and executor", "are two places", "give one of them")
+        raise ArgumentError("device and executor", "exclude each other", "give one of them")
     found = replace(spec, device=device)
     programs_of(found).compile()
     return found

@@ -151,7 +151,7 @@ def _reduced(outputs: list[str], reduce: Mapping[str, str | Sequence[str]]) -> l
         for one in [asked] if isinstance(asked, str) else list(asked):
             if one not in REDUCTIONS:
                 raise ArgumentError(
-                    f"reduce[{name!r}]", f"there is no reduction {one!r}", f"take of {', '.join(REDUCTIONS)}"
+                    f"reduce[{name!r}]", f"there is no reduction {one!r}", f"choose from {', '.join(REDUCTIONS)}"
                 )
             if (name, one) not in found:
                 found.append((name, one))

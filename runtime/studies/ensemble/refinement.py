@@ -148,7 +148,7 @@ def _middle(
             return method, levels, first
     if method is None:
         assert last is not None
-        raise ArgumentError("parameters, initial", f"no case was found that can start: {last}", "give others")
+        raise ArgumentError("parameters, initial", f"no case has a consistent start: {last}", "give others")
     return method, [], first
 
 
@@ -161,7 +161,7 @@ def compared_names(model: EmittedModel) -> list[str]:
 def refuse_steps(scheme: str | None, dt: float | None, m: list[int] | None, options: Mapping[str, Any] | None) -> None:
     """What does not go with a tolerance. Raises SchemeError."""
     if dt is not None:
-        raise SchemeError("dt", "is the step, which a tolerance chooses", "leave one of them out")
+        raise SchemeError("dt", "cannot be given with a tolerance, which chooses the step", "leave one of them out")
     if scheme in (None, AUTO) and (m is not None or options):
         raise SchemeError("auto chooses m and options itself; leave them out, or name a scheme")
     for name in {"error_of", "tolerance"} & set(options or {}):

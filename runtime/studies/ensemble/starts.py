@@ -201,7 +201,7 @@ def _refuse_unusable(model: EmittedModel, parameters: list[str], names: list[str
         if wrong.any():
             case = int(np.argmax(wrong))
             words = "positive" if bound == "positive" else "at least zero"
-            raise ModelError(f"{name}[{case}]", f"must be {words}, not {values[case]:g}", "mend or drop the case")
+            raise ModelError(f"{name}[{case}]", f"must be {words}, not {values[case]:g}", "correct or remove the case")
     if model.description.bounded and parameters:
         _refuse_expressions(model, parameters, table)
 
@@ -217,7 +217,9 @@ def _refuse_expressions(model: EmittedModel, parameters: list[str], table: np.nd
             if quantity.bound != "any" and wrong.any():
                 case = first + int(np.argmax(wrong))
                 model.parameter_vector(dict(zip(parameters, table[case], strict=False)))  # says it in its words
-                raise ModelError(f"case {case}", f"{quantity.item} would be {row.min():.6g}", "mend or drop the case")
+                raise ModelError(
+                    f"case {case}", f"{quantity.item} would be {row.min():.6g}", "correct or remove the case"
+                )
 
 
 def vectors(model: EmittedModel, parameters: list[str], table: np.ndarray, own: np.ndarray | None = None) -> np.ndarray:
