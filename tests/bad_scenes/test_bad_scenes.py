@@ -107,7 +107,7 @@ BAD: list[tuple[str, str, str, Any, str, str]] = [
     ("structure mass", L, "parameters/c/default", 2, "structure.mass", "not positive definite"),
     ("structure stiffness", L, "structure/stiffness/0/1", 1, "structure.stiffness", "not symmetric"),
     ("structure force", L, "structure/force", [1], "structure.force", "has 1 entries"),
-    ("coordinate twice", L, "structure/coordinates", ["x", "x"], "structure.coordinates[1]", "there twice"),
+    ("coordinate twice", L, "structure/coordinates", ["x", "x"], "structure.coordinates[1]", "appears twice"),
     # expressions
     ("unknown name", S, "bodies/1/length", "2*l2", "bodies[1] 'rod'.length", "unknown name 'l2'"),
     ("time in a mass", S, "bodies/0/mass", "1 + t", "bodies[0] 'crank'.mass", "t is not available"),

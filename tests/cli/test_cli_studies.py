@@ -87,7 +87,7 @@ def test_periodic_leaves_a_motion_or_a_branch(capsys: pytest.CaptureFixture[str]
     assert (tmp_path / "branch.png").stat().st_size > 1000 and "rod.q1" in (tmp_path / "branch.html").read_text()
     for option in (["--flips", "1"], ["--resume", str(tmp_path)]):
         code, _, err = said(capsys, *CRANK, *option)
-        assert code == 2 and f"{option[0]} goes with --over" in err
+        assert code == 2 and f"{option[0]} needs --over" in err
 
 
 def test_periodic_goes_on_after_ctrl_c(

@@ -69,7 +69,7 @@ def test_what_was_not_measured_does_not_count(swing: DifferentiableRun) -> None:
 @pytest.mark.parametrize(
     "data, by, more, error, text",
     [
-        ({"tip_z": 0}, ["length"], {}, ModelError, "'tip_z'.*none of this name.*did you mean 'tip_y'"),
+        ({"tip_z": 0}, ["length"], {}, ModelError, "'tip_z'.*no output of this name.*did you mean 'tip_y'"),
         ({"tip_x": 0}, ["lenght"], {}, ModelError, "did you mean 'length'"),
         ({"tip_x": np.zeros(40)}, ["length"], {}, ArgumentError, r"tip_x.*shape \(40,\).*each of the 41 saved times"),
         ({"tip_x": np.full(41, np.nan)}, ["length"], {}, ArgumentError, "tip_x: is nan at t = 0 s"),

@@ -218,7 +218,7 @@ def test_a_pipe_is_not_a_scene_file(tmp_path: Path) -> None:
     thread = threading.Thread(target=read, daemon=True)
     thread.start()
     thread.join(timeout=20)
-    assert found and "not an ordinary file" in found[0]
+    assert found and "not a regular file" in found[0]
 
 
 def test_sizes_have_limits_with_names() -> None:

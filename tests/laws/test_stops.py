@@ -182,10 +182,10 @@ def test_a_hinge_that_closes_a_loop_in_space_has_no_limits() -> None:
 @pytest.mark.parametrize(
     "fields, item, says",
     [
-        ({}, "'hit'.plane", "nothing to touch"),
-        ({"plane": "ground.origin", "other": "m.origin"}, "'hit'.plane", "nothing to touch, or two"),
+        ({}, "'hit'.plane", "needs plane or other"),
+        ({"plane": "ground.origin", "other": "m.origin"}, "'hit'.plane", "needs plane or other, and not both"),
         ({"other": "ground.origin", "radius": 0.0}, "'hit'.radius", "never touch"),
-        ({"plane": "ground.origin", "other_radius": 0.2}, "'hit'.other_radius", "another ball"),
+        ({"plane": "ground.origin", "other_radius": 0.2}, "'hit'.other_radius", "a second ball"),
         ({"plane": "ground.origin", "slip_speed": 0.0}, "'hit'.slip_speed", "positive"),
         ({"plane": "ground.nowhere"}, "nowhere", "marker"),
     ],

@@ -107,7 +107,7 @@ def branching(t: float, seen: Any) -> Any:
 @pytest.mark.parametrize(
     ("controller", "how", "message"),
     [
-        (Sampled(pd, 0.1, ["x"], memory=[0.0]), {"speed": "omega"}, "no whole multiple"),
+        (Sampled(pd, 0.1, ["x"], memory=[0.0]), {"speed": "omega"}, "not a whole multiple"),
         (Sampled(pd, EVERY, ["x"]), {"speed": "omega"}, "memory="),
         (Sampled(branching, EVERY, ["x"], memory=()), {"speed": "omega"}, "takes no symbols"),
         (Sampled(branching, EVERY, ["x"], memory=()), {"period": "free"}, "period is not known"),

@@ -228,7 +228,7 @@ def test_nan_behind_a_finite_state_is_seen(built_in: Load) -> None:
     assert status.name == "mass_not_positive"
 
 
-@pytest.mark.parametrize("friction, word", [(0.0, "frequency"), (2000.0, "A damper lets a motion decay")])
+@pytest.mark.parametrize("friction, word", [(0.0, "frequency"), (2000.0, "A damper makes a motion decay")])
 def test_a_body_bent_by_too_long_a_step_names_the_step_first(
     model_of: Callable[[SceneRecord], Model], friction: float, word: str
 ) -> None:

@@ -78,7 +78,7 @@ def test_a_folder_with_files_of_others_takes_no_stream(built_in: Load, tmp_path:
 
 def test_rows_of_somebody_else_are_not_written_over(built_in: Load, tmp_path: Path) -> None:
     (tmp_path / ROWS).write_bytes(b"mine")
-    with pytest.raises(OutputError, match="no stream of samples"):
+    with pytest.raises(OutputError, match="not a stream of samples"):
         simulate(built_in("pendulum"), t_end=0.1, dt=1e-3, stream=tmp_path)
     assert (tmp_path / ROWS).read_bytes() == b"mine"
 

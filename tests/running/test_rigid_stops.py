@@ -530,5 +530,5 @@ def test_a_stop_on_a_prescribed_way_is_refused(model_of: Build) -> None:
     scene = Scene("driven").rigid("crank", mass=1.0, inertia=0.1).rigid("bob", mass=1.0, inertia=0.1, free=True)
     scene.revolute("pin", "ground.origin", "crank.origin", limits={"upper": 1.0, "restitution": 0.5})
     scene.prescribed_angle("drive", "ground.origin", "crank.origin", motion="sin(t)")
-    with pytest.raises(SceneError, match=r"pin.limits.*on a way that is prescribed"):
+    with pytest.raises(SceneError, match=r"pin.limits.*along a prescribed motion"):
         model_of(scene.simulation(t_end=1.0, dt=0.01, scheme="rk4").build())

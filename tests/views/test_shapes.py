@@ -102,7 +102,7 @@ def test_a_mesh_file_beside_the_scene(tmp_path: Path) -> None:
     with pytest.raises(SceneError, match="not below the scene's folder"):
         SceneRecord.from_toml(tmp_path / "inner" / "scene.toml")
     os.mkfifo(tmp_path / "pipe.stl")
-    with pytest.raises(SceneError, match="not an ordinary file"):
+    with pytest.raises(SceneError, match="not a regular file"):
         read_mesh(tmp_path / "pipe.stl")
     with pytest.raises(SceneError, match="no known format"):
         read_mesh(tmp_path / "scene.toml")
