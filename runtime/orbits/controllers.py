@@ -126,7 +126,7 @@ def decision(name: str, controller: Sampled, t: float) -> ca.Function:
     except Exception as error:  # whatever a function says that gets symbols
         raise ArgumentError(
             f"input {name!r}",
-            f"is set by a function that cannot be differentiated, which takes no symbols: {str(error)[:80]}",
+            f"is set by a function that cannot be differentiated, as it takes no symbols: {str(error)[:80]}",
             "write it with +, -, *, / and functions of CasADi (ca.fmin, ca.if_else), or as states of the scene",
         ) from None
     return ca.Function("decision", [values, memory], [decided, slopes])

@@ -99,6 +99,7 @@ def test_check_passes_fails_with_a_diff_and_names_the_mending_command(capsys, fo
     assert run(capsys, "generate", target, "--check")[0] == 0  # a generated folder names its own scene
 
 
+@pytest.mark.long
 def test_a_console_that_lacks_a_sign_shows_its_escape(tmp_path: Path) -> None:
     """Code page 1252, as of many Windows consoles, has no mu of Greek and no Chinese sign."""
     title = "W\u00e4lzlager \u03bc \u6f22"

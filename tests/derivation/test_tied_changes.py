@@ -43,6 +43,7 @@ def on_a_turntable() -> SceneRecord:
     return builder.build()
 
 
+@pytest.mark.every_push("turntable", "bricard")
 @pytest.mark.parametrize(
     ("scene", "at_start"),
     [

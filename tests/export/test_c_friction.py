@@ -101,6 +101,7 @@ CASES: list[Any] = [
 ]
 
 
+@pytest.mark.every_push("clutches-rk4-0.002-2000-8", "block-rk4-0.01-1000-5", "slippery-rk4-0.01-200-1")
 @pytest.mark.parametrize(("scene", "scheme", "dt", "steps", "changes"), CASES)
 def test_modes_have_the_bits_of_the_runtime(
     model_of: Build, tmp_path: Path, scene: Callable[[], Scene], scheme: str, dt: float, steps: int, changes: int
@@ -120,6 +121,7 @@ def test_modes_have_the_bits_of_the_runtime(
     assert sum(event.kind == "mode" for event in stepper.events) >= changes
 
 
+@pytest.mark.every_push("flags0")
 @pytest.mark.parametrize("flags", [("-O0",), ("-std=gnu11", "-O3", "-march=native")])
 def test_flags_change_no_mode(model_of: Build, tmp_path: Path, flags: tuple[str, ...]) -> None:
     model = model_of(four_bar().simulation(t_end=1.0, dt=1e-3, scheme="rk4").build())
@@ -130,6 +132,7 @@ def test_flags_change_no_mode(model_of: Build, tmp_path: Path, flags: tuple[str,
     np.testing.assert_array_equal(own.z[: len(z)], z)
 
 
+@pytest.mark.every_push("rk4")
 @pytest.mark.parametrize("scheme", ["rk4", "single_rate"])
 def test_an_input_that_jumps_decides_anew(model_of: Build, tmp_path: Path, scheme: str) -> None:
     """15.015 N hold the block: 15 N do not move it, 16 N do."""

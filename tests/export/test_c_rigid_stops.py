@@ -99,7 +99,7 @@ CASES: list[Any] = [  # scene, scheme, step, steps, impacts and rests at least
 ]
 
 
-@pytest.mark.every_push("<lambda>-rk4-0.01-500-happens0", "links-rk4-0.005-400-happens5")
+@pytest.mark.every_push("<lambda>-rk4-0.01-500-happens0")
 @pytest.mark.parametrize(("scene", "scheme", "dt", "steps", "happens"), CASES)
 def test_impacts_and_rests_have_the_bits_of_the_runtime(
     model_of: Build,

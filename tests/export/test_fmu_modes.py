@@ -36,7 +36,7 @@ CASES: list[Any] = [  # scene, version, end [s], step of the run, events at leas
 ]
 
 
-@pytest.mark.every_push("slider_crank-2-1.4-0.001-4", "stacked-2-3.0-0.01-50", "jumping-3-0.6-0.001-0")
+@pytest.mark.every_push("jumping-3-0.6-0.001-0")
 @pytest.mark.parametrize(("scene", "fmi", "t_end", "dt", "events"), CASES)
 def test_a_master_with_cvode_finds_the_motion_of_a_run(
     model_of: Build, tmp_path: Path, scene: Callable[[], Scene], fmi: int, t_end: float, dt: float, events: int

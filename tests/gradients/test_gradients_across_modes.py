@@ -131,7 +131,7 @@ def arm(space: str, stops: bool, friction: bool) -> SceneRecord:
     return scene.simulation(t_end=1.6, dt=0.005, scheme="rk4").build()
 
 
-@pytest.mark.every_push("planar-True-True", "spatial-False-True")
+@pytest.mark.every_push("spatial-False-True")
 @pytest.mark.parametrize("friction", [False, True])
 @pytest.mark.parametrize("stops", [True, False])
 @pytest.mark.parametrize("space", ["planar", "spatial"])
@@ -243,7 +243,7 @@ def geared(**friction: Any) -> SceneRecord:
     return scene.simulation(t_end=2.0, dt=0.01, scheme="rk4", seen_every=0.02).build()
 
 
-@pytest.mark.every_push("rk4")
+@pytest.mark.long
 @pytest.mark.parametrize("scheme", ["rk4", "radau", "exponential"])
 def test_samples_beside_friction_against_differences(model_of: Build, scheme: str) -> None:
     """It starts and lets go at samples, turns back between them, and sticks; by parameters and by each sample."""

@@ -44,6 +44,7 @@ def loss(y: Any) -> Any:
 SAME = Formula(("slider.x", "rod.q1"), lambda t, y: ca.sumsqr(y["slider.x"]) + 100 * ca.sum1(ca.sin(y["rod.q1"])))
 
 
+@pytest.mark.every_push("forward")
 @pytest.mark.parametrize("mode", ["forward", "reverse"])
 def test_values_and_gradients_are_those_of_the_run(run: DifferentiableRun, mode: str) -> None:
     """By itself and compiled; against differences of the run, too."""
@@ -60,6 +61,7 @@ def test_values_and_gradients_are_those_of_the_run(run: DifferentiableRun, mode:
         assert slope[k] == pytest.approx((sides[0] - sides[1]) / (2 * step), rel=1e-5)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("mode", ["forward", "reverse"])
 def test_batches(run: DifferentiableRun, mode: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """vmap of values and gradients; the Jacobian by `jacrev`; fewer runs kept than there are cases."""

@@ -63,6 +63,7 @@ def test_a_ball_that_bounces_once_a_period(model_of: Build, scheme: str, above: 
     assert sum(event.kind == "impact" for event in found.solution.events) == 1
 
 
+@pytest.mark.long
 def test_a_harder_table_throws_the_ball_to_twice_the_period(model_of: Build) -> None:
     """The flip is where the trace is -(1 + e^2)."""
     model, (start, monodromy) = model_of(juggler()), bounced(0.006, above=True)

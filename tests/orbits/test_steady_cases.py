@@ -49,6 +49,7 @@ def test_amplitudes_of_an_oscillator(model_of: Build) -> None:
     assert of(found, "error").max() < 1e-6
 
 
+@pytest.mark.long
 def test_each_case_is_the_motion_by_itself(model_of: Build) -> None:
     """A cubic spring: its steady states, found from one another, are those that are found alone."""
     model, F = model_of(oscillator(cubic=True)), np.array([1.0, 2.0])
@@ -66,6 +67,7 @@ def test_a_case_without_a_motion_says_so(model_of: Build) -> None:
     assert of(found, "b.x_rms")[1] == pytest.approx(np.abs(amplitude(50.0)) / np.sqrt(2), rel=1e-6)
 
 
+@pytest.mark.long
 def test_stiffness_and_damping_from_a_steady_state(model_of: Build) -> None:
     """From the closed form at 40 angles of the drive, and with noise within what is said; slopes by hand."""
     model, t = model_of(oscillator()), 2 * np.pi / 6 * np.arange(40) / 40

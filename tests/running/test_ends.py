@@ -163,6 +163,7 @@ def test_steps_of_a_tolerance_show_a_last_state_there(model: Model) -> None:
     np.testing.assert_allclose(run["cart.x"], right(run.t), atol=1e-6)
 
 
+@pytest.mark.long
 def test_what_jumps_or_happens_in_the_last_step_is_not_lost(model: Model) -> None:
     """A push sets in within the shorter step, an event ends the run in it, and behind t_end nothing happens."""
     for scheme in ("rk4", "single_rate"):

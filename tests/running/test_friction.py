@@ -287,6 +287,7 @@ def pile(n: int) -> Scene:
 MASSES, FRICTIONS = (5.0, 0.3, 2.0, 0.8), (6.0, 4.0, 1.5, 0.7)
 
 
+@pytest.mark.long
 def test_a_pile_of_blocks_sets_out_as_coulomb_says(model_of: Build) -> None:
     """From rest, 40 sets of pulls: each force of friction is within its bound, at it against the sliding, and where it
     is within it nothing slides. Only one motion does so, found here by Gauss-Seidel; loads are constant: v = a t.
