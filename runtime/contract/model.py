@@ -284,6 +284,16 @@ class EmittedModel:
         """Names of the measures and of their rates."""
         return [measure.name for measure in self.description.measures]
 
+    @property
+    def state_measures(self) -> list[str]:
+        """The first of these: those that follow from coordinates and rates, and no accelerations."""
+        return [measure.name for measure in self.description.measures if not measure.accelerated]
+
+    @property
+    def acceleration_measures(self) -> list[str]:
+        """The others, which follow from accelerations and joint forces: stresses with normal forces by equilibrium."""
+        return [measure.name for measure in self.description.measures if measure.accelerated]
+
     @cached_property
     def drawing(self) -> dict[str, Any]:
         """What views draw, as plain values: the record `drawing` with the joints and loads and their markers."""

@@ -368,11 +368,14 @@ class Measure:
     """A scalar of the motion and its SI unit; the rate of a measure is a measure of its own.
 
     about: what it is, where its name does not tell: axes in which a vector is resolved, an expression.
+    accelerated: does it follow from accelerations and joint forces, so that motions cannot use it? These stand behind
+    the others.
     """
 
     name: str
     unit: str
     about: str = ""
+    accelerated: bool = False
 
 
 @dataclass(frozen=True)
@@ -495,8 +498,9 @@ def as_plain(description: Description) -> dict[str, Any]:
         if not beam["stresses"]:
             del beam["stresses"]
     for measure in plain["measures"]:
-        if not measure["about"]:
-            del measure["about"]
+        for key in ("about", "accelerated"):
+            if not measure[key]:
+                del measure[key]
     for load in plain["loads"]:
         if not load["along"]:
             del load["along"]

@@ -109,6 +109,12 @@ def exported(
     if name is not None and not re.fullmatch(NAME, name):
         problem = "is no name for files and for what stands in them"
         raise ModelError(f"name {name!r}", problem, "give a letter and up to 63 letters, digits, blanks, _, . or -")
+    if model.redundant and (open_ := model.acceleration_measures):
+        problem = (
+            "follows from joint forces, which redundant constraints leave open; single runs choose those of least norm"
+        )
+        remedy = "give its beam axial modes, or leave the measure out"
+        raise ModelError(f"measure {', '.join(open_)} of model {model.name}", problem, remedy)
     p = model.parameter_vector(parameters)
     refuse_stops(model, p)
     name_of_scheme, length = steps_asked(model, scheme, dt, m, options)

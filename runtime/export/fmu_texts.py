@@ -138,8 +138,11 @@ def equations(one: Exported) -> tuple[ca.Function, ca.Function]:
     q = joined(model, system.q_i, system.motion.q_d)
     q_dot, q_ddot = joined(model, system.v, system.v_d), joined(model, a, a_d)
     shown = [q, q_dot, ca.vertcat(*(q_ddot[model.coordinates.index(name)] for name in model.q_i))]
-    if model.measures:
+    if model.state_measures:
         shown.append(model.evaluate("measures", q=q, q_dot=q_dot, t=system.t, c=system.c)["measures"])
+    if model.acceleration_measures:
+        at = {"q": q, "q_dot": q_dot, "q_ddot": q_ddot, "lam_R": ca.SX(0, 1), "t": system.t}
+        shown.append(model.evaluate("acceleration_measures", **at, c=system.c)["acceleration_measures"])
     (y,) = shared([ca.densify(ca.vertcat(*shown))])
     first = model.c_size - model.signals.size
     u = system.c[first:]

@@ -101,7 +101,7 @@ def linearise(
     point = _point(model, at, parameters, t)
     locked = tuple(turning_name(model, name) for name in (point.held if locked is None else locked))
     input_names = [_input(model, name) for name in inputs] if inputs is not None else list(model.q_i)
-    output_names = list(outputs if outputs is not None else model.measures or model.q_i)
+    output_names = list(outputs if outputs is not None else model.state_measures or model.q_i)
     functions = PointFunctions(model, model.constants(point.p), point.drives_move)
     here = functions(point.state)
     resting = point.at_rest
@@ -306,12 +306,18 @@ def output_slopes(
     known = {name: places[k] for k, name in enumerate(model.coordinates)}
     known |= {f"{name}_dot": rates[k] for k, name in enumerate(model.coordinates)}
     known |= {name: q[k] for k, name in enumerate(model.q_i) if name not in known}
-    if model.measures:
+    if model.state_measures:
         found = equations.call("measures", q=places, q_dot=rates, t=t)["measures"]
-        known |= {name: found[k] for k, name in enumerate(model.measures)}
+        known |= {name: found[k] for k, name in enumerate(model.state_measures)}
     for name in names:
+        if name in model.acceleration_measures:
+            raise ModelError(
+                f"output {name!r}",
+                "follows from accelerations, on which forces act at once, and a linear system has outputs of states",
+                f"give the beam axial modes, take its bending_moment, or read {name} of a run",
+            )
         if name not in known:
-            listed = ", ".join([*model.measures, *model.coordinates][:SHOWN_NAMES])
+            listed = ", ".join([*model.state_measures, *model.coordinates][:SHOWN_NAMES])
             raise ModelError(f"model {model.name} has no output {name!r}; it has {listed} (rates end in _dot)")
     y = ca.vertcat(*(known[name] for name in names))
     index = [parameter.name for parameter in model.parameters]

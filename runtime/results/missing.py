@@ -15,12 +15,10 @@ from runtime.contract.records import BeamRecord
 from runtime.contract.status import Event
 from runtime.engine.rows import evaluate
 from runtime.results.samples import Samples
-from runtime.results.section_forces import STRETCHING
 
 MOST_SAMPLES_LOOKED_AT = 100  # samples at most
 WORTH_OF_SHAPES = 1e-3  # of a deflection
 REPORTED_MISSING_SHARE = 0.05  # of a stress or a force
-WORTH_A_WORD_OF_NORMAL = 0.01  # of a stress, where no shape knows the normal force
 
 
 def looked_at(solution: Samples) -> Samples:
@@ -167,9 +165,11 @@ def missing_stresses(solution: Samples) -> tuple[dict[str, float], list[Event]]:
 
 def _missing_of_beam(solution: Samples, record: BeamRecord, shares: dict[str, float], events: list[Event]) -> None:
     """Adds the share of the measures of a beam's stress, and the event."""
+    from runtime.results.stresses import sum_of_shapes
+
     some = looked_at(solution)
     try:
-        whole, shapes = (some.beam_stresses(record.body, way=way).von_mises for way in ("equilibrium", "modes"))
+        whole, shapes = some.beam_stresses(record.body).von_mises, sum_of_shapes(some, record.body).von_mises
     except ModelError:  # loads whose place on the beam is not known, or a section that is not
         return
     largest = float(whole.max(initial=0.0))
@@ -178,17 +178,13 @@ def _missing_of_beam(solution: Samples, record: BeamRecord, shares: dict[str, fl
     lacking = np.abs(whole - shapes).max(axis=1)
     share = float(lacking.max()) / largest
     shares |= {f"missing_stress.{name}": share for name in record.stresses}
-    if share > REPORTED_MISSING_SHARE or (share > WORTH_A_WORD_OF_NORMAL and not _stretches(record)):
+    if share > REPORTED_MISSING_SHARE:
         text = (
             f"{', '.join(record.stresses)}: up to {100 * share:.2g} % of the largest stress of {record.body} are not "
-            f"in it, for its shapes do not hold it{'' if _stretches(record) else ' (no axial modes: no N / A)'}; "
+            "in it, for its shapes do not hold it; "
             f"solution.beam_stresses('{record.body}') has it by equilibrium, or give more modes"
         )
         events.append(Event(float(some.t[int(lacking.argmax())]), "stresses_missing", text))
-
-
-def _stretches(record: BeamRecord) -> bool:
-    return any(one.axis == STRETCHING for one in record.sets)
 
 
 # ---- Events of Euler angles that are read off near their singular orientation; the motion knows nothing of it.

@@ -63,7 +63,7 @@ def column(model: EmittedModel, name: str) -> Column:
             "a joint's force",
         )
     found = known[name]
-    if found.kernel == "reactions" and model.redundant:
+    if found.kernel in ("reactions", "acceleration_measures") and model.redundant:
         raise ModelError(
             f"output {name!r}",
             f"model {model.name} has redundant constraints, whose reactions need a choice that single runs make",
@@ -77,8 +77,9 @@ def _quantities(model: EmittedModel) -> dict[str, Column]:
     found: dict[str, Column] = {}
     if model.has("energy"):
         found |= {f"{prefix}{name}": Column("energy", name) for name in ENERGIES for prefix in ("", "energy.")}
-    for k, name in enumerate(model.measures):
-        found |= {f"{prefix}{name}": Column("measures", "measures", k) for prefix in ("", "measure.")}
+    for kernel, names in (("measures", model.state_measures), ("acceleration_measures", model.acceleration_measures)):
+        for k, name in enumerate(names):
+            found |= {f"{prefix}{name}": Column(kernel, kernel, k) for prefix in ("", "measure.")}
     for k, name in enumerate(model.coordinates):
         found |= {f"{name}{suffix}": Column("state", suffix, k) for suffix in ORDERS}
     kinds = euler_angles(model)

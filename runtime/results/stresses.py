@@ -7,7 +7,8 @@ runtime/contract/flexible.py): the modes enter through the motion only.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -18,7 +19,7 @@ from runtime.contract.flexible import UnknownInterface, causes
 from runtime.contract.records import GaugeRecord
 from runtime.results.body_motion import body_motion
 from runtime.results.samples import Samples
-from runtime.results.section_forces import section_forces
+from runtime.results.section_forces import SectionForces, section_forces
 
 StressWay = Literal["equilibrium", "modes"]
 COMPONENTS = ("xx", "yy", "zz", "yz", "xz", "xy")
@@ -116,6 +117,23 @@ def beam_stresses(solution: Samples, body: str, way: StressWay = "equilibrium") 
     ModelError
         For a beam whose stress no measure asks for, and as `section_forces`.
     """
+    section = _section_of(solution, body)
+    return with_section(section, section_forces(solution, body, way=way))
+
+
+def sum_of_shapes(solution: Samples, body: str) -> BeamStresses:
+    """The stress of a beam as measures have it: by the forces of its shapes, and N by equilibrium if none stretches it.
+
+    Raises ModelError as `beam_stresses`.
+    """
+    section, found = _section_of(solution, body), section_forces(solution, body, way="modes")
+    if np.isnan(found.normal).any():
+        found = replace(found, normal=section_forces(solution, body).normal)
+    return with_section(section, found)
+
+
+def _section_of(solution: Samples, body: str) -> dict[str, float]:
+    """Area and moduli of a beam, by their keys. Raises ModelError where they are not known."""
     record = next((one for one in solution.model.description.beams if one.body == body), None)
     if record is None:
         raise ModelError(f"model {solution.model.name} has no beam {body!r}")
@@ -123,8 +141,11 @@ def beam_stresses(solution: Samples, body: str, way: StressWay = "equilibrium") 
     if not record.section or any(name not in names for name in record.section.values()):
         remedy = f'measure it: scene.measure("peak", "stress", of="{body}.all")'
         raise ModelError(f"the section of beam {body!r} is not known to model {solution.model.name}; {remedy}")
-    value = {key: float(solution.parameters[names.index(name)]) for key, name in record.section.items()}
-    found = section_forces(solution, body, way=way)
+    return {key: float(solution.parameters[names.index(name)]) for key, name in record.section.items()}
+
+
+def with_section(value: Mapping[str, float], found: SectionForces) -> BeamStresses:
+    """Stresses by section forces; value: the section by its keys."""
     area, zero = value["area"], np.zeros_like(found.moment)
     pulled = np.abs(np.nan_to_num(found.normal)) / area
     moments = {"section_modulus": found.moment, "section_modulus_z": found.moment_y}
@@ -133,7 +154,7 @@ def beam_stresses(solution: Samples, body: str, way: StressWay = "equilibrium") 
     shear = np.hypot(np.nan_to_num(found.shear), np.nan_to_num(found.shear_z))
     sheared = twisted + value["shear_factor"] * shear / area
     squares = np.maximum((pulled + bent) ** 2 + 3 * twisted**2, pulled**2 + 3 * sheared**2)
-    return BeamStresses(body, solution.t, np.asarray(found.at), np.sqrt(squares))
+    return BeamStresses(found.body, found.t, np.asarray(found.at), np.sqrt(squares))
 
 
 @arguments()

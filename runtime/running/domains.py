@@ -104,9 +104,9 @@ class _Way:
         named = {name: np.full(len(ahead), value) for name, value in self.known.items()}
         for suffix, values in (("", at["q"]), ("_dot", at["q_dot"])):
             named |= {f"{name}{suffix}": values[:, k] for k, name in enumerate(self.model.coordinates)}
-        if self.model.measures:
+        if self.model.state_measures:  # expressions of loads and events know no others
             found = evaluate(self.model.kernel("measures"), {**at, "t": t[:, None]}, self.c)["measures"]
-            named |= dict(zip(self.model.measures, found.T, strict=True))
+            named |= dict(zip(self.model.state_measures, found.T, strict=True))
         return named | {"t": t, "pi": np.full(len(ahead), np.pi)}
 
 

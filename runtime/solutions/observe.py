@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields, replace
 from typing import Any
 
@@ -132,7 +132,7 @@ def assemble_solution(
         energy=Later(lambda: {**_energies(model, values, c), "power_driven": forces()["power_driven"]}),  # type: ignore[arg-type]
         constraint_error=forces.part("error"),  # type: ignore[arg-type]
         constraint_rate_error=forces.part("rate_error"),  # type: ignore[arg-type]
-        measures=Later(lambda: _measures(model, values, c)),  # type: ignore[arg-type]
+        measures=Later(lambda: _measures(model, values, c, forces)),  # type: ignore[arg-type]
         joint_forces=forces.part("joint_forces"),  # type: ignore[arg-type]
         load_forces=Later(lambda: _load_forces(model, values, c)),  # type: ignore[arg-type]
         frictions=Later(lambda: frictions(model, values, c)),  # type: ignore[arg-type]
@@ -145,10 +145,18 @@ def _energies(model: EmittedModel, values: Mapping[str, np.ndarray], c: np.ndarr
     return {key: column[:, 0] for key, column in evaluate(model.kernel("energy"), dict(values), c).items()}
 
 
-def _measures(model: EmittedModel, values: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:
-    if not model.measures:
-        return np.zeros((len(values["t"]), 0))
-    return evaluate(model.kernel("measures"), dict(values), c)["measures"]
+def _measures(
+    model: EmittedModel, values: Mapping[str, np.ndarray], c: np.ndarray, forces: Callable[[], Mapping[str, np.ndarray]]
+) -> np.ndarray:
+    """Measures and their rates; behind them those that follow from accelerations and the multipliers of `forces`."""
+    found = [np.zeros((len(values["t"]), 0))]
+    if model.state_measures:
+        found.append(evaluate(model.kernel("measures"), dict(values), c)["measures"])
+    if model.acceleration_measures:
+        lam_R = forces()["lam"][:, model.redundant_rows]
+        kernel = model.kernel("acceleration_measures")
+        found.append(evaluate(kernel, {**values, "lam_R": lam_R}, c)["acceleration_measures"])
+    return np.hstack(found)
 
 
 def _load_forces(model: EmittedModel, values: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:

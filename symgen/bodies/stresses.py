@@ -66,7 +66,10 @@ Force = Callable[[str, float], ca.SX]  # (kind of section force, fraction of the
 
 
 def beam_stress(body: BeamBody, force: Force, places: Sequence[float] | None, table: ParameterTable) -> ca.SX:
-    """The largest von Mises stress [Pa] at the fractions `places` of the length, or at all stations."""
+    """The largest von Mises stress [Pa] at the fractions `places` of the length, or at all stations.
+
+    force: the normal force whatever the shapes are, the others where there are shapes that know them.
+    """
     found = ca.SX(NO_STRESS)
     for at in places or STATIONS:
         found = ca.fmax(found, _of_beam(body, {kind: _part(body, force, kind, at) for kind in KNOWN_BY}, table))
@@ -74,7 +77,8 @@ def beam_stress(body: BeamBody, force: Force, places: Sequence[float] | None, ta
 
 
 def _part(body: BeamBody, force: Force, kind: str, at: float) -> ca.SX:
-    return ca.SX(0) if getattr(body, KNOWN_BY[kind]) is None else force(kind, at)
+    unknown = kind != "normal_force" and getattr(body, KNOWN_BY[kind]) is None
+    return ca.SX(0) if unknown else force(kind, at)
 
 
 def _of_beam(body: BeamBody, parts: dict[str, ca.SX], table: ParameterTable) -> ca.SX:

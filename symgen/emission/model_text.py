@@ -278,6 +278,7 @@ class Labels:
             "loops": [eq.constraints[row].label for row in choice.loop_rows],
             "joints": eq.joints,
             "measures": list(eq.measures),
+            "acceleration measures": list(eq.accelerated),
             "events": [*eq.events, *eq.kinks],
             "conditions in t": [item for item, _ in eq.switching],
         }

@@ -153,10 +153,20 @@ def load_forces(system: Condensed, bodies: Sequence[str]) -> Kernel:
 
 
 def measures(system: Condensed) -> Kernel:
-    """The scene's measures and their rates, in scene order."""
+    """The scene's measures and their rates, in scene order, but for `acceleration_measures`."""
     eq = system.equations
     values = list(eq.measures.values())
     return Kernel(eq.state, {"measures": ca.vertcat(*values) if values else ca.SX(0, 1)})
+
+
+def acceleration_measures(system: Condensed) -> Kernel:
+    """The scene's measures that follow from accelerations and joint forces; lam_R as of `reactions`."""
+    eq = system.equations
+    forces = reactions(system)
+    values = ca.vertcat(*eq.accelerated.values())
+    (values,) = ca.substitute([values], [ca.vertcat(*eq.lam)], [forces.outputs["lam"]]) if eq.lam else (values,)
+    (values,) = ca.substitute([values], [ca.vertcat(*eq.q_ddot)], [forces.inputs["q_ddot"]])
+    return Kernel(forces.inputs, {"acceleration_measures": values})
 
 
 def load_actions(system: Condensed) -> Kernel:

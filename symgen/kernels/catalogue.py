@@ -18,6 +18,7 @@ from symgen.condensed.condensation import Condensed
 from symgen.condensed.forward_dynamics import is_tree, tree_accelerations
 from symgen.condensed.loops import solve_forward
 from symgen.kernels.all_coordinates import (
+    acceleration_measures,
     augmented,
     constraints,
     energy,
@@ -42,7 +43,7 @@ TREES_ONLY = {
 }  # may be asked for of any scene, and be left out
 FULLY_DRIVEN = (
     "closure", "velocities", "accelerations", "constraints", "reactions", "energy", "measures", "poses", "load_forces",
-    "load_actions", "switching",
+    "load_actions", "switching", "acceleration_measures",
 )  # fmt: skip
 
 
@@ -73,6 +74,7 @@ def kernel_builders(
         "reactions": partial(reactions, system),
         "energy": partial(energy, system),
         "measures": partial(measures, system),
+        "acceleration_measures": partial(acceleration_measures, system),
         "load_actions": partial(load_actions, system),
         "poses": lambda: poses(system.equations),
         "load_forces": partial(load_forces, system, [*system.equations.beams, *system.equations.flexible]),
@@ -113,6 +115,7 @@ def _absent(system: Condensed) -> frozenset[str]:
         "constraints": eq.constraints,
         "reactions": eq.constraints,
         "measures": eq.measures,
+        "acceleration_measures": eq.accelerated,
         "load_actions": eq.load_actions,
         "poses": eq.picture.poses,
         "load_forces": [name for body in (*eq.beams, *eq.flexible) for name in eq.loads_on(body)],

@@ -159,6 +159,14 @@ FUNCTIONS: dict[str, FunctionSpec] = {
         ),
         _spec("measures", "", "The scene's measures and their rates", "report", "q q_dot t u c", "measures"),
         _spec(
+            "acceleration_measures",
+            "",
+            "The scene's measures that follow from accelerations and joint forces",
+            "reactions",
+            "q q_dot q_ddot lam_R t u c",
+            "acceleration_measures",
+        ),
+        _spec(
             "load_forces",
             "",
             "Generalised force of each load on the coordinates of each flexible body's frame",
@@ -233,7 +241,7 @@ def specification(name: str, tape: Tape, groups: Sequence[Group], redundant: boo
         replace(known[output], size=list(shape))
         for output, shape in zip(tape.output_names, tape.output_shapes, strict=True)
     ]
-    more = WITH_REDUNDANT_ROWS if redundant and name == "reactions" else ""
+    more = WITH_REDUNDANT_ROWS if redundant and "lam_R" in tape.input_names else ""
     return replace(
         spec, name=name, meaning=spec.meaning + more, inputs=inputs, outputs=outputs, operations=tape.operations
     )

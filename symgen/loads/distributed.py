@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Annotated, Any, Literal
 
 from symgen.joints.joint import Surroundings, beam_faults
-from symgen.loads.load import Acting, Load, LoadEffect, Row
+from symgen.loads.load import Acting, Load, LoadEffect, Row, Vector
 from symgen.schema.fields import Fault, Meaning, Name, Number, Quantity, Scope, about, components_fault
 
 
@@ -35,28 +35,48 @@ class Distributed(Load):
         s = m.symbol("s")
         density = m.value("components", s=s)
         powers = None if self.frame == "section" else m.coefficients(density, s)
-        forces: list[tuple[Any, Any]] = []
-        if powers is None:
-            for place, weight, at in m.stations(self.beam, self.start, self.end):
-                forces.append((at, [weight * p for p in m.at_value(density, s, place)]))
-        else:
-            for power, coefficient in enumerate(powers):
-                if all(p.is_zero() for p in coefficient):
-                    continue
-                weight, at = m.part_of_beam(self.beam, power, self.start, self.end)
-                forces.append((at, [weight * p for p in coefficient]))
+
+        def parts(start: float) -> list[tuple[Any, Vector]]:
+            return self._by_stations(m, density, s, start) if powers is None else self._by_powers(m, powers, start)
+
+        def beyond(at: float) -> Vector:
+            whole = [0 * p for p in density]
+            for _, force in parts(max(self.start, at)) if at < self.end else ():
+                whole = [total + part for total, part in zip(whole, force, strict=True)]
+            return whole
+
         row: Row = {}
-        whole, power_in = [0 * p for p in density], 0
-        frame, degree = m.frame_of(self.beam), float("inf") if powers is None else float(len(powers) - 1)
-        for at, given in forces:
-            force = given
-            if self.frame != "world":
-                force = m.along(at if self.frame == "section" else frame, given)
+        power_in: Any = 0
+        for at, force in parts(self.start):
             for column, value in m.generalised((at, force, ())).items():
                 row[column] = row[column] + value if column in row else value
-            whole = [total + part for total, part in zip(whole, force, strict=True)]
             power_in = power_in + m.dot(force, at.r_dot)
-        return LoadEffect(row, applied=power_in, action=m.action(whole), along=(self.start, self.end, degree))
+        degree = float("inf") if powers is None else float(len(powers) - 1)
+        along = (self.start, self.end, degree)
+        return LoadEffect(row, applied=power_in, action=m.action(beyond(self.start)), along=along, beyond=beyond)
+
+    def _by_powers(self, m: Acting, powers: Sequence[Vector], start: float) -> list[tuple[Any, Vector]]:
+        """(mean point, force in world axes) of each power of s, from `start` on."""
+        found: list[tuple[Any, Vector]] = []
+        frame = m.frame_of(self.beam)
+        for power, coefficient in enumerate(powers):
+            if all(p.is_zero() for p in coefficient):
+                continue
+            weight, at = m.part_of_beam(self.beam, power, start, self.end)
+            given = [weight * p for p in coefficient]
+            found.append((at, given if self.frame == "world" else m.along(frame, given)))
+        return found
+
+    def _by_stations(self, m: Acting, density: Vector, s: Any, start: float) -> list[tuple[Any, Vector]]:
+        """(point, force in world axes) at Gauss points, from `start` on."""
+        found: list[tuple[Any, Vector]] = []
+        frame = m.frame_of(self.beam)
+        for place, weight, at in m.stations(self.beam, start, self.end):
+            given: Vector = [weight * p for p in m.at_value(density, s, place)]
+            if self.frame != "world":
+                given = m.along(at if self.frame == "section" else frame, given)
+            found.append((at, given))
+        return found
 
     @property
     def acts_at(self) -> list[str]:

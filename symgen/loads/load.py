@@ -6,7 +6,7 @@ All who treat loads ask this record; none asks for a load's type.
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
@@ -34,7 +34,8 @@ class LoadEffect:
     spring: what of it is linear in the coordinates, if it is that.
     action: force [N] and moment [N m] in world axes on the load's marker, or on marker b: x, y and about z in a plane,
     three and three in space.
-    along: of a load along a beam, see `LoadRecord`.
+    along: of a load along a beam, see `LoadRecord`; beyond: of the part of it beyond a fraction of the length the force
+    in world axes [N].
     touching: of a contact its normal force, the size of its friction [N], and the speed apart of what touches [m/s].
     size: of a load that `Load.directed` names a direction of, the signed force [N] or moment [N m] in it.
     """
@@ -46,6 +47,7 @@ class LoadEffect:
     spring: LinearSpring | None = None
     action: Sequence[Any] = ()
     along: tuple[float, ...] = ()
+    beyond: Callable[[float], Vector] | None = None
     size: Any = None
     touching: Sequence[Any] = ()
 
@@ -102,6 +104,9 @@ class Acting(Protocol):
 
     def place_on(self, beam: str, place: Any) -> tuple[Any, At]:
         """(is it on the beam? 1 or 0, point) at `place` [m] from the start; the ends stop steps where they can."""
+
+    def beyond(self, beam: str, place: Any, at: float) -> Any:
+        """1 where `place` [m] is beyond the fraction `at` of the length, else 0."""
 
     def symbol(self, name: str) -> Any:
         """A variable."""

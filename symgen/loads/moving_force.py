@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Annotated, Literal
 
 from symgen.joints.joint import Surroundings, beam_faults
-from symgen.loads.load import Acting, Load, LoadEffect
+from symgen.loads.load import Acting, Load, LoadEffect, Vector
 from symgen.schema.fields import Fault, Meaning, Name, Quantity, Scope, about, components_fault
 
 
@@ -28,11 +28,17 @@ class MovingForce(Load):
 
     def effect(self, m: Acting) -> LoadEffect:
         """Q = F . dr/dq at phi(s(t)); power F . r' of the point of the beam that is there."""
-        on, at = m.place_on(self.beam, m.value("place"))
+        place = m.value("place")
+        on, at = m.place_on(self.beam, place)
         given = m.value("components")
         force = [on * component for component in (m.along(at, given) if self.frame == "section" else given)]
         row, power = m.generalised((at, force, ())), m.dot(force, at.r_dot)
-        return LoadEffect(row, applied=power, action=m.action(force), along=(0.0, 1.0, -1.0))
+
+        def beyond(at: float) -> Vector:
+            there = m.beyond(self.beam, place, at)
+            return [there * component for component in force]
+
+        return LoadEffect(row, applied=power, action=m.action(force), along=(0.0, 1.0, -1.0), beyond=beyond)
 
     @property
     def acts_at(self) -> list[str]:

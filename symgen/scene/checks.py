@@ -19,7 +19,7 @@ from symgen.scene.attachments import with_ends
 from symgen.scene.bodies import BeamBody, GroundBody, RigidBody
 from symgen.scene.flexible import ModalBody, SpatialModalBody
 from symgen.scene.joint_pairs import joint_pair_errors
-from symgen.scene.measures import known_late
+from symgen.scene.measures import accelerated, known_late
 from symgen.scene.parts import SceneParts
 from symgen.scene.translate import SECTIONS, item_path
 from symgen.schema.errors import SceneError, did_you_mean, raise_all
@@ -301,9 +301,12 @@ class _QuantityCheck:
         states = [name for state in scene.states for name in (state, f"{state}_dot")]
         self.states = frozenset(states)
         measured = [name for measure in scene.measures for name in (measure.name, f"{measure.name}_dot")]
-        late = known_late(scene.measures)
+        self.last = {name: "" for name in accelerated(scene)}
+        self.last |= {f"{name}_dot": "the rate of " for name in self.last}
+        late = known_late(scene.measures) - self.last.keys()
         self.late = frozenset((*late, *(f"{name}_dot" for name in late)))
-        early = [name for name in measured if name not in self.late]
+        events = [name for name in measured if name not in self.last]
+        early = [name for name in events if name not in self.late]
         moving = [] if scene.structure else [part for name in scene.coordinates() for part in (name, f"{name}_dot")]
         self.names = {
             Scope.PARAMETERS: frozenset((*self.defaults, *tables)),
@@ -312,7 +315,7 @@ class _QuantityCheck:
             Scope.LINE: frozenset((*self.defaults, *inputs, *tables, "t", *early, *states, "length", "rate")),
             Scope.PLACE: frozenset((*self.defaults, *inputs, *tables, "t", *early, *states, "s")),
             Scope.STATES: frozenset((*self.defaults, *inputs, *tables, "t", *early, *scene.states)),
-            Scope.EVENTS: frozenset((*self.defaults, *inputs, *tables, "t", *measured, *states)),
+            Scope.EVENTS: frozenset((*self.defaults, *inputs, *tables, "t", *events, *states)),
             Scope.MOTION: frozenset(
                 (*self.defaults, *inputs, *tables, "t", *measured, *scene.states, *moving, *scene.angles())
             ),
@@ -324,6 +327,8 @@ class _QuantityCheck:
                 path, "uses a state, which would have to be driven by the mechanism's own motor",
                 "let an input with rates or a filter give the motion, or a load in place of the motion",
             )  # fmt: skip
+        if isinstance(value, str):
+            self._refuse_accelerated(path, value, meaning.scope)
         if isinstance(value, str) and meaning.scope not in (Scope.EVENTS, Scope.MOTION):
             for name in sorted(self.late & set(WORD.findall(value))):
                 raise SceneError(
@@ -336,6 +341,20 @@ class _QuantityCheck:
                     path, f"uses '{name}', which an event sets during the run, and must stay as it is",
                     "let the expression of a load use it, or name another parameter here",
                 )  # fmt: skip
+        self._check_value(path, value, meaning)
+
+    def _refuse_accelerated(self, path: str, value: str, scope: Scope) -> None:
+        """Stresses with a normal force by equilibrium, where the motion would depend on its own accelerations."""
+        for name in sorted(self.last.keys() & set(WORD.findall(value))):
+            if scope is Scope.MOTION and not self.last[name]:
+                continue
+            what = f"uses {self.last[name]}'{name.removesuffix('_dot') if self.last[name] else name}'"
+            raise SceneError(
+                path, f"{what}, a stress whose normal force follows from accelerations, which are not known here",
+                "give the beam axial modes, whose stretch is its normal force, or use its bending_moment",
+            )  # fmt: skip
+
+    def _check_value(self, path: str, value: float | str, meaning: Meaning) -> None:
         expression = parse_expression(value, self.names[meaning.scope], path)
         if not expression.names <= self.known.keys():
             return  # it uses measures, whose values are not known before the motion is

@@ -151,7 +151,8 @@ class StressMeasure(_Measure):
     component: von_mises, or xx, yy, zz, yz, xz, xy, or mesh_error, what the mesh leaves unknown of it. `body.all`: the
     largest von Mises stress, or error, of all its gauges.
     `Solution.stresses` has what equilibrium says. Of a beam the von Mises stress at a marker `beam.marker`, or the
-    largest along it, `beam.all`, by its shapes; see symgen/bodies/stresses.py.
+    largest along it, `beam.all`, by its shapes, and its normal force by equilibrium where no shape stretches it, which
+    loads, states and events cannot use; see symgen/bodies/stresses.py.
     """
 
     type: Literal["stress"] = "stress"
@@ -317,6 +318,19 @@ def known_late(measures: Iterable[_Measure]) -> set[str]:
         if isinstance(one, ExpressionMeasure) and one.uses() & {*late, *(f"{name}_dot" for name in late)}:
             late.add(one.name)
     return late
+
+
+def accelerated(scene: Any) -> set[str]:
+    """Measures that accelerations make known: stresses of beams without axial modes, and expressions of them."""
+    beams = {body.name for body in scene.bodies if isinstance(body, BeamBody) and body.axial is None}
+    found: set[str] = set()
+    for one in scene.measures:
+        if isinstance(one, StressMeasure) and one.of.partition(".")[0] in beams:
+            found.add(one.name)
+    for one in scene.measures:
+        if isinstance(one, ExpressionMeasure) and one.uses() & found:
+            found.add(one.name)
+    return found
 
 
 Measure = Annotated[

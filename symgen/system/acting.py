@@ -151,6 +151,10 @@ class _Acting:
         on = ca.if_else(place < 0, 0, ca.if_else(place > length, 0, 1))
         return on, self._space.place(body, moving_place(body, ca.fmin(ca.fmax(place, 0), length), self.table))
 
+    def beyond(self, beam: str, place: ca.SX, at: float) -> ca.SX:
+        """One, or zero where the place is not beyond."""
+        return ca.if_else(place > self.table.of(self._beam(beam), "length") * at, 1, 0)
+
     def _beam(self, name: str) -> BeamBody:
         body = self.scene.body(name)
         assert isinstance(body, BeamBody)

@@ -209,8 +209,9 @@ class Equations:
     load_forces: generalised force of each load and each joint's friction, by its name. beams: their mode sets;
     flexible: bodies in space with modes of their own; static_residuals: beams whose shapes do not carry what is
     attached to them.
+    q_ddot, lam: symbols of the accelerations and the multipliers; accelerated: measures that follow from them, by name.
     load_actions: what each load does at its marker or marker b, see LoadEffect; load_spans: its `along`;
-    load_sizes: its `size`.
+    loads_beyond: its `beyond`; load_sizes: its `size`.
     events: by name what passes zero, and the values that inputs get then.
     switching: (load, joint or state, value) of what changes sign where an expression jumps or kinks in time; kinks: by
     name (load, joint or state, value) of what does where it depends on the motion. sides: by the name of a kink a
@@ -235,6 +236,9 @@ class Equations:
     elements: list[Element] = field(default_factory=list)
     one_sided: dict[str, tuple[ca.SX, str]] = field(default_factory=dict)
     measures: dict[str, ca.SX] = field(default_factory=dict)
+    q_ddot: list[ca.SX] = field(default_factory=list)
+    lam: list[ca.SX] = field(default_factory=list)
+    accelerated: dict[str, ca.SX] = field(default_factory=dict)
     body_columns: dict[str, list[int]] = field(default_factory=dict)
     joint_columns: frozenset[int] = frozenset()
     gravity: list[ca.SX] = field(default_factory=list)
@@ -245,6 +249,7 @@ class Equations:
     static_residuals: list[StaticResidual] = field(default_factory=list)
     load_actions: dict[str, Sequence[ca.SX]] = field(default_factory=dict)
     load_spans: dict[str, list[float]] = field(default_factory=dict)
+    loads_beyond: dict[str, Callable[[float], Sequence[ca.SX]]] = field(default_factory=dict)
     load_sizes: dict[str, ca.SX] = field(default_factory=dict)
     events: dict[str, tuple[ca.SX, dict[str, ca.SX]]] = field(default_factory=dict)
     switching: list[tuple[str, ca.SX]] = field(default_factory=list)

@@ -37,9 +37,11 @@ from symgen.scene.measures import (
     Measure,
     SectionForceMeasure,
     StressMeasure,
+    accelerated,
     known_late,
 )
 from symgen.schema.fields import Scope, StrictModel
+from symgen.system.axial_force import AxialForce, BeamFrame
 from symgen.system.constraint import ConstraintRow, DerivationError, Motion, combined
 from symgen.system.equations import Element, Equations, Rotor, Rubbing, Stop
 from symgen.system.one_sided import Push, against, beyond_play, hunt_crossley
@@ -172,6 +174,10 @@ class Space(ABC, Generic[Marker]):
         """Normal force, shear force or bending moment of a beam at a fraction of its length."""
 
     @abstractmethod
+    def beam_frame(self, body: BeamBody, q_ddot: Sequence[ca.SX]) -> BeamFrame:
+        """Motion of the frame of a beam, at accelerations by column."""
+
+    @abstractmethod
     def load(self, load: Load, read: Read, reader: ExpressionReader, q: ca.SX, q_dot: ca.SX) -> LoadEffect:
         """Effect of a load; read: its expressions."""
 
@@ -208,6 +214,8 @@ class Mechanism(Generic[Marker]):
             effect = space.load(load, self._expression, self.reader, q, q_dot)
             self._add_effect(load.name, effect)
             equations.load_actions[load.name] = effect.action
+            if effect.beyond is not None:
+                equations.loads_beyond[load.name] = effect.beyond
             equations.load_spans[load.name] = [min(part, MOST_POWER) for part in effect.along]
             if effect.touching:
                 parts = zip(("normal_force", "friction_force", "normal_velocity"), effect.touching, strict=True)
@@ -218,6 +226,8 @@ class Mechanism(Generic[Marker]):
             if effect.size is not None:
                 equations.load_sizes[load.name] = effect.size
         self._add_late_measures()
+        if space.inertia_of_bodies:
+            self._add_accelerated_measures()
         self._add_events()
         equations.picture = space.picture()
 
@@ -483,7 +493,7 @@ class Mechanism(Generic[Marker]):
 
     def _add_measures(self) -> None:
         """Those that loads may use."""
-        eq, late = self.equations, known_late(self.scene.measures)
+        eq, late = self.equations, known_late(self.scene.measures) | accelerated(self.scene)
         moving = {name: q for name, q in zip(eq.names, eq.q, strict=True)}
         moving |= {f"{name}_dot": q_dot for name, q_dot in zip(eq.names, eq.q_dot, strict=True)}
         states = {name: eq.q_dot[column] for name, column in eq.states.items()}
@@ -495,7 +505,7 @@ class Mechanism(Generic[Marker]):
 
     def _add_late_measures(self) -> None:
         """Forces of loads, and expressions of them."""
-        late = known_late(self.scene.measures)
+        late = known_late(self.scene.measures) - accelerated(self.scene)
         for measure in sorted(self.scene.measures, key=lambda one: isinstance(one, ExpressionMeasure)):
             if measure.name in late:
                 self._add_measure(measure)
@@ -503,6 +513,25 @@ class Mechanism(Generic[Marker]):
         eq = self.equations
         eq.measures |= {name: value for name, (value, _) in eq.one_sided.items()}
         eq.measure_units |= {name: unit for name, (_, unit) in eq.one_sided.items()}
+
+    def _add_accelerated_measures(self) -> None:
+        """Those of normal forces by equilibrium, and expressions of them: all else is known by now."""
+        names, eq = accelerated(self.scene), self.equations
+        if not names:
+            return
+        eq.q_ddot = [ca.SX.sym(f"{name}_ddot") for name in eq.names]
+        eq.lam = [ca.SX.sym(f"lam.{row.label}") for row in eq.constraints]
+        for measure in sorted(self.scene.measures, key=lambda one: isinstance(one, ExpressionMeasure)):
+            if measure.name not in names:
+                continue
+            if isinstance(measure, ExpressionMeasure):
+                value, unit = self._of_expression(measure), measure.unit
+            else:
+                assert isinstance(measure, StressMeasure)
+                value, unit = self._stress(measure), "Pa"
+            eq.accelerated[measure.name] = value
+            eq.measure_units[measure.name] = unit
+            self.environment = {**self.environment, measure.name: value}
 
     def _in_order(self) -> None:
         """Measures as the scene has them, states behind them."""
@@ -606,10 +635,20 @@ class Mechanism(Generic[Marker]):
         if isinstance(body, BeamBody):
             places = None if gauge == ALL_GAUGES else (self._place(measure.of)[1],)
             force = partial(self.space.section_force, body)
+            if measure.name in accelerated(self.scene):
+                force = partial(self._section_force, self._axial_force(body, f"measures.{measure.name}"))
             return beam_stress(body, force, places, self.table)
         assert isinstance(body, SpatialModalBody)
         q_f = [eq.q[column] for column in eq.body_columns[name] if eq.coordinates[column].elastic]
         return gauge_stress(body, gauge, measure.component, q_f, self.table)
+
+    def _axial_force(self, body: BeamBody, item: str) -> AxialForce:
+        frame = self.space.beam_frame(body, self.equations.q_ddot)
+        return AxialForce(self.scene, body, frame, self.equations, self.table, item)
+
+    def _section_force(self, axial: AxialForce, kind: str, at: float) -> ca.SX:
+        """The normal force by equilibrium, all else by the shapes."""
+        return axial.at(at) if kind == "normal_force" else self.space.section_force(axial.body, kind, at)
 
     def _add_states(self) -> None:
         """s' = g(q, q', s, u, t) as the motion of a coordinate of unit inertia whose rate is s."""

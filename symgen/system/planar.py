@@ -32,6 +32,7 @@ from symgen.loads.load import LoadEffect, Scalar
 from symgen.scene import BeamBody
 from symgen.schema.fields import WORLD
 from symgen.system.acting import PlanarActing, distance_between, turn_between
+from symgen.system.axial_force import BeamFrame
 from symgen.system.constraint import STILL, ConstraintRow, Motion
 from symgen.system.constraint_rows import LocalPlace, holding, planar_rows, sliding_rows
 from symgen.system.equations import Equations
@@ -122,6 +123,16 @@ class PlanarSpace(Space[MarkerMotion]):
     def section_force(self, body: BeamBody, kind: str, at: float) -> ca.SX:
         """Of a beam at a fraction of its length, by its shapes."""
         return section_force(body, mesh_key(body), kind, at, self.bodies[body.name].coordinates.q_f, self.table)
+
+    def beam_frame(self, body: BeamBody, q_ddot: Sequence[ca.SX]) -> BeamFrame:
+        """Its z-axis stays."""
+        own = self.bodies[body.name].coordinates
+        x, y, theta, *elastic = own.columns
+        c, s = ca.cos(own.theta), ca.sin(own.theta)
+        A = [[c, neg(s), ZERO], [s, c, ZERO], [ZERO, ZERO, ONE]]
+        omega, alpha = [ZERO, ZERO, own.theta_dot], [ZERO, ZERO, q_ddot[theta]]
+        a_o = [c * q_ddot[x] + s * q_ddot[y], c * q_ddot[y] - s * q_ddot[x], ZERO]
+        return BeamFrame(mesh_key(body), [x, y], [theta], elastic, A, [[ZERO, ZERO, ONE]], 1.0, omega, alpha, a_o)
 
     def load(self, load: Load, read: Read, reader: ExpressionReader, q: ca.SX, q_dot: ca.SX) -> LoadEffect:
         """As its record says."""

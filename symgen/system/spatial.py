@@ -13,7 +13,7 @@ import numpy as np
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_scaled
 from symgen.algebra.scalar import ONE, ZERO, dot, neg
-from symgen.algebra.vectors import cross, minus, plus, zeros
+from symgen.algebra.vectors import combination, cross, minus, plus, transposed_times, zeros
 from symgen.bodies.beam_places import MovingPlace, frame_point, mean_point, moving_place, place_point
 from symgen.bodies.beam_sets import beam_integrals_of, section_force
 from symgen.bodies.outlines import BEAM_FRACTIONS, DrawnPoint, Picture, drawn_references, rectangle
@@ -35,6 +35,7 @@ from symgen.loads.load import LoadEffect, Scalar
 from symgen.scene import BeamBody
 from symgen.schema.fields import WORLD
 from symgen.system.acting import SpatialActing, angle_about_z, axis_of, distance_between, gradient
+from symgen.system.axial_force import BeamFrame
 from symgen.system.constraint import STILL, ConstraintRow, Motion
 from symgen.system.constraint_rows import (
     LocalPlace,
@@ -183,6 +184,25 @@ class SpatialSpace(Space[SpatialMarker]):
     def section_force(self, body: BeamBody, kind: str, at: float) -> ca.SX:
         """Of a beam at a fraction of its length, by its shapes."""
         return section_force(body, spatial_mesh_key(body), kind, at, self.bodies[body.name].coordinates.q_f, self.table)
+
+    def beam_frame(self, body: BeamBody, q_ddot: Sequence[ca.SX]) -> BeamFrame:
+        """By Euler parameters, whose axes add up to four along each direction."""
+        own, turned = self.bodies[body.name].coordinates, self.bodies[body.name].orientation
+        place, turning, A = own.columns[:3], own.orientation_columns, turned.A
+        alpha = combination(turned.body_axes, [q_ddot[column] for column in turning])
+        a_o = transposed_times(A, [q_ddot[column] for column in place])
+        return BeamFrame(
+            spatial_mesh_key(body),
+            place,
+            turning,
+            own.elastic,
+            A,
+            turned.body_axes,
+            4.0,
+            turned.omega_body,
+            alpha,
+            a_o,
+        )
 
     def resolved(self, vector: Sequence[ca.SX], axes: str) -> list[ca.SX]:
         """By the transpose of the marker's rotation."""

@@ -95,7 +95,7 @@ def test_what_the_shapes_leave_out_of_a_stress_is_told(model_of: Build) -> None:
 
 
 def test_a_normal_force_that_no_shape_knows(model_of: Build) -> None:
-    """Pulled and pushed without axial modes: N / A is by equilibrium; the measure lacks it and says so."""
+    """Pulled and pushed without axial modes: N / A is by equilibrium, in the measure too."""
     builder = Scene("cantilever").gravity(0, 0).beam("arm", **SECTION, lateral={"modes": 2})
     builder.weld("root", "ground.origin", "arm.start").force("load", "arm.end", PULL, PUSH)
     model = model_of(builder.measure("peak", "stress", of="arm.all").build())
@@ -107,9 +107,9 @@ def test_a_normal_force_that_no_shape_knows(model_of: Build) -> None:
     assert found.von_mises[0, 0] == pytest.approx(whole, rel=1e-5)
     assert found.von_mises[0, -1] == pytest.approx(np.hypot(pulled, np.sqrt(3) * 1.5 * PUSH / AREA), rel=1e-4)
     assert found.largest()[0] == pytest.approx(whole, rel=1e-5) and found.largest()[2] == 0.0
-    assert shapes.von_mises[0, 0] == pytest.approx(run["peak"][0], rel=1e-6) == pytest.approx(bending, rel=1e-4)
-    assert run.stats["missing_stress.peak"] == pytest.approx(pulled / (pulled + bending), rel=1e-3)
-    assert any(one.kind == "stresses_missing" and "no axial modes" in one.text for one in run.events)
+    assert shapes.von_mises[0, 0] == pytest.approx(bending, rel=1e-4)
+    assert run["peak"][0] == pytest.approx(pulled + bending, rel=1e-4)  # bending is that of the shapes
+    assert run.stats["missing_stress.peak"] == pytest.approx(PULL * tip / SECTION["section_modulus"] / whole, rel=0.05)
     silent = Scene("silent").gravity(0, 0).beam("arm", **SECTION, lateral={"modes": 2})
     silent.weld("root", "ground.origin", "arm.start")
     still = simulate(model_of(silent.build()), t_end=1e-6, scheme="rk4", dt=1e-7)

@@ -18,7 +18,7 @@ from runtime.results.named_outputs import ORDERS, Column, column
 from runtime.schemes.scheme import LARGEST_NUMBER, Scheme
 from runtime.solutions.observe import MOST_OBSERVED_CLOSURES, OBSERVED_CLOSURE_TOLERANCE
 
-KERNELS = ("energy", "measures", "reactions")
+KERNELS = ("energy", "measures", "reactions", "acceleration_measures")
 
 
 class Observation:
