@@ -14,6 +14,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import ArgumentError
+from runtime.results.peaks import sampled_peak
 
 Weighed = tuple[float, np.ndarray]
 
@@ -115,10 +116,12 @@ class SquaredError:
 
 @dataclass(frozen=True)
 class Largest:
-    """The largest saved value of an output, or of its magnitude.
+    """The largest value of an output, or of its magnitude, between saved times too.
 
-    Its derivative is that of the sample where it is: right to first order wherever only one sample is the largest, for
-    at a maximum in time a shift of time changes nothing. Where two are, it has none, and that of the first is given.
+    The parabola through the largest saved value and its two neighbours has it, so that value and derivative are those
+    of the curve and not of one sample, which is beside the peak by up to half the time between them; see
+    `runtime.results.peaks`. Where the curve is not smooth, and at its ends, it is the sample. Where two peaks are equal
+    it has no derivative, and that of the first is given.
     """
 
     output: str
@@ -130,14 +133,14 @@ class Largest:
         return (self.output,)
 
     def weighed(self, t: np.ndarray, y: np.ndarray) -> Weighed:
-        """max of |y_k| or y_k."""
+        """max of |y(t)| or y(t)."""
         if not isinstance(self.magnitude, bool):
             raise ArgumentError("magnitude", f"is a {type(self.magnitude).__name__}", "give True or False")
-        values, sign = (np.abs(y), np.sign(y)) if self.magnitude else (y, np.ones_like(y))
-        top = int(values.argmax())
-        largest, slope = float(values[top, 0]), np.zeros_like(y)
-        slope[top] = sign[top]
-        return largest, slope
+        column = y[:, 0]
+        sign = -1.0 if self.magnitude and abs(column.min()) > column.max() else 1.0
+        peak, slope = sampled_peak(t, sign * column), np.zeros_like(y)
+        slope[peak.samples, 0] = sign * peak.weights
+        return peak.value, slope
 
 
 @dataclass(frozen=True)

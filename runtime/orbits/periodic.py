@@ -71,7 +71,7 @@ def periodic(
     speed : str, optional
         In place of `period`: the parameter that is the speed [rad/s]; the period is that of so many `turns`.
     turns : float, optional
-        Turns of a period at `speed`.
+        Turns of a period at `speed`, or of a free period in which an angle turns on and on.
     parameters, inputs : mapping, optional
         As of `simulate`.
     start : PeriodicMotion, Solution or mapping of str to float, optional
@@ -79,7 +79,7 @@ def periodic(
     settle : int, optional
         Periods that are simulated first; None: 20, only if the search fails, and for a free period.
     guess : float, optional
-        Of a free period [s].
+        Of a free period [s]; if left out, what a transient shows: what swings, or turns on and on.
     scheme, options : optional
         A scheme with steps of one length, and its options.
     tolerance : float, optional
@@ -227,7 +227,9 @@ def _given(asked: _Asked, states: States, start: Mapping[str, float] | None, t0:
 def _settled_freely(
     asked: _Asked, states: States, x: np.ndarray, guess: float | None, settle: int, t0: float
 ) -> tuple[np.ndarray, float]:
-    """End of a transient, and the time between the last two passages of the coordinate that moves most."""
+    """End of a transient, and its last period: of the turns of the slowest angle that turns, where one does, else the
+    time between the last two passages of the coordinate that moves most.
+    """
     model = asked.model
     span = guess * settle if guess else max(float(model.simulation["t_end"]), 1e-3)
     given: dict[str, Any] = {"parameters": asked.parameters, "inputs": asked.inputs or None, "t0": t0, "error": "off"}
@@ -238,6 +240,9 @@ def _settled_freely(
         )
         q = run.q[:, followed(model)[1]]
         late = slice(len(run.t) // 2, None)
+        turned = [_time_of_turns(run.t[late], run.q[late, k], asked.turns) for k in _angles(model)]
+        if any(turned):
+            return states.of(run.q[-1], run.q_dot[-1]), max(turned)
         column = int(np.ptp(q[late], axis=0).argmax())
         wave = q[late, column] - (q[late, column].max() + q[late, column].min()) / 2
         up = np.flatnonzero((wave[:-1] < 0) & (wave[1:] >= 0))
@@ -247,9 +252,24 @@ def _settled_freely(
         span, dt = 4 * span, 4 * dt if guess is None else dt
     raise NoPeriodicMotion(
         f"model {model.name}",
-        "does not swing to and fro in a simulation of it, so no free period shows",
+        "neither swings to and fro nor turns on and on in a simulation of it, so no free period shows",
         "give guess=, an estimate of the period in seconds, and a start near the motion",
     )
+
+
+def _angles(model: EmittedModel) -> list[int]:
+    """Columns of q of angles that tell the motion."""
+    return [int(k) for k in followed(model)[1] if model.description.coordinates[k].kind == "angle"]
+
+
+def _time_of_turns(t: np.ndarray, angle: np.ndarray, turns: float) -> float:
+    """The time [s] of the last so many turns of an angle (N,) over t (N,); 0 where it has not made twice as many, or
+    turns back.
+    """
+    left = np.abs(angle[-1] - angle)
+    if left[0] < 4 * np.pi * turns or np.any(np.diff(left) > 0):
+        return 0.0
+    return float(t[-1] - np.interp(-2 * np.pi * turns, -left, t))
 
 
 class _Search:

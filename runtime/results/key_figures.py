@@ -17,6 +17,7 @@ from runtime.results.samples import Samples
 from runtime.results.section_forces import Which, section_forces
 from runtime.results.stresses import beam_stresses, stresses
 
+ROUNDING = 1e-12  # of the largest value of a quantity, or of a vector's size: what is below is written as zero
 STILL = 1e-9  # of the largest force of its kind: what stays below is none
 
 
@@ -57,8 +58,13 @@ def peak(quantity: str, unit: str, t: np.ndarray, values: np.ndarray) -> Peak:
     if not np.isfinite(values).any():
         return Peak(quantity, unit, nan, nan)
     k = int(np.nanargmax(np.abs(values)))
-    low, high = float(np.nanmin(values)), float(np.nanmax(values))
-    return Peak(quantity, unit, float(values[k]), float(t[k]), "", low, high, float(values[-1]))
+    low, high, end = (_rounded(x, abs(values[k])) for x in (np.nanmin(values), np.nanmax(values), values[-1]))
+    return Peak(quantity, unit, float(values[k]), float(t[k]), "", low, high, end)
+
+
+def _rounded(value: float, size: float) -> float:
+    """Zero for what is rounding beside a size."""
+    return 0.0 if abs(value) <= ROUNDING * size else float(value)
 
 
 def kept_peaks(run: Samples) -> list[Peak]:
@@ -117,7 +123,7 @@ def _reactions(run: Samples, names: list[str], every: np.ndarray) -> list[Reacti
         i, j = int(forces[:, k].argmax()), int(moments[:, k].argmax())
         force, moment = float(forces[i, k]), float(moments[j, k])
         if force > least[0] or moment > least[1]:
-            parts = tuple(map(float, every[i, k, :width]))
+            parts = tuple(_rounded(x, force) for x in every[i, k, :width])
             found.append(Reaction(name, force, float(run.t[i]), parts, moment, float(run.t[j])))
     return found
 

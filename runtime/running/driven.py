@@ -23,6 +23,7 @@ from runtime.operating.balance import Clamped
 from runtime.operating.equilibrium import NoEquilibrium
 from runtime.operating.functions import PointFunctions
 from runtime.operating.given_state import given_position, given_state
+from runtime.results.motion_error import MotionError
 from runtime.running.inputs import Schedule
 from runtime.running.outcome import with_limits
 from runtime.running.problem import dividing_step, seen_every_of, steps_until
@@ -42,6 +43,7 @@ MOST_DRIVEN_CLOSURES = 25
 MAX_BRANCH_CORRECTION = 0.2  # rad or m: a correction above this may have left the branch
 DRIVEN_SAMPLES = 200  # samples where nothing is said
 MOST_INSTANT_HALVINGS = 12  # of the time from one instant to the next
+NO_STEPS = MotionError(reason="the drives give the motion at every instant, nothing is integrated")
 
 
 def driven_solution(
@@ -76,7 +78,7 @@ def driven_solution(
     events = start_events(state, t0) + _impulses(follower, t0, float(times[-1]), dependent_part(model, state.q))
     stats: dict[str, float | int | str] = {"seconds": time.perf_counter() - started, "closures": follower.closures}
     found = assemble_solution(model, times, *motion, p, c, SCHEME, dt, [], stats, status)
-    return with_limits(replace(found, events=events))
+    return with_limits(replace(found, events=events, error=NO_STEPS))
 
 
 def _instants(t0: float, t_end: float, dt: float) -> np.ndarray:
@@ -245,7 +247,8 @@ def quasi_static_motion(
     q, q_i_dot = _followed(model, PointFunctions(model, c), times, *given_position(model, p, c, t0, {}))
     q_i, q_d = parts(model, q)
     motion, status = _motion(model, times, c, q_i, q_i_dot, q_d), Status("completed", float(times[-1]))
-    return with_limits(assemble_solution(model, times, *motion, p, c, QUASI_STATIC, step, [], {}, status))
+    found = assemble_solution(model, times, *motion, p, c, QUASI_STATIC, step, [], {}, status)
+    return with_limits(replace(found, error=NO_STEPS))
 
 
 def _followed(

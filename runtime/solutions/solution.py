@@ -43,6 +43,7 @@ def solution_card(solution: Samples) -> str:
     m = ",".join(map(str, solution.m)) or "-"
     wall = stats.get("wall_seconds")
     cost = f", {float(wall):.3g} s" if isinstance(wall, int | float) else ""
+    steps = f", {stats['steps']} steps" if "steps" in stats else ""
     balance = f", energy balance {solution.balance}" if len(solution.t) > 2 else ""
     about = f"{solution.scheme}, {solution.pace}, m = {m}"
     rates = {f"{name}_dot" for name in model.measures}
@@ -61,7 +62,7 @@ def solution_card(solution: Samples) -> str:
         about,
         line(status._repr_html_()) if not status.ok else line(badge(status.name, True), f" at t = {status.time:.6g} s"),
         line(
-            f"{len(solution.t)} samples, {stats.get('steps', '?')} steps{cost}; largest constraint error "
+            f"{len(solution.t)} samples{steps}{cost}; largest constraint error "
             f"{float(solution.constraint_error.max(initial=0.0)):.2g}{balance}"
         ),
         table(rows, ("", "", "range", "at the end")),

@@ -82,7 +82,7 @@ def motion(solution: Solution) -> list[Curves]:
     """
     model = solution.model
     owners = {joint.name for joint in model.description.joints}
-    records = [entry for entry in model.description.coordinates if not entry.elastic and moves(solution[entry.name])]
+    records = [entry for entry in _moving(solution) if not entry.elastic]
     angles = [entry for entry in records if entry.kind == "angle"]
     travels = [entry for entry in records if entry.kind == "position"]
     travels = [entry for entry in travels if entry.owner in owners or entry.name in model.q_i]
@@ -105,8 +105,7 @@ def _measures(solution: Solution) -> list[Curves]:
 
 def every_motion(solution: Solution) -> list[Curves]:
     """All coordinates that move, and measures: angles, positions, Euler parameters, measures, modes of each body."""
-    records = [entry for entry in solution.model.description.coordinates if moves(solution[entry.name])]
-    records = records or list(solution.model.description.coordinates)
+    records = _moving(solution) or list(solution.model.description.coordinates)
     groups = [
         _group(solution, title, [entry for entry in records if entry.kind == kind])
         for title, kind in (("angles", "angle"), ("positions", "position"), ("Euler parameters", "euler_parameter"))
@@ -199,9 +198,19 @@ def moment_vectors(every: np.ndarray) -> np.ndarray:
     return np.stack([0 * every[:, :, 2], 0 * every[:, :, 2], every[:, :, 2]], axis=-1)
 
 
-def moves(values: np.ndarray) -> bool:
-    """Does a coordinate, values (N,), change by more than rounding?"""
-    return bool(np.ptp(values) > STILL * max(1e-3, float(np.abs(values).max())))
+def moves(values: np.ndarray, size: float = 1e-3) -> bool:
+    """Does a coordinate, values (N,), change by more than rounding, of the largest value and at least of `size`?"""
+    return bool(np.ptp(values) > STILL * max(size, float(np.abs(values).max())))
+
+
+def _moving(solution: Solution) -> list[Coordinate]:
+    """Those that move, angles by more than the rounding of a radian."""
+    sizes = {"angle": 1.0}
+    return [
+        entry
+        for entry in solution.model.description.coordinates
+        if moves(solution[entry.name], sizes.get(entry.kind, 1e-3))
+    ]
 
 
 def _group(solution: Solution, title: str, entries: list[Coordinate]) -> Curves:

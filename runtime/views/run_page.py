@@ -134,7 +134,10 @@ def _result(solution: Solution, convergence: Convergence | None) -> Html:
     rows = [
         ("status", ended),
         ("motion", f"t = {solution.t[0]:.6g} to {solution.t[-1]:.6g} s, {len(solution.t)} samples saved"),
-        ("method", f"{solution.scheme}, {solution.step}{m}, {stats.get('steps', '?')} steps"),
+        (
+            "method",
+            f"{solution.scheme}, {solution.step}{m}" + (f", {stats['steps']} steps" if "steps" in stats else ""),
+        ),
         ("error of the steps", _stepping_error(solution)),
         ("error of the model", _modelling_error(convergence)),
         ("energy", _energy(solution)),

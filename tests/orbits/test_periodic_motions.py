@@ -78,6 +78,38 @@ def test_van_der_pol_has_its_period_and_multipliers(van_der_pol: Model) -> None:
     assert found.floquet.counted[0] == pytest.approx(np.exp(exponent), abs=1e-8)
 
 
+def test_a_free_period_of_a_machine_that_turns_is_that_of_its_turns(model_of: Build) -> None:
+    """J w' = T - c w - m g s cos(angle) of a rotor out of balance: its turn by another integrator; without a guess."""
+    J, T, c, m, g, s = 0.5, 8.0, 0.4, 3.0, 9.81, 0.2
+    scene = (
+        Scene("unbalanced")
+        .gravity(0.0, -g)
+        .rigid("rotor", mass=m, inertia=J - m * s**2, center_of_mass=(s, 0.0))
+        .revolute("axle", "ground.origin", "rotor.origin", damping=c)
+        .torque("motor", "rotor.origin", T)
+        .rates({"rotor.theta": 15.0})
+        .simulation(t_end=4.0)
+        .build()
+    )
+
+    def turn(w: float) -> tuple[float, float]:
+        """Time and rate at the end of a turn that begins at the angle 0 with w; over the angle, as w stays above 0."""
+        run = solve_ivp(
+            lambda a, z: [1 / z[1], (T - c * z[1] - m * g * s * np.cos(a)) / (J * z[1])],
+            (0.0, 2 * np.pi), [0.0, w], "DOP853", rtol=1e-12, atol=1e-13,
+        )  # fmt: skip
+        return float(run.y[0, -1]), float(run.y[1, -1])
+
+    w = 20.0
+    for _ in range(400):
+        w = turn(w)[1]
+    found = periodic(model_of(scene), period="free", tolerance=1e-9)
+    assert found.period == pytest.approx(turn(w)[0], rel=1e-8) and found.stability == "stable"
+    assert found.turns == {"rotor.theta": 1}
+    two = periodic(model_of(scene), period="free", turns=2, tolerance=1e-9)
+    assert two.period == pytest.approx(2 * turn(w)[0], rel=1e-8)
+
+
 def test_a_branch_of_free_periods(van_der_pol: Model) -> None:
     """Periods at mu = 3 of Zonneveld (1966). At mu = 0 every amplitude is a motion, and beyond all are unstable."""
     branch = periodic_over(van_der_pol, "mu", (1.0, 3.0), period="free", scheme="dop853", steps=400)

@@ -52,6 +52,7 @@ def test_scotch_yoke(model_of: Build) -> None:
     np.testing.assert_allclose(solution["yoke.x"], r * np.cos(f), atol=1e-14)
     np.testing.assert_allclose(solution["yoke.x_ddot"], -r * (f2 * np.sin(f) + f1**2 * np.cos(f)), atol=1e-12)
     np.testing.assert_allclose(solution.motor("drive") * f1, solution.energy["power_driven"], atol=1e-12)
+    assert not solution.error.measured and "nothing is integrated" in str(solution.error)
 
 
 def four_bar() -> SceneRecord:

@@ -109,6 +109,32 @@ def test_it_has_the_figures_of_a_turning_mass(tmp_path: Path) -> None:
     assert found.row("Reactions and loads", "pivot")[1] == "9 N"
     assert found.row("Parameters", "speed") == ["speed", "3", "3", "rad/s", "of the drive"]
     assert found.row("Parameters", "arm.mass")[1] == "2"
+    assert "?" not in found.row("Result", "method")[1]
+    assert found.row("Result", "error of the steps")[1].endswith("nothing is integrated")
+
+
+def test_rounding_is_no_figure_of_it(tmp_path: Path) -> None:
+    """A table on a parallel crank stays level, to rounding; a force across a rail is 5 N without a share along it."""
+    cranks = {"tip": {"position": (0.3, 0.0)}}
+    scene = (
+        Scene("table")
+        .gravity(0.0, -9.81)
+        .ground(markers={"right": {"position": (0.5, 0.0)}})
+        .rigid("a", mass=1.0, inertia=0.1, markers=cranks)
+        .rigid("b", mass=1.0, inertia=0.1, markers=cranks)
+        .rigid("table", mass=2.0, inertia=0.1, markers={"right": {"position": (0.5, 0.0)}})
+        .revolute("A", "ground.origin", "a.origin")
+        .revolute("B", "ground.right", "b.origin")
+        .revolute("C", "a.tip", "table.origin")
+        .revolute("D", "b.tip", "table.right")
+        .prescribed_angle("drive", "ground.origin", "a.origin", motion="0.7 + sin(3 * t) / 3")
+        .initial({"a.theta": 0.7, "b.theta": 0.7})
+    )
+    found = read(scene.model().simulate(t_end=2.0), tmp_path)
+    named = [row[0] for row in found.rows["Key figures"]]
+    assert "b.theta" in named and "table.theta" not in named
+    cells = [cell for part in ("Key figures", "Reactions and loads") for row in found.rows[part] for cell in row]
+    assert cells and not [cell for cell in cells if "e-1" in cell or "e-2" in cell]
 
 
 @pytest.mark.long
