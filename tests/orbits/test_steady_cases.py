@@ -59,6 +59,7 @@ def test_each_case_is_the_motion_by_itself(model_of: Build) -> None:
         assert rms == pytest.approx(np.sqrt(np.mean(run["b.x"][:-1] ** 2)), rel=1e-7)
 
 
+@pytest.mark.long
 def test_a_case_without_a_motion_says_so(model_of: Build) -> None:
     """At resonance without damping nothing repeats, only the steps do; the other case does not suffer."""
     found = model_of(oscillator()).periodic_cases({"k": [36.0, 50.0], "c": [0.0, 0.8]}, {"b.x": "rms"}, **HOW)

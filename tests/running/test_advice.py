@@ -88,6 +88,7 @@ def test_the_advice_is_taken_until_the_run_completes(
     assert run.status.name == "completed", (call, run.status)
 
 
+@pytest.mark.every_push("slider_crank-call0")
 @pytest.mark.parametrize(
     ("scene", "call"),
     [

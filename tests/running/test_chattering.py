@@ -28,6 +28,7 @@ def exact(t: np.ndarray) -> np.ndarray:
     return np.stack([x, np.where(t < MEETS, 1 + 1.5 * t, x)], axis=1)
 
 
+@pytest.mark.every_push("settings1")
 @pytest.mark.parametrize(
     "settings",
     [{}, {"dt": 1e-2}, {"scheme": "single_rate"}, {"scheme": "auto", "tolerance": 2e-2}],

@@ -79,6 +79,7 @@ def test_each_method_is_as_right_at_the_end_as_before_it(model: Model, scheme: s
     assert "last_step" not in longer.stats and len(longer.t) == 54
 
 
+@pytest.mark.every_push("heavy_top-exponential_adams")
 @pytest.mark.parametrize(("name", "scheme"), [("flexible_four_bar", "printed"), ("heavy_top", "exponential_adams")])
 def test_methods_that_remember_start_anew_for_it(built_in: Load, name: str, scheme: str) -> None:
     model, dt = built_in(name), 1e-5
@@ -121,6 +122,7 @@ def test_it_is_resumed_with_the_same_bits(model: Model, tmp_path: Path) -> None:
         assert resumed.status == whole.status and resumed.error.largest == whole.error.largest
 
 
+@pytest.mark.every_push("rk4")
 @pytest.mark.parametrize("scheme", ["rk4", "single_rate", "exponential"])
 def test_ensembles_end_there_with_the_bits_of_single_runs(model: Model, scheme: str) -> None:
     pushes = [0.0, 3.0, -5.0]

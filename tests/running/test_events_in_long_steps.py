@@ -86,6 +86,7 @@ def test_a_step_that_tells_nothing_is_not_looked_at_for_ever() -> None:
     assert 400 < looks[0] < 500 and pairs[0] < 2 * looks[0]
 
 
+@pytest.mark.long
 def test_a_far_too_long_first_level_does_not_hold_a_run_up(model_of: Build) -> None:
     """A ball on a hinge that rubs, on an arm over a stiff floor: the first level of the default call diverges."""
     scene = Scene("arm").gravity(0, -9.81).ground(markers={"floor": {"position": (0, -0.3)}})

@@ -112,6 +112,7 @@ def test_a_contact_by_its_momentum(model_of: Build) -> None:
     assert [one.where for one in table] == ["touch.contact"] * len(table)
 
 
+@pytest.mark.long
 def test_play_of_teeth_is_an_output_everywhere(model_of: Build) -> None:
     """The torque of a gear with play is what turns the driven wheel; ensembles and files have it."""
     scene = Scene("mesh").parameter("load", 2.0)

@@ -74,7 +74,7 @@ def struck(width: float, t: np.ndarray) -> np.ndarray:
     return np.asarray(found.y[0])
 
 
-@pytest.mark.every_push("dopri5-0.001")
+@pytest.mark.long
 @pytest.mark.parametrize("width", [1e-3, 5e-3, 0.05])
 @pytest.mark.parametrize("scheme", ["dopri5", "rk4"])
 def test_a_load_narrow_in_angle_is_stepped_into(model_of: Build, scheme: str, width: float) -> None:

@@ -85,6 +85,7 @@ def angular(mu_r: float, angle: float, rate: float) -> float:
     return float(brentq(left, -100, 100, xtol=1e-13, rtol=1e-14))
 
 
+@pytest.mark.every_push("0.3-planar", "3.0-spatial", "planar-0.3", "spatial-3.0")
 @pytest.mark.parametrize("space", ["planar", "spatial"])
 @pytest.mark.parametrize("mu", [0.3, 3.0])
 def test_a_rod_on_its_bearing(model_of: Build, space: str, mu: float) -> None:
@@ -100,6 +101,7 @@ def test_a_rod_on_its_bearing(model_of: Build, space: str, mu: float) -> None:
     assert run.balance.largest < 1e-2
 
 
+@pytest.mark.every_push("rk4", "radau")
 @pytest.mark.parametrize("scheme", sorted({"rk4", "exponential", "dopri5", "radau", "single_rate"} & set(SCHEMES)))
 def test_every_scheme_brings_the_rod_to_the_same_rest(model_of: Build, scheme: str) -> None:
     """It swings to and fro and sticks where its weight is within mu r R, without creep; order of each scheme."""
@@ -116,6 +118,7 @@ def test_every_scheme_brings_the_rod_to_the_same_rest(model_of: Build, scheme: s
     assert held < 3.0 * 0.05 * GRAVITY and np.ptp(fine["rod.theta"][-5:]) == 0.0
 
 
+@pytest.mark.long
 def test_three_links_share_their_reactions(model_of: Build) -> None:
     """Bearings of a chain feel each other: R of the run is that of its own reactions, and the order that of rk4."""
     scene, last = Scene("chain").gravity(0.0, -GRAVITY), "ground.origin"
@@ -229,6 +232,7 @@ FALLING = {
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("steps", [{"scheme": "dopri5", "dt": 1.45e-3}, {"tolerance": 1e-4}], ids=["dt", "tolerance"])
 def test_a_stop_beside_two_frictions_lets_go(model_of: Build, steps: dict[str, Any]) -> None:
     """Event-driven equations by hand: it leaves at 0.846554 s and comes to 1.330134 rad; the stop never pulls."""

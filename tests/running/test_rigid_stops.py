@@ -51,6 +51,7 @@ def links(n: int, random: np.random.Generator, friction: bool) -> SceneRecord:
     return scene.simulation(t_end=1.0, dt=0.005, scheme="rk4").build()
 
 
+@pytest.mark.every_push("rk4", "radau", "single_rate")
 @pytest.mark.parametrize("scheme", list(SCHEMES))
 def test_bounces_come_to_rest_when_their_sum_says(model_of: Build, scheme: str) -> None:
     """Infinitely many in 9 sqrt(2 h / g); what is told of them balances the energy, and what rests does not move."""
@@ -66,6 +67,7 @@ def test_bounces_come_to_rest_when_their_sum_says(model_of: Build, scheme: str) 
     assert run.balance.largest < 1e-8
 
 
+@pytest.mark.every_push("how0")
 @pytest.mark.parametrize("how", [{"dt": 0.5}, {"scheme": "auto", "tolerance": 1e-6}])
 def test_the_time_of_rest_does_not_hang_on_the_step(model_of: Build, how: dict[str, Any]) -> None:
     run = simulate(model_of(ball(0.8).build()), **how)
@@ -128,6 +130,7 @@ def test_a_stop_tells_of_its_own_joint_only(model_of: Build) -> None:
     assert run.stop("block_rail").at_rest == 0 and run.stop("weight_rail").at_rest == pytest.approx(1.0)
 
 
+@pytest.mark.every_push("0.0", "0.17")
 @pytest.mark.parametrize("falls", [0.0, 0.1, 0.17, 0.23, 0.3])
 def test_a_ball_that_rests_is_held_when_it_is_struck(model_of: Build, falls: float) -> None:
     """The lower ball lies on the ground, or has come to rest there to rounding; the upper one falls on it by 1 m and
@@ -173,6 +176,7 @@ def test_a_rod_upon_a_stop(model_of: Build, space: str) -> None:
     assert run.balance.largest < 1e-6 and run.error.largest < 1e-6
 
 
+@pytest.mark.every_push("0.37-0.31")
 @pytest.mark.parametrize("inertia, centre", [(0.1, 0.5), (0.37, 0.31), (1.3, 0.31)])
 def test_an_arm_upon_a_plastic_stop_does_the_same_at_any_speed(model_of: Build, inertia: float, centre: float) -> None:
     """Without weight the way does not depend on the speed, and rounding at 1e6 rad/s is no motion of what rests."""
@@ -252,6 +256,7 @@ def test_a_flexible_link_upon_a_stop(model_of: Build) -> None:
     assert run.status.ok and run.balance.largest < 1e-4 * run.energy["kinetic"][0]
 
 
+@pytest.mark.every_push("3-False", "2-True")
 @pytest.mark.parametrize("friction", [False, True])
 @pytest.mark.parametrize("n", [2, 3, 5])
 def test_impacts_of_random_mechanisms_obey_their_law(model_of: Build, n: int, friction: bool) -> None:
