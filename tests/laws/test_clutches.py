@@ -111,6 +111,7 @@ def test_three_clutches_by_ramps_that_overlap(model_of: Build, how: dict[str, An
     ]  # fmt: skip
 
 
+@pytest.mark.long
 def test_lanes_steppers_and_space_follow_the_run(model_of: Build) -> None:
     """An ensemble by the ramp of a clutch, a stepper, and the same wheels in space."""
     model, how = model_of(train().simulation(t_end=2.0).build()), {"scheme": "rk4", "dt": 2e-3}
@@ -183,6 +184,7 @@ def test_a_brake_lets_go_where_its_limit_falls_below_what_it_holds(model_of: Bui
     assert slide.time == pytest.approx(np.log(2) / 5, abs=1e-8)
 
 
+@pytest.mark.every_push("3.0")
 @pytest.mark.parametrize("torque", ["3.0", "40.0", "0.1"])
 @pytest.mark.parametrize(
     ("limit", "says"),

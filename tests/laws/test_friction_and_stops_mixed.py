@@ -159,7 +159,7 @@ LEAST_ORDER = 3.0  # of rk4, as steps of 10, 5 and 2.5 ms show it: 3.3 to 4.2 by
 LARGEST = 2e-6  # rad or m: what steps of 5 and 2.5 ms differ by at most
 
 
-@pytest.mark.every_push("rails-1", "links-1", "loop-0")
+@pytest.mark.every_push("links-1")
 @pytest.mark.parametrize("case", [f"{name}-{seed}" for name in MIXTURES for seed in range(4)])
 def test_mixtures_are_the_limit_of_time_stepping(model_of: Build, case: str) -> None:
     """Its error falls with its step; runs with half the step tell the same events and differ by far less, by the order

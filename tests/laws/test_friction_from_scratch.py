@@ -99,6 +99,7 @@ def seen(run: object, n: int, joints: int) -> tuple[np.ndarray, np.ndarray]:
     return angles, np.stack([run[f"j{k}.friction_velocity"] for k in range(joints)], axis=1)  # type: ignore[index]
 
 
+@pytest.mark.long
 def test_a_four_bar_with_four_frictions_holds_to_the_last_bit(model_of: Build) -> None:
     """Four rows hold one motion: nothing creeps in 100 s, and the forces carry the weight with least sum of squares.
 
@@ -198,6 +199,7 @@ def cranks(name: str) -> Scene:
     return builder.simulation(t_end=0.5, dt=1e-3, scheme="rk4")
 
 
+@pytest.mark.long
 def test_a_five_bar_whose_arms_stick_together_is_a_four_bar(model_of: Build) -> None:
     """What sticks has a row whose coefficients change with the motion that is left: its bias acts on the others."""
     builder = cranks("sticking_five_bar")

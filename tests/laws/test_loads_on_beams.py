@@ -209,6 +209,7 @@ def test_a_force_moves_over_a_beam() -> None:
     assert np.abs(run.balance.error).max() < 1e-4 * run.energy["elastic"].max()
 
 
+@pytest.mark.long
 def test_the_static_rest_under_a_moving_force_is_the_published_deflection() -> None:
     """Five modes: the middle over P L^3 / 48 E I at places v t / L, alpha = 1/2, and at alpha = 1 at the end."""
     published = {0.5: {0.25: 0.2644641941, 0.5: 1.3288777963, 0.6665: 1.70544468, 0.75: 1.5746103802}}

@@ -111,6 +111,7 @@ def test_model_without_jacobians_runs_without_a_limit(built_in: Load) -> None:
     assert failed.status.name in ("diverged", "not_finite") and "Reduce the step, such as dt=" in failed.status.advice
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("dt, most", [(1e-4, 1e-6), (1e-3, 5e-5)])
 def test_printed_sweep_meets_a_strong_damper_in_shorter_parts(built_in: Load, dt: float, most: float) -> None:
     """It takes forces at the last iterate's velocity: no fixed point is reached for h d > 2 (d = 2.2e4 1/s here)."""

@@ -187,6 +187,7 @@ def test_a_sampled_controller_is_not_condemned(model_of: Build, samples: int) ->
     assert run.balance.largest < run.balance.uncertainty[-1]
 
 
+@pytest.mark.every_push("stop")
 @pytest.mark.parametrize(
     "ends",
     [

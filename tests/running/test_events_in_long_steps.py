@@ -15,7 +15,7 @@ from symgen.scene import Scene, SceneRecord
 Build = Callable[[SceneRecord], Model]
 
 
-@pytest.mark.every_push("20.0")
+@pytest.mark.long
 @pytest.mark.parametrize("dt", [10.0, 20.0])
 def test_steps_of_whole_turns_pass_nothing_over(model_of: Build, dt: float) -> None:
     """One turn a second, first steps of one or two: their ends look alike while cos falls below 0.01 t - 1.05."""

@@ -161,6 +161,7 @@ def test_an_upper_stop_pushes_back(model_of: Build) -> None:
     assert stop.impulses[:, 1] == pytest.approx([-2 * sqrt(1 + 2 * 5 * 0.1)], rel=1e-10)
 
 
+@pytest.mark.every_push("planar")
 @pytest.mark.parametrize("space", ["planar", "spatial"])
 def test_a_rod_upon_a_stop(model_of: Build, space: str) -> None:
     """Its first speed by its energy, then e times that; it comes to rest and is held against its weight."""
@@ -214,6 +215,7 @@ def test_a_rattle_between_two_stops_is_geometric(model_of: Build) -> None:
     assert run.balance.largest < 1e-12
 
 
+@pytest.mark.every_push("slider.x")
 @pytest.mark.parametrize("independent", ["crank.theta", "slider.x"])
 def test_a_slider_crank_at_its_end_stop(model_of: Build, independent: str) -> None:
     """One degree of freedom: all its rates turn back by e, whatever is independent, and e^2 of the energy is left."""
@@ -296,6 +298,7 @@ def test_impacts_of_random_mechanisms_obey_their_law(model_of: Build, n: int, fr
         assert taken[1] <= taken[0] * (1 + 1e-12)
 
 
+@pytest.mark.long
 def test_links_between_stops_change_modes_alike_at_every_step(model_of: Build) -> None:
     """With friction, hundreds of impacts: as many, of the same stops, with half the step; angles stay within."""
     scene, last = Scene("links").gravity(0.0, -9.81), "ground.origin"
@@ -380,6 +383,7 @@ def test_a_start_beyond_a_stop_is_refused_or_moved(model_of: Build) -> None:
     assert "ball.y: -0.25 -> " in str(moved.stats["initial_changes"])
 
 
+@pytest.mark.long
 def test_steppers_ensembles_and_resumed_runs_bounce_alike(model_of: Build, tmp_path: Any) -> None:
     model = model_of(ball(0.8).build())
     run = simulate(model)
