@@ -18,6 +18,7 @@ from runtime.gradients.start_of_run import StartedRun
 from runtime.gradients.switches import MEETING
 from runtime.running.events import EventHandler, LocatedEvents, state_of
 from runtime.running.problem import Plan
+from runtime.running.step_driver import StepDriver
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.scheme import direct
 from runtime.schemes.switching.stop_program import loop_guess
@@ -78,19 +79,20 @@ class EventCrossings:
         z = own.stepper.start(own.broken.grid.clock(0), *started.state, own.c, plan.grid.dt_L)
         own.begin_events(z)
         made, crossings, kinks = list[LocatedEvents](), dict[int, list[EventCrossing]](), list[float]()
-        event_handler = EventHandler(own, made)
+        driver = StepDriver(own, made)
+        event_handler = driver.event_handler
         changes = {step: [one for one in holds if one.step == step] for step in sorted({one.step for one in holds})}
         while int(z[1]) < plan.steps:
             if (now := changes.pop(int(z[1]), None)) is not None:
                 modes += self._sampled(own, event_handler, z, [(one, one.number(started.values)) for one in now])
             until = min([plan.steps, *changes]) - int(z[1])
-            event_handler.advance(z, min(BATCH, until))
+            driver.advance(z, min(BATCH, until))
             if event_handler.status is not None:
                 raise NoResult(
                     f"model {self._model.name}", f"the run has no derivative, it ends: {event_handler.status}"
                 )
             if made:
-                crossings[int(z[1]) - 1] = self._event_crossings(own, event_handler.start, made)
+                crossings[int(z[1]) - 1] = self._event_crossings(own, driver.start, made)
                 kinks += [one.t for one in made if are_kinks(plan.scheme)[one.events].any()]
                 made.clear()
                 event_handler.reported.clear()

@@ -67,6 +67,14 @@ class LocatedEvents(NamedTuple):
     settled: Any
 
 
+class _Mark(NamedTuple):
+    """memory, and how many events and records there were."""
+
+    memory: dict[str, list[float]]
+    reported: int
+    records: int
+
+
 class EventHandler:
     """Steps of a model in which events happen: told (of one step, or of a run) and status say what happened.
 
@@ -79,7 +87,6 @@ class EventHandler:
         self._scheme, self._events = own.plan.scheme, watched_events(own.plan.scheme)
         self._declared = len(own.model.description.events)
         self._recent: dict[str, list[float]] = {}  # of kinks behind the number of their sleeps
-        self.start = np.zeros(0)  # the state before the step that `advance` made last
 
     @cached_property
     def _driven(self) -> bool:
@@ -121,22 +128,6 @@ class EventHandler:
         self._tell_records(passage.records)
         z[:] = passage.z
         return None if np.array_equal(before, z[self._inputs]) else z[self._inputs].copy()
-
-    def advance(self, z: np.ndarray, steps: int) -> np.ndarray | None:
-        """So many steps in place, or up to the end of the first with events; (n_w,) the inputs if they changed."""
-        own, before = self.own, z.copy() if self.own.watches_events else z
-        own.advance(z, steps)
-        at = own.first_event(z)
-        if at is None:
-            return None
-        z[:] = before
-        passage = self.through_events(z, [int(z[1]) + steps])
-        if passage is not None:
-            return self.accept(z, passage)
-        if at - 1 > int(z[1]):
-            own.advance(z, at - 1 - int(z[1]))
-        self.start = z.copy()
-        return self.step(z)
 
     def end_step(self, z: np.ndarray) -> list[int]:
         """Where steps follow from a tolerance: end that of z (n_z,) in which an event is flagged there; which ones are.
@@ -200,11 +191,17 @@ class EventHandler:
         """From `memory`."""
         self._recent = {name: list(times) for name, times in memory.items()}
 
-    def forget(self, memory: Mapping[str, Sequence[float]]) -> None:
-        """Go back to before a step: what it told is not told, and `memory` holds again."""
-        self.reported.clear()
+    def mark(self) -> _Mark:
+        """What `go_back` goes back to."""
+        return _Mark(self.memory(), len(self.reported), len(self._records or ()))
+
+    def go_back(self, mark: _Mark) -> None:
+        """To before a step that has ended nothing: what it told is not told."""
         self.status = None
-        self.resume(memory)
+        self.resume(mark.memory)
+        del self.reported[mark.reported :]
+        if self._records is not None:
+            del self._records[mark.records :]
 
     def _once(self, z: np.ndarray) -> None:
         self.own.stepper.run(z, self.own.ready, 1)

@@ -80,7 +80,7 @@ def _ended(run: Run, error: MotionError | None, missed: Sequence[Event]) -> Solu
         near = 2 * run.plan.grid.dt_L
         status = found if found is not status else laid_to_loads(status, solution, happened, near)
     stats = {**statistics(run.segment, run.z, run.set_up, run.seconds), **solution.stats, **_circumstances(run)}
-    if divisions := sum(segment.divisions for segment in run.record.segments):
+    if divisions := sum(segment.divisions.steps for segment in run.record.segments):
         stats["divided_steps"] = divisions
     if run.plan.end is not None and not run.plan.scheme.adaptive:
         stats["last_step"] = run.plan.last_step

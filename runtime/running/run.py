@@ -21,10 +21,10 @@ from runtime.running.record import ComparisonTimes, Record
 from runtime.running.recording import record_of
 from runtime.running.run_options import RunOptions
 from runtime.running.singular.singularity_monitor import SingularityMonitor
+from runtime.running.step_driver import StepDriver, StepsToEvent
 from runtime.running.stepped_model import MOST_HALVINGS, MOST_IN_A_ROW, SteppedModel
 from runtime.running.time_functions import check_time_functions
 from runtime.schemes.options import SchemeError
-from runtime.schemes.scheme import verdict
 from runtime.solutions.solution import Solution
 
 if TYPE_CHECKING:
@@ -75,7 +75,7 @@ class Run:
     set_up: float = 0.0
     seconds: float = 0.0
     written: float = 0.0  # when a checkpoint was, by time.monotonic
-    _event_handler: EventHandler | None = None
+    _driver: StepDriver | None = None
     _notes: ImpulseNotes = field(default_factory=ImpulseNotes)
 
     @property
@@ -89,11 +89,16 @@ class Run:
         return int(self.z[1])
 
     @property
+    def driver(self) -> StepDriver:
+        """Of the segment that is stepped."""
+        if self._driver is None or self._driver.own is not self.segment:
+            self._driver = StepDriver(self.segment)
+        return self._driver
+
+    @property
     def event_handler(self) -> EventHandler:
         """Of the segment that is stepped."""
-        if self._event_handler is None or self._event_handler.own is not self.segment:
-            self._event_handler = EventHandler(self.segment)
-        return self._event_handler
+        return self.driver.event_handler
 
     def sampled_solution(self) -> Solution:
         """What was kept, with the state that it has come to."""
@@ -171,14 +176,14 @@ class Run:
         if self.event_handler.native and self._passes_through_events(chunk):
             self.chunk_length.took(time.perf_counter() - clock)
             return
-        seen = self.segment.run_and_save(self.z, self.steps_to_sample(chunk.steps))
-        rows: np.ndarray | None = seen
-        at, near_singular = self.segment.first_event(self.z), self.near_singular()
-        if at is not None and not near_singular:  # a singular position comes first
-            rows, near_singular = self.to_event(at, chunk.before, seen), self.near_singular()
+        self.segment.forget_determinants(self.z)
+        made = self.driver.to_event(self.z, self.steps_to_sample(chunk.steps), self.near_singular)
+        rows: np.ndarray | None = made.rows
+        if made.event is not None:
+            rows = self._at_event(made)
             if not self.plan.scheme.adaptive:
-                chunk = chunk._replace(steps=max(1, at - 1 - int(chunk.before[1])))
-        unconverged = self._unconverged()
+                chunk = chunk._replace(steps=max(1, made.event - 1 - int(chunk.before[1])))
+        near_singular, unconverged = self.near_singular(), not self.driver.converged(self.z)
         status = None if rows is None or near_singular else self.checked(samples=len(rows))
         if rows is None:
             self.keep(self.z[None])  # an event has happened: what it leads to is checked
@@ -188,7 +193,7 @@ class Run:
             self._make_again(chunk, finer=max(1, chunk.steps // SHORTER_CHUNK))
         elif near_singular:
             self._pass_by(chunk)
-        elif status is not None and unconverged and self.segment.divide_step(chunk.before):
+        elif status is not None and unconverged and self.driver.divide(chunk.before):
             self._make_again(chunk)
         elif status is not None:
             self.status = self._in_parts(status)
@@ -327,50 +332,31 @@ class Run:
         self._report(reported)
         self.status = self.status or self.event_handler.status
 
-    def to_event(self, at: int, before: np.ndarray, rows: np.ndarray) -> np.ndarray | None:
-        """Step to the event that was flagged in step `at` of a chunk from `before`, whose states are rows (N, n_z).
-
-        None where it has happened, else those up to the step before it; the next chunk is that step.
+    def _at_event(self, made: StepsToEvent) -> np.ndarray | None:
+        """Where an event was flagged: None where it has happened, else the states (N, n_z) up to the step before it;
+        the next chunk is the step with it.
         """
-        handler, first = self.event_handler, int(before[1]) + 1
         if self.plan.scheme.adaptive:
-            return None if self._ends_at_event(rows) else np.vstack([rows[:-1], self.z])
-        self.chunk_length.steps, self.z = 1, before.copy()
-        if at > first:
-            return self.segment.run_and_save(self.z, self.steps_to_sample(at - first))
-        self.segment.forget_determinants(self.z)
-        w = self._step_with_events()
-        if not handler.reported and handler.status is None:
+            return None if self._ends_at_event(made.rows) else np.vstack([made.rows[:-1], self.z])
+        self.chunk_length.steps = 1
+        if len(made.rows):
+            return made.rows
+        w = self.driver.through_event(self.z)
+        if not self.event_handler.reported and self.event_handler.status is None:
             return self.z[None]
         self._event_has_happened(w)
         return None
 
-    def _step_with_events(self) -> np.ndarray | None:
-        """A step in which an event was flagged, in parts that converge; (n_w,) the inputs if they changed."""
-        handler, segment, before = self.event_handler, self.segment, self.z.copy()
-        memory, changes = handler.memory(), len(segment.changes)
-        while True:
-            w = handler.step(self.z)
-            if not self._unconverged() or not segment.divide_step(before):
-                return w
-            handler.forget(memory)
-            del segment.changes[changes:]
-            self.z[:] = before
-
     def _in_parts(self, status: Status | None) -> Status | None:
         """The same; of a step that does not converge, with what its parts, or those of steps before it, have shown."""
-        segment = self.segment
+        divisions = self.segment.divisions
         if status is None or status.name != "iteration_failed":
             return status
-        if segment.in_a_row > MOST_IN_A_ROW:
+        if divisions.in_a_row > MOST_IN_A_ROW:
             return replace(status, cause=f"{status.cause}; {MOST_IN_A_ROW} steps before it did in shorter parts only")
-        if segment.divided[1] < MOST_HALVINGS:
+        if divisions.halvings < MOST_HALVINGS:
             return status
         return replace(status, cause=f"{status.cause}, nor in parts of {self.plan.grid.dt_L / 2**MOST_HALVINGS:.3g} s")
-
-    def _unconverged(self) -> bool:
-        """Did the iteration of a step that led here not converge?"""
-        return verdict(self.plan.scheme, self.segment.state(self.z)) == "iteration_failed"
 
     def _ends_at_event(self, rows: np.ndarray) -> bool:
         """Does the last step of a tolerance end at an event? Then what lies before it is seen first."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 
@@ -32,6 +32,17 @@ MOST_IN_A_ROW = 100  # steps that are halved for that: then dt is too long for t
 NO_LOWEST, NO_HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
 
 
+class Divisions(NamedTuple):
+    """Of steps whose iteration does not converge: the last one, how often it was halved, how many were made so, and how
+    many of these in a row.
+    """
+
+    step: int = -1
+    halvings: int = 0
+    steps: int = 0
+    in_a_row: int = 0
+
+
 @dataclass(eq=False)
 class SteppedModel:
     """model, plan and compiled stepper; p (n_p,), c (c_size,) and `ready`, what the compiled program reads.
@@ -39,8 +50,8 @@ class SteppedModel:
     The arrays stay where they are and change in place: compiled code that was bound to them sees it. States z (flat)
     belong to whoever steps. start_state: where a run starts; None: as the model does. switches: times at which loads or
     motions jump or kink, where they were looked for; broken: who steps across them. given: impulses of steps of a
-    tolerance so far, by time. changes: of inputs and rates so far, see powers.py. divided: the step that is made in
-    parts as its iteration does not converge, and how often it is halved; divisions, in_a_row: how many steps were.
+    tolerance so far, by time. changes: of inputs and rates so far, see powers.py. divisions: steps that were made in
+    parts.
     """
 
     model: EmittedModel
@@ -54,9 +65,7 @@ class SteppedModel:
     switches: list[SwitchTime] = field(default_factory=list, init=False)
     broken: Any = field(default=None, init=False)
     changes: list[Change] = field(default_factory=list, init=False)
-    divided: tuple[int, int] = field(default=(-1, 0), init=False)
-    divisions: int = field(default=0, init=False)
-    in_a_row: int = field(default=0, init=False)
+    divisions: Divisions = field(default=Divisions(), init=False)
 
     @classmethod
     def prepared(cls, model: EmittedModel, plan: Plan, p: np.ndarray, engine: str, wait: bool = False) -> Self:
@@ -156,15 +165,15 @@ class SteppedModel:
         self.broken = None
         broken = self.switches or self.watches_events or self.plan.end is not None
         if broken and not scheme.adaptive:  # who chooses ends of steps puts them there
-            self._break(self.switches, t0, t_end)
+            self._break(self.switches, t0, t_end, self.c)
 
-    def _break(self, stops: Sequence[SwitchTime], t0: float, t_end: float) -> None:
-        """Steps from t0 to t_end [s] end at these times, too."""
+    def _break(self, stops: Sequence[SwitchTime], t0: float, t_end: float, c: np.ndarray) -> None:
+        """Steps from t0 to t_end [s] end at these times, too; c (c_size,): with the inputs there."""
         from runtime.schemes.switching.steps_with_stops import StepsWithStops
 
         end, length = self.plan.end, self.plan.grid.dt_L
         known = round((t_end - t0) / length) if end is None else self.plan.steps
-        self.broken = StepsWithStops(self.stepper, t0, length, stops, self.c, known, end)
+        self.broken = StepsWithStops(self.stepper, t0, length, stops, c, known, end)
 
     def divide_step(self, z: np.ndarray) -> bool:
         """Make the step from z (flat) in parts half as long as before: its iteration has not converged.
@@ -172,17 +181,21 @@ class SteppedModel:
         False where its parts are as short as they may be, or too many steps in a row had to be made so.
         """
         plan, step = self.plan, int(z[1])
-        halvings = self.divided[1] + 1 if self.divided[0] == step else 1
-        if halvings == 1:
-            self.in_a_row = self.in_a_row + 1 if self.divided[0] == step - 1 else 1
-        if plan.scheme.iteration_limit is None or halvings > MOST_HALVINGS or self.in_a_row > MOST_IN_A_ROW:
+        last, again = self.divisions, self.divisions.step == step
+        halvings = last.halvings + 1 if again else 1
+        in_a_row = last.in_a_row if again else last.in_a_row + 1 if last.step == step - 1 else 1
+        if plan.scheme.iteration_limit is None or halvings > MOST_HALVINGS or in_a_row > MOST_IN_A_ROW:
+            self.divisions = last._replace(in_a_row=in_a_row)
             return False
-        self.divisions += halvings == 1
-        self.divided, given, unresolved = (step, halvings), self.impulses, self.unresolved
-        times = np.linspace(plan.time(step), plan.time(step + 1), 2**halvings + 1)[1:-1]
-        margin = CONDITION_ROUNDING * max(abs(plan.t0), abs(plan.t_end))
+        self.divisions = Divisions(step, halvings, last.steps + (not again), in_a_row)
+        given, unresolved = self.impulses, self.unresolved
+        t0 = plan.t0 if self.broken is None else self.broken.t0  # a stepper's is not that of its plan
+        begin, end = (plan.time(one) + (t0 - plan.t0) for one in (step, step + 1))
+        times = np.linspace(begin, end, 2**halvings + 1)[1:-1]
+        margin = CONDITION_ROUNDING * max(abs(begin), abs(end))
         parts = [SwitchTime(float(t), float(t) - margin, float(t) + margin, ()) for t in times]
-        self._break(sorted([*self.switches, *parts], key=lambda one: one.time), plan.t0, plan.t_end)
+        stops = sorted([*self.switches, *parts], key=lambda one: one.time)
+        self._break(stops, t0, t0 + (plan.t_end - plan.t0), self.with_inputs(z))
         self.broken.impulses.update(given)
         self.broken.unresolved = unresolved
         return True
@@ -267,7 +280,6 @@ class SteppedModel:
 
         Fewer where steps cannot be made whole. Ctrl-C leaves z where it began, so that no saved state is missing.
         """
-        self.forget_determinants(z)
         counts, start_state = np.diff([int(z[1]), *ends]).astype(np.int64), z.copy()
         rows = np.empty((len(counts), len(z)))
         try:

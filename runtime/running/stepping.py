@@ -20,8 +20,10 @@ from runtime.running.events import EventHandler
 from runtime.running.inputs import reading
 from runtime.running.monitor import Monitor
 from runtime.running.planning import make_plan, steps_asked
-from runtime.running.stepped_model import SteppedModel
+from runtime.running.step_driver import StepDriver
+from runtime.running.stepped_model import Divisions, SteppedModel
 from runtime.running.time_functions import refuse_position_jumps
+from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.impulse import moves_in_time
 from runtime.schemes.switching.steps_with_stops import StepsWithStops
 from runtime.schemes.switching.times import may_jump, switches_by_inputs, switching_times
@@ -38,7 +40,7 @@ class SteppedState:
     """All that the next step depends on: the scheme's z (flat), the parameters p (n_p,), where its grid begins [s].
 
     events: what has happened since then; ended: the status, where one of them was terminal; memory: latest times of
-    each [s].
+    each [s]; divisions: of steps since then.
     """
 
     z: np.ndarray
@@ -47,6 +49,7 @@ class SteppedState:
     events: tuple[Event, ...] = ()
     ended: Status | None = None
     memory: Mapping[str, Sequence[float]] = field(default_factory=dict)
+    divisions: Divisions = Divisions()
 
 
 class ModelStepper:
@@ -69,7 +72,9 @@ class ModelStepper:
     Notes
     -----
     `step` makes steps without checks; `check` tells what a run would have found. Singular positions are not
-    passed. Events happen as in a run: see `events`, and `ended`, after which there is no further step.
+    passed. Events happen as in a run: see `events`, and `ended`, after which there is no further step. Where the
+    iteration of a step does not converge, it is made in shorter parts as in a run, see `divided_steps`; where these
+    do not either, `check` tells.
     """
 
     @arguments(options=BY_NAME, parameters=BY_NAME)
@@ -102,7 +107,7 @@ class ModelStepper:
         state = start_state(model, self.parameters, self._own.c, 0.0, None)
         # this array stays where it is: compiled code and readers know its address
         self._z = self._own.stepper.start(0.0, state.q, state.q_dot, self._own.c, self.dt)
-        self._across = UnendingSteps(self._own, self._z) if may_break(plan.scheme) else None
+        self._across = UnendingSteps(self._own, self._z) if may_part(plan.scheme) else None
         self._advance = self._own.bound(self._z) if self._across is None else self._across.run
         self._set_out(0.0)
         w = model.signals
@@ -261,7 +266,8 @@ class ModelStepper:
         """
         t0 = float(self._z[0]) if self._across is None else self._across.t0
         memory = {} if self._across is None else self._across.event_handler.memory()
-        return SteppedState(self._z.copy(), self.parameters.copy(), t0, tuple(self.events), self.ended, memory)
+        z, divisions = self._z.copy(), self._own.divisions
+        return SteppedState(z, self.parameters.copy(), t0, tuple(self.events), self.ended, memory, divisions)
 
     def restore(self, kept: SteppedState) -> None:
         """Go back to what was saved.
@@ -285,8 +291,7 @@ class ModelStepper:
         self._take(kept.p)
         self._z[:] = kept.z
         if self._across is not None:
-            self._across.go_back(kept.t0, kept.events, kept.ended)
-            self._across.event_handler.resume(kept.memory)
+            self._across.go_back(kept)
         self._sample = None
 
     # ---- reading --------------------------------------------------------------------------------------------
@@ -306,6 +311,11 @@ class ModelStepper:
     def ended(self) -> Status | None:
         """Why there is no further step: a terminal event, or one that chatters; `time` is then its own."""
         return None if self._across is None else self._across.event_handler.status
+
+    @property
+    def divided_steps(self) -> int:
+        """How many steps since `reset` were made in shorter parts, as their iteration did not converge."""
+        return self._own.divisions.steps
 
     @property
     def time(self) -> float:
@@ -440,6 +450,11 @@ def _restored(model: EmittedModel, settings: Mapping[str, Any], kept: SteppedSta
 JUMP_SEARCH_STEPS = 4096  # steps over which jumps are looked for at a time: the same in one call or in many
 
 
+def may_part(scheme: Scheme) -> bool:
+    """May a step be made in parts: at what breaks it, or where its iteration does not converge?"""
+    return may_break(scheme) or scheme.iteration_limit is not None
+
+
 class UnendingSteps:
     """Advances a z (whole, flat) that stays where it is; t0 [s] is where its grid of steps begins.
 
@@ -449,12 +464,18 @@ class UnendingSteps:
     def __init__(self, own: SteppedModel, z: np.ndarray) -> None:
         self._own, self._z, self.t0 = own, z, float(z[0])
         self._first, own.broken = -1, StepsWithStops(own.stepper, self.t0, own.plan.grid.dt_L, [], own.c)
-        self._jumps, self.event_handler = may_jump(own.model), EventHandler(own)
+        self._jumps, self._driver = may_jump(own.model), StepDriver(own)
         self._by_inputs = self._jumps and (switches_by_inputs(own.model) or moves_in_time(own.model))
+
+    @property
+    def event_handler(self) -> EventHandler:
+        """What has happened."""
+        return self._driver.event_handler
 
     def begin(self, t0: float) -> None:
         """The grid of steps begins there [s]."""
-        self.t0, self.event_handler = t0, EventHandler(self._own)
+        self.t0, self._driver = t0, StepDriver(self._own)
+        self._own.divisions = Divisions()
         self.forget()
         self._look(self._own.with_inputs(self._z))
         assert self._own.broken is not None
@@ -464,10 +485,12 @@ class UnendingSteps:
         self.event_handler.settle(self._z)
         self.event_handler.reported.clear()
 
-    def go_back(self, t0: float, events: Sequence[Event], ended: Status | None) -> None:
-        """To a grid that began there [s], and what had happened on it."""
-        self.t0, self.event_handler = t0, EventHandler(self._own)
-        self.event_handler.reported, self.event_handler.status = list(events), ended
+    def go_back(self, kept: SteppedState) -> None:
+        """To the grid of a state, and what had happened on it."""
+        self.t0, self._driver = kept.t0, StepDriver(self._own)
+        self.event_handler.reported, self.event_handler.status = list(kept.events), kept.ended
+        self.event_handler.resume(kept.memory)
+        self._own.divisions = kept.divisions
         self.forget()
 
     def look_anew(self) -> None:
@@ -499,7 +522,7 @@ class UnendingSteps:
         while (step := int(self._z[1])) < end and self.event_handler.status is None:
             if self._first != step // JUMP_SEARCH_STEPS * JUMP_SEARCH_STEPS:
                 self._look(self._own.with_inputs(self._z))
-            if self.event_handler.advance(self._z, min(end, self._first + JUMP_SEARCH_STEPS) - step) is not None:
+            if self._driver.advance(self._z, min(end, self._first + JUMP_SEARCH_STEPS) - step) is not None:
                 self.take_inputs()
 
     def _look(self, c: np.ndarray) -> None:
@@ -510,4 +533,4 @@ class UnendingSteps:
         if found and moves_in_time(own.model):
             observed = own.observed([own.state(self._z)])
             refuse_position_jumps(own.model, c, ConsistentState(observed.q[0], observed.q_dot[0], {}), found, *ends)
-        own.broken = StepsWithStops(own.stepper, self.t0, h, found, c)
+        own.switches, own.broken = found, StepsWithStops(own.stepper, self.t0, h, found, c)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -139,3 +140,41 @@ def test_wrong_requests(built_in: Load, model_of: Build) -> None:
         model.stepper(dt=-1.0)
     with pytest.raises(SchemeError):
         model.stepper(scheme="none")
+
+
+@pytest.mark.parametrize("name, steps", [("hub_beam", 1), ("two_oscillators", 1)])
+def test_steps_that_do_not_converge_are_divided_as_in_a_run(built_in: Load, name: str, steps: int) -> None:
+    """In many calls, in one, behind a restored state and a reset: the states are those of the run."""
+    model = built_in(name)
+    how: dict[str, Any] = {"scheme": "printed", "m": [1], "options": {"max_iterations": 5}}
+    run = simulate(model, t_end=0.05, error="off", samples=1, **how)
+    one, many = (model.stepper(**how) for _ in range(2))
+    kept, n = many.save(), int(run.stats["steps"])
+    many.step(n)
+    for _ in range(n):
+        one.step()
+    assert run.status.ok and many.check() is None
+    assert many.divided_steps == one.divided_steps == run.stats.get("divided_steps", 0) >= steps
+    np.testing.assert_array_equal(many.sample.q_i[0], run.q_i[-1])
+    np.testing.assert_array_equal(one.save().z, many.save().z)
+    end = many.sample
+    many.restore(kept)
+    many.step(n // 2)
+    many.restore(many.save())
+    many.step(n - n // 2)
+    np.testing.assert_array_equal(many.sample.q_i, end.q_i)
+    many.reset()
+    assert many.divided_steps == 0
+    many.step(n)
+    np.testing.assert_array_equal(many.sample.q_i, end.q_i)
+
+
+def test_steps_that_converge_in_no_parts_are_told_by_the_check(built_in: Load) -> None:
+    """Far above the limit of the sweep in a strong damper the run ends, and the stepper goes on with what is left."""
+    model = built_in("overdamped_joint")
+    how: dict[str, Any] = {"scheme": "printed", "m": [1], "dt": 1e-3, "parameters": {"spring.damping": 1.3e6}}
+    stepper = model.stepper(**how)
+    stepper.step(20)
+    status, run = stepper.check(), simulate(model, t_end=0.02, error="off", force=True, **how)
+    assert stepper.time == pytest.approx(0.02) and run.status.name == "iteration_failed"
+    assert status is not None and not status.ok
