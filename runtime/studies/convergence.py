@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from importlib.metadata import entry_points
 from math import inf, isfinite, isnan, nan
 from pathlib import Path
@@ -24,8 +24,10 @@ from runtime.contract.files import write_text
 from runtime.contract.status import Status
 from runtime.operating.equilibrium import equilibrium
 from runtime.results.export import column_units
+from runtime.results.run_settings import settings_of
 from runtime.running.simulate import simulate
 from runtime.solutions.observe import assemble_solution
+from runtime.start.start_state import start_state
 
 if TYPE_CHECKING:
     from runtime.contract.model import EmittedModel
@@ -34,6 +36,11 @@ if TYPE_CHECKING:
 
 ENTRY_POINTS, DERIVING = "symgen.refinements", "symgen.functions"
 USUAL = ("modes", "elements", "pieces", "stiffening")  # kinds of knobs that are turned where nothing is said
+HALF = "half"  # the word for pieces and meshes by half of them, which costs less than the model itself
+MOST_COORDINATES = 8  # of a model without measures, of whose motion the error is told
+BETWEEN_SAMPLES, MOST_SAMPLES = 10, 20_000  # samples of other runs beside one that is given, for each of its own
+TOLERANCES_BESIDE = 1e-6, 1e-3  # of other runs beside one that is given, whose error is theirs within these
+ONE_START = 1e-9  # of a coordinate: two starts that are one
 NOISE_OF_STEPS = 10.0  # times the error of the steps: a smaller difference says nothing of the model
 OUTPUT_ROUNDING = 1e-9  # of an output's size: a smaller difference is none
 ERROR_FROM_DOUBLE_SIZE, ERROR_FROM_HALF_SIZE = (
@@ -152,12 +159,26 @@ class Convergence:
             found.append(
                 f"{name:<{wide}}  {one.value:>11.6g}  {known:>19}  {steps:>12}  {one.knob or '-'}  [{one.unit}]"
             )
+        if not self.turned:
+            found.append(f"nothing was turned: {self.why_nothing()}")
+        return found + self.remarks()
+
+    def why_nothing(self) -> str:
+        """Say why no knob was turned, and that nothing follows from it."""
+        if self.left:
+            return f"this says nothing of the model; {', '.join(self.left)} can be"
+        if self.blind:
+            return f"this says nothing of the model; {', '.join(self.blind)} cannot be"
+        return "this says nothing of the model, which has no beams and no flexible bodies"
+
+    def remarks(self) -> list[str]:
+        """List what was turned and what it says, what cannot be turned and why, what could be."""
+        found = []
         for knob in self.turned:
             said = ", ".join(self._said(change) for change in self.changes if change.knob == knob.knob)
             steps = " -> ".join([knob.now, *knob.to])
-            found.append(f"turned {knob.knob} {steps} ({knob.cost:.2g} of the time): {said}")
-        if not self.turned:
-            found.append("nothing was turned: this says nothing of the model")
+            cost = f" ({knob.cost:.2g} of the time)" if isfinite(knob.cost) else ""
+            found.append(f"turned {knob.knob} {steps}{cost}: {said}")
         found += [f"cannot be turned: {name}: {why}" for name, why in self.blind.items()]
         if self.left:
             found.append(f"not turned: {', '.join(self.left)} (name them in knobs)")
@@ -219,6 +240,7 @@ def convergence(
     start: str | None = None,
     inputs: Mapping[str, InputValue] | None = None,
     samples: int = STUDY_SAMPLES,
+    run: Solution | None = None,
     progress: Callable[[float, float], None] | bool | None = None,
 ) -> Convergence:
     """Estimate the error of the model itself: of its shapes, pieces and meshes, beside the error of its steps.
@@ -228,7 +250,8 @@ def convergence(
     model : Model
         The mechanism, with its scene.
     outputs : sequence of str, mapping of str to str or sequence of str, or callable, optional
-        Measures, and coordinates that are not elastic; all measures by default. By name a reading or several:
+        Measures, and coordinates that are not elastic; all measures by default, and of a run without any up to eight
+        coordinates that move. By name a reading or several:
         `motion`, the RMS of the difference over the motion (the default), or `max`, `min`, `peak` (largest magnitude),
         `mean`, `rms`, `end`. Or a function of a model that returns numbers by name, for what is neither a motion nor
         an equilibrium: `lambda m: {"first": m.modes().frequencies[0]}`.
@@ -237,8 +260,9 @@ def convergence(
     knobs : sequence of str, optional
         What is turned, by kind or by name, such as `modes` or `rod.pieces`: `modes` of beams, `elements` of lumped
         meshes, `pieces` (half of welded ones, two of a single one), `stiffening`, and sets of shapes that a beam does
-        not have: `axial`, `lateral`, `lateral_z`, `torsion`. By default all but the last four. An empty list: only
-        coarser and finer.
+        not have: `axial`, `lateral`, `lateral_z`, `torsion`. By default all but the last four. `half`: elements and
+        welded pieces, by half of them, for less than the time of the model itself. An empty list: only coarser and
+        finer.
     levels : {1, 2}, optional
         How often each knob is turned; 2 tells the observed order, and takes it for the error.
     coarser, finer : mapping of str to Model, optional
@@ -252,6 +276,8 @@ def convergence(
         As of `simulate`; of an equilibrium parameters, initial and inputs.
     samples : int, optional
         Times at which motions are compared.
+    run : Solution, optional
+        The motion of the model, which is not computed again then; span, parameters, inputs and start are its own.
     progress : bool or callable, optional
         A function is called with (runs done, runs).
 
@@ -267,7 +293,8 @@ def convergence(
     ArgumentError
         For other arguments that cannot be used.
     NoResult
-        Where the model as it is has no motion or equilibrium.
+        Where the model as it is has no motion or equilibrium, and of a run that ended early, or whose error is not
+        known.
 
     Notes
     -----
@@ -288,12 +315,16 @@ def convergence(
         raise ArgumentError("t_end" if t_end is not None else "start", "applies to motions only", "leave it out, or of")
     if samples < 2:
         raise ArgumentError("samples", f"cannot be {samples}", "give a number from 2 on")
-    wanted = None if callable(outputs) else _readings(model, outputs, of)
+    if run is not None:
+        given = {"t_end": t_end, "parameters": parameters, "initial": initial, "start": start}
+        _check_run(model, run, outputs, of, [name for name, value in given.items() if value is not None], inputs)
+    wanted = None if callable(outputs) else _readings(model, outputs, of, run)
     known = {} if knobs is not None and not knobs else _knobs_of(model, levels)
     chosen, left = _chosen(known, knobs, [*(coarser or {}), *(finer or {})])
     blind = {name: str(one["blind"]) for name, one in known.items() if "blind" in one}
     blind = {name: why for name, why in blind.items() if name not in {**(coarser or {}), **(finer or {})}}
     study = _Study(wanted, outputs, of, t_end, tolerance, parameters, initial, start, inputs, samples)
+    study = study if run is None else study.beside(run)
     jobs = [
         *_derived(chosen),
         *_given(coarser or {}, ERROR_FROM_DOUBLE_SIZE, "half"),
@@ -301,7 +332,7 @@ def convergence(
     ]
     runs, done = 1 + sum(len(job.levels) for job in jobs), 1
     note = progress if callable(progress) else lambda done, runs: None
-    base = study.sampled(model)
+    base = study.sampled(model) if run is None else study.observed(run, float(run.stats.get("wall_seconds", nan)))
     note(done, runs)
     changes, turned = [], []
     for job in jobs:
@@ -321,11 +352,33 @@ def convergence(
 # ---- What is asked ------------------------------------------------------------------------------------------------
 
 
-def _readings(model: EmittedModel, outputs: Any, of: str) -> list[tuple[str, str]]:
+def _check_run(
+    model: EmittedModel, run: Solution, outputs: Any, of: str, given: Sequence[str], inputs: Mapping[str, Any] | None
+) -> None:
+    """Raises ArgumentError for what does not go with a run, NoResult for one that cannot be compared with."""
+    if of == EQUILIBRIUM or callable(outputs):
+        raise ArgumentError("run", "is a motion, and outputs are of another kind", "leave run out")
+    if given:
+        raise ArgumentError(given[0], "is that of the run", "leave it out, or run")
+    if run.model.scene_toml != model.scene_toml:
+        raise ArgumentError("run", f"is of another model than {model.name}", "give a run of this one")
+    if not run.status.ok:
+        raise NoResult(f"the run of {model.name} ended with {run.status}")
+    if not run.error.measured:
+        raise NoResult(f"the error of the steps of {model.name} is not known ({run.error.reason})")
+    if missing := sorted(set(run.driven) - set(inputs or {})):
+        raise NoResult(
+            f"the run of {model.name} followed inputs that it does not hold, {', '.join(missing)}: give inputs"
+        )
+
+
+def _readings(model: EmittedModel, outputs: Any, of: str, run: Solution | None) -> list[tuple[str, str]]:
     """(output, reading) of all that is asked. Raises ModelError and ArgumentError."""
     measures = {entry.name for entry in model.description.measures}
     if outputs is None:
         outputs = [name for name in model.measures if name in measures and not name.endswith("_dot")]
+        if run is not None:
+            outputs = [name for name in outputs if not run.outputs or name in run.outputs] or _moving(run)
         if not outputs:
             raise ArgumentError("outputs", f"are missing, and {model.name} has no measures", "name some")
     asked = outputs if isinstance(outputs, Mapping) else dict.fromkeys(outputs, MOTION)
@@ -355,6 +408,35 @@ def _readings(model: EmittedModel, outputs: Any, of: str) -> list[tuple[str, str
     return list(dict.fromkeys(found))
 
 
+def _moving(run: Solution) -> list[str]:
+    """Some coordinates that a run moves, those of rigid bodies first; none that is elastic or an Euler parameter."""
+    flexible = {entry.owner for entry in run.model.description.coordinates if entry.elastic}
+    entries = [one for one in run.model.description.coordinates if not one.elastic and one.unit in ("m", "rad")]
+    if run.outputs:
+        entries = [one for one in entries if one.name in run.outputs]
+    found = [one for one in entries if np.ptp(_series(run, one.name)[1]) > 0.0]
+    return [one.name for one in sorted(found, key=lambda one: one.owner in flexible)][:MOST_COORDINATES]
+
+
+def _series(run: Solution, name: str) -> tuple[np.ndarray, np.ndarray]:
+    """(t (N,), values (N,)) of an output, which a run with `outputs` keeps beside its samples."""
+    if run.outputs and name in run.outputs:
+        return np.asarray(run.outputs["t"], dtype=float), np.asarray(run.outputs[name], dtype=float)
+    return run.t, np.asarray(run[name], dtype=float)
+
+
+def _at_times(t: np.ndarray, y: np.ndarray, wanted: np.ndarray, unit: str) -> np.ndarray:
+    """A series by splines at the times that it reaches; NaN at others and where it has no value."""
+    from scipy.interpolate import CubicSpline  # when it is needed: importing it takes long
+
+    kept = np.isfinite(y) & (np.diff(t, prepend=-inf) > 0)
+    at = wanted[wanted <= t[-1] + 1e-9 * (t[-1] - t[0])]
+    if kept.sum() < 2:
+        return np.full(len(at), nan)
+    known = np.unwrap(y[kept]) if unit == "rad" else y[kept]
+    return np.asarray(CubicSpline(t[kept], known)(at))
+
+
 def _knobs_of(model: EmittedModel, levels: int) -> dict[str, dict[str, Any]]:
     """The knobs of the model's scene by name. Raises ModelError without a scene, and without a generator."""
     if not model.scene_toml:
@@ -380,12 +462,13 @@ def _chosen(
     """(knobs that are turned, names of those that could be). Raises ArgumentError for unknown ones."""
     asked = list(USUAL if knobs is None else knobs)
     for name in asked if knobs is not None else ():
-        if not any(name in (one["name"], one["kind"]) for one in known.values()):
+        if name != HALF and not any(name in (one["name"], one["kind"]) for one in known.values()):
             raise ArgumentError(
                 f"knobs {name!r}", "is not a knob of this scene", f"it has {', '.join(known) or 'none'}"
             )
     can = [one for one in known.values() if "blind" not in one and one["name"] not in given]
-    chosen = [one for one in can if one["kind"] in asked or one["name"] in asked]
+    halved = [one for one in can if HALF in asked and one["factor"] < 1.0]
+    chosen = [one for one in can if one["kind"] in asked or one["name"] in asked or one in halved]
     return chosen, [str(one["name"]) for one in can if one not in chosen]
 
 
@@ -459,6 +542,30 @@ class _Study:
     start: str | None
     inputs: Mapping[str, InputValue] | None
     samples: int
+    times: np.ndarray | None = None
+    t0: float = 0.0
+
+    def beside(self, run: Solution) -> _Study:
+        """What is asked of models that are compared with a run: its span, parameters and inputs, and its start."""
+        model, asked = run.model, settings_of(run)
+        t = _series(run, self.wanted[0][0])[0] if self.wanted else run.t
+        kept = np.unique(np.linspace(0, len(t) - 1, min(len(t), self.samples)).round().astype(int))
+        c = model.constants(run.parameters)
+        scene = start_state(model, run.parameters, c, float(run.t[0]), None)
+        away = np.abs(np.concatenate([scene.q - run.q[0], scene.q_dot - run.q_dot[0]]))
+        as_declared = bool(np.all(away <= ONE_START * (1.0 + np.abs(np.concatenate([run.q[0], run.q_dot[0]])))))
+        return replace(
+            self,
+            t_end=float(run.t[-1]),
+            tolerance=float(np.clip(run.error.largest, *TOLERANCES_BESIDE)),
+            parameters=asked.get("parameters"),
+            inputs={**asked.get("inputs", {}), **(self.inputs or {})} or None,
+            initial=None if as_declared else asked.get("initial"),
+            start=None if as_declared else asked.get("start"),
+            samples=int(min(BETWEEN_SAMPLES * max(len(t), self.samples), MOST_SAMPLES)),
+            times=t[kept],
+            t0=float(run.t[0]),
+        )
 
     def tried(self, level: _Level, unlike: Sequence[str]) -> _Outputs | str:
         """What a turned model shows, or why it shows nothing."""
@@ -480,23 +587,31 @@ class _Study:
         if isinstance(initial, Mapping) and renamed:
             initial = {_other(name, renamed): value for name, value in initial.items()}
         if self.of == EQUILIBRIUM:
-            run, error = self._at_rest(model, initial), 0.0
-        else:
-            run = self._moved(model, initial)
-            error = run.error.largest
+            return self.observed(self._at_rest(model, initial), 0.0, unlike, began)
+        return self.observed(self._moved(model, initial), 0.0, unlike, began)
+
+    def observed(
+        self, run: Solution, seconds: float, unlike: Sequence[str] = (), began: float | None = None
+    ) -> _Outputs:
+        """Values of the outputs of a run; seconds: that it took, where it is not known when its process time began."""
         values, sizes, stepping, shown = {}, {}, {}, {}
-        units = column_units(model)
-        for name, how in self.wanted:
+        units = column_units(run.model)
+        error = 0.0 if self.of == EQUILIBRIUM else run.error.largest
+        for name, how in self.wanted or ():
             if name.partition(".")[0] in unlike:
                 continue
-            y, key = np.asarray(run[name], dtype=float), name if how == MOTION or self.of != MOTION else f"{name} {how}"
+            t, y = _series(run, name)
+            if self.times is not None:
+                y = _at_times(t, y, self.times, units.get(name, ""))
+            key = name if how == MOTION or self.of != MOTION else f"{name} {how}"
             amplitude = float(np.std(y)) if how == MOTION else float(np.sqrt(np.mean(y**2)))
             values[key] = y if how == MOTION else np.array([READINGS[how](y)])
             sizes[key] = float(np.abs(y).max())
             stepping[key] = error * (amplitude if len(y) > 1 else sizes[key])
             shown[key] = float(np.std(y)) if how == MOTION else float(values[key][0])
         named = {key: units.get(name, "") for key, name in zip(values, self._names(unlike), strict=True)}
-        return _Outputs(values, sizes, stepping, named, shown, max(time.process_time() - began, 1e-6))
+        spent = seconds if began is None else time.process_time() - began
+        return _Outputs(values, sizes, stepping, named, shown, max(spent, 1e-6))
 
     def _names(self, unlike: Sequence[str]) -> list[str]:
         return [name for name, _ in self.wanted or () if name.partition(".")[0] not in unlike]
@@ -515,7 +630,7 @@ class _Study:
     def _moved(self, model: EmittedModel, initial: Initial) -> Solution:
         run = simulate(
             model, scheme="auto", tolerance=self.tolerance, t_end=self.t_end, parameters=self.parameters,
-            initial=initial, start=self.start, inputs=self.inputs, samples=self.samples,
+            initial=initial, start=self.start, inputs=self.inputs, samples=self.samples, t0=self.t0,
         )  # fmt: skip
         if not run.status.ok:
             raise NoResult(f"the run of {model.name} ended with {run.status}")
@@ -557,6 +672,8 @@ def _change(name: str, job: _Job, base: _Outputs, found: Sequence[_Outputs | str
         for a, b in zip(shown, shown[1:], strict=False)
     ]
     size = _rms(off[0])
+    if not isfinite(size):
+        return Change(name, job.name, "not compared", why="it has no value at some times")
     if size <= OUTPUT_ROUNDING * base.sizes[name]:
         return Change(name, job.name, "nothing", size)
     if size <= left_open[0]:

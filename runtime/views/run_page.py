@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import json
-import re
 import shlex
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from math import isnan
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
-import numpy as np
 from matplotlib.figure import Figure
 
 from runtime.contract.arguments import PLACE, require
 from runtime.contract.cards import Html, html
-from runtime.contract.coordinates import named_values
-from runtime.contract.errors import ModelError
+from runtime.contract.errors import ArgumentError, ModelError, SymgenError
 from runtime.results.key_figures import (
     Peak,
     Reaction,
@@ -30,7 +27,7 @@ from runtime.results.key_figures import (
     section_peaks,
     stress_peaks,
 )
-from runtime.schemes.catalogue import SCHEMES, scheme_kind
+from runtime.results.run_settings import set_by_events, settings_of
 from runtime.views import curves, plots
 from runtime.views.animation import snapshots
 from runtime.views.curves import Curves
@@ -61,13 +58,30 @@ INSTANTS = 4  # of the picture
 MOST_PANELS = 8  # of outputs
 MOST_SCENE = 60_000  # characters of a scene that are shown
 PLURALS = {"body": "bodies", "joint": "joints", "coordinate": "coordinates"}
-SAME = 1e-12  # of a coordinate: two starts that are one
-OPTION = re.compile(r"(\w+) = (\([^)]*\)|[^,]+)")
 IMPULSES = {"m/s": "N s", "rad/s": "N m s"}  # units, by those of speeds
+HALF, ALL, OFF = "half", "all", "off"
+KNOBS_OF: dict[str, list[str] | None] = {HALF: [HALF], ALL: None, OFF: []}  # what is turned, by the word for it
 PEAKS = "Peaks are the largest magnitudes among the saved samples."
 
 
-def page(solution: Solution, path: str | Path | None = None, convergence: Convergence | None = None) -> View:
+class Studied(Protocol):
+    """A model with the study of its error, which stands above the views."""
+
+    def convergence(self, *, run: Solution, knobs: Sequence[str] | None) -> Convergence:
+        """What `runtime.studies.convergence` tells of a run."""
+        ...
+
+
+@dataclass(frozen=True)
+class NotEstimated:
+    """Why the error of the model of a run is not estimated."""
+
+    why: str
+
+
+def page(
+    solution: Solution, path: str | Path | None = None, convergence: Convergence | NotEstimated | str = HALF
+) -> View:
     """Write a report of a run as one page to read, send and print.
 
     Parameters
@@ -76,8 +90,10 @@ def page(solution: Solution, path: str | Path | None = None, convergence: Conver
         N samples.
     path : str or Path, optional
         An .html file; if left out the page is shown in the notebook, or opened.
-    convergence : Convergence, optional
-        What `model.convergence` found: the page then states the error of the model, too.
+    convergence : {"half", "all", "off"} or Convergence, optional
+        The error of the model beside that of the steps: by half the pieces and elements (the default, for each beam
+        less than the run again), by all usual knobs (for each one to seven times the run), not at all, or what
+        `model.convergence` found.
 
     Returns
     -------
@@ -89,6 +105,8 @@ def page(solution: Solution, path: str | Path | None = None, convergence: Conver
     ------
     OutputError
         For a place that cannot be written.
+    ArgumentError
+        For another word for convergence.
 
     Notes
     -----
@@ -96,7 +114,7 @@ def page(solution: Solution, path: str | Path | None = None, convergence: Conver
     """
     require(PLACE, or_none=True, path=path)
     sections = [
-        ("Result", _result(solution, convergence)),
+        ("Result", _result(solution, modelling_error(solution, convergence))),
         ("Mechanism", _mechanism(solution)),
         ("Key figures", _key_figures(solution)),
         ("Curves", _curves(solution)),
@@ -109,6 +127,41 @@ def page(solution: Solution, path: str | Path | None = None, convergence: Conver
         ("How to reproduce it", _reproduce(solution)),
     ]
     return shown(document(solution.model.title or solution.model.name, _about(solution), sections), path)
+
+
+def modelling_error(
+    solution: Solution, convergence: Convergence | NotEstimated | str = HALF
+) -> Convergence | NotEstimated:
+    """Estimate the error of the model of a run.
+
+    Parameters
+    ----------
+    solution : Solution
+        The run.
+    convergence : {"half", "all", "off"}, Convergence or NotEstimated, optional
+        What is turned, as for `page`; what was found already is given back.
+
+    Returns
+    -------
+    Convergence or NotEstimated
+        NotEstimated: of a model without its scene, of a run that failed or whose own error is not known.
+
+    Raises
+    ------
+    ArgumentError
+        For another word.
+    """
+    if not isinstance(convergence, str):
+        return convergence
+    if convergence not in KNOBS_OF:
+        raise ArgumentError("convergence", f"cannot be {convergence!r}", f"give one of {', '.join(KNOBS_OF)}")
+    if convergence == OFF:
+        return NotEstimated("it was switched off")
+    model = cast(Studied, solution.model)
+    try:
+        return model.convergence(run=solution, knobs=KNOBS_OF[convergence])
+    except SymgenError as error:
+        return NotEstimated(str(error).splitlines()[0])
 
 
 def _about(solution: Solution) -> str:
@@ -125,7 +178,7 @@ def _about(solution: Solution) -> str:
 # ---- How it ended, and how far it is off.
 
 
-def _result(solution: Solution, convergence: Convergence | None) -> Html:
+def _result(solution: Solution, convergence: Convergence | NotEstimated) -> Html:
     status, stats = solution.status, solution.stats
     where = f" at t = {status.time:.6g} s" + (f", coordinate {status.coordinate}" if status.coordinate else "")
     why = f". {status.cause}. {status.advice}" if status.cause else ""
@@ -154,26 +207,34 @@ def _stepping_error(solution: Solution) -> str:
     return f"{error.largest:.2g} of the amplitude of {error.of}, estimated with other steps"
 
 
-def _modelling_error(convergence: Convergence | None) -> str:
-    if convergence is None:
-        return "not estimated (model.convergence does it; give what it found as page(..., convergence=...))"
-    return f"of the {convergence.of}, estimated with finer models: see the table"
+def _modelling_error(convergence: Convergence | NotEstimated) -> str:
+    if isinstance(convergence, NotEstimated):
+        return f"not estimated: {convergence.why}"
+    if convergence.errors and all(isnan(one.error) for one in convergence.errors.values()):
+        return f"not told: {convergence.why_nothing()}"
+    return f"of the {convergence.of}, estimated with other models: see the table"
 
 
-def _modelling_table(convergence: Convergence | None) -> Html:
-    if convergence is None:
+def _modelling_table(convergence: Convergence | NotEstimated) -> Html:
+    if isinstance(convergence, NotEstimated):
         return Html()
     rows = [
         (
             name,
             quantity(one.value, one.unit),
-            quantity(one.error, one.unit) + ("" if isnan(one.relative) else f" ({100 * one.relative:.2g} %)"),
-            quantity(one.stepping, one.unit),
+            "not told" if isnan(one.error) else quantity(one.error, one.unit) + _share(one.relative),
+            "not known" if isnan(one.stepping) else quantity(one.stepping, one.unit),
             one.knob or "-",
         )
         for name, one in convergence.errors.items()
     ]
-    return table(("output", "value", "error of the model", "of the steps", "most by"), rows, (1, 2, 3))
+    told = table(("output", "value", "error of the model", "of the steps", "most by"), rows, (1, 2, 3))
+    return html(told, *(paragraph(line) for line in convergence.remarks()))
+
+
+def _share(relative: float) -> str:
+    """Of an error, in per cent; nothing where it is not known."""
+    return "" if isnan(relative) else f" ({100 * relative:.2g} %)"
 
 
 def _energy(solution: Solution) -> str:
@@ -306,7 +367,7 @@ def _events(solution: Solution) -> Html:
 
 def _parameters(solution: Solution) -> Html:
     """What a person declared; data of shapes and what the run decided stay out, values of a call are marked."""
-    decided = {*solution.driven, *_set_by_events(solution)}
+    decided = {*solution.driven, *set_by_events(solution)}
     values = zip(solution.model.parameters, solution.parameters, strict=True)
     rows = [
         (
@@ -324,89 +385,19 @@ def _parameters(solution: Solution) -> Html:
 
 def _reproduce(solution: Solution) -> Html:
     """Versions, the command and the lines, and the scene itself."""
-    scene, settings, driven = solution.model.scene_toml, _settings(solution), sorted(solution.driven)
+    scene, settings, driven = solution.model.scene_toml, settings_of(solution), sorted(solution.driven)
     command = _command(settings) if not driven else ""
     parts = [code(command), paragraph("or in Python:")] if command else []
     parts.append(code(_lines(settings)))
     if driven:
         parts.append(paragraph(f"Inputs that Python drove, and that these lines lack: {', '.join(driven)}."))
-    if acted := sorted(_set_by_events(solution)):
+    if acted := sorted(set_by_events(solution)):
         parts.append(paragraph(f"Set by events, and at the start as the scene has them: {', '.join(acted)}."))
     if 0 < len(scene) <= MOST_SCENE:
         parts.append(folded("scene.toml", code(scene)))
     else:
         parts.append(paragraph("scene.toml is in the folder model/ beside the results of symgen simulate --out."))
     return html(made_with(), *parts)
-
-
-def _settings(solution: Solution) -> dict[str, Any]:
-    """Arguments of `simulate` that make the run again: its method and steps are those that it took."""
-    found: dict[str, Any] = {}
-    if solution.status.whole and solution.status.name != "event":  # else the end that was asked for is not known
-        found["t_end"] = float(solution.t[-1])
-    if solution.scheme in SCHEMES:  # prescribed motions alone need none
-        options = _changed_options(solution)
-        by_step = options.get("error_of") == "step"
-        tolerance = options.pop("tolerance", None)
-        found |= {"scheme": solution.scheme, **({"tolerance": tolerance} if by_step else {"dt": float(solution.dt)})}
-        found |= {"m": list(solution.m)} if solution.m else {}
-        found |= {"options": options} if options else {}
-    if len(solution.t) > 2:
-        found["seen_every"] = float(f"{np.median(np.diff(solution.t)):.12g}")
-    decided = {*solution.driven, *_set_by_events(solution), *_modes(solution)}  # in the run, not before it
-    for what, inputs in (("parameters", False), ("inputs", True)):
-        values = zip(solution.model.parameters, solution.parameters, strict=True)
-        changed = {
-            entry.name: float(value)
-            for entry, value in values
-            if (entry.kind == "input") is inputs and value != entry.default and entry.name not in decided
-        }
-        found |= {what: changed} if changed else {}
-    return found | _start(solution)
-
-
-def _modes(solution: Solution) -> set[str]:
-    """Inputs that the run sets by itself: what sticks, which stops are closed."""
-    return {entry.name for entry in solution.model.description.inputs if entry.hidden}
-
-
-def _set_by_events(solution: Solution) -> set[str]:
-    """Inputs and parameters that actions of events set, whose values at the end are not those of the start."""
-    return {name for event in solution.model.description.events for name in event.sets} - _modes(solution)
-
-
-def _changed_options(solution: Solution) -> dict[str, Any]:
-    """Options of the scheme that are not its defaults, as the statistics have them."""
-    usual = scheme_kind(solution.scheme).options().checked(len(solution.m) + 1)
-    given = dict(OPTION.findall(str(solution.stats.get("options", ""))))
-    return {
-        name: _value(given[name])
-        for name in usual.names()
-        if name in given and given[name] != str(getattr(usual, name))
-    }
-
-
-def _value(text: str) -> Any:
-    """A word, a number, or a list of numbers."""
-    try:
-        return json.loads(text.replace("(", "[").replace(",)", "]").replace(")", "]"))
-    except ValueError:
-        return text
-
-
-def _start(solution: Solution) -> dict[str, Any]:
-    """t0 and the initial state, where they are not those of the scene."""
-    model, found = solution.model, dict[str, Any]()
-    if solution.t[0] != 0.0:
-        found["t0"] = float(solution.t[0])
-    first = solution.initial_values(at=float(solution.t[0]))
-    given = named_values(model, model.initial_q, model.initial_q_dot)
-    told = {*model.q_i, *model.loop_unknowns}  # the rest follows from these
-    entries = [entry for entry in model.description.coordinates if entry.name in told]
-    own = [name for one in entries for name in ((one.owner,) if one.kind == "state" else (one.name, f"{one.name}_dot"))]
-    if any(abs(first[name] - given[name]) > SAME * max(1.0, abs(given[name])) for name in own):
-        found |= {"start": "given", "initial": {name: first[name] for name in own}}
-    return found
 
 
 def _command(settings: Mapping[str, Any]) -> str:

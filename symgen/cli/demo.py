@@ -7,7 +7,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symgen.cli.outcome import Outcome, Progress
-from symgen.cli.runs import MODEL_FOLDER, exit_code, leave_results, run_model, summary
+from symgen.cli.runs import (
+    MODEL_FOLDER,
+    estimated,
+    exit_code,
+    leave_results,
+    modelling_lines,
+    modelling_report,
+    run_model,
+    summary,
+)
 from symgen.cli.sources import find_source
 from symgen.cli.words import MOTION, settings
 
@@ -57,11 +66,17 @@ def demo(arguments: argparse.Namespace) -> Outcome:
         lines.append(f"difference.png compares with scheme {own.scheme} at its dt = {own.dt:g} s")
         plots.difference(own, solution, folder / "difference.png")
         files["difference.png"] = str(folder / "difference.png")
+    told = estimated(solution, arguments.convergence)
+    lines += modelling_lines(told)
     with Progress("symgen") as progress:
         progress.note("drawing ...")
-        files |= leave_results(solution, folder) | _moving(solution, folder)
+        files |= leave_results(solution, folder, told=told) | _moving(solution, folder)
     lines.append(f"in {folder}: {MODEL_FOLDER}/, {', '.join(files)}")
-    return Outcome({"report": run_report(solution), "folder": str(folder), "files": files}, lines, exit_code(solution))
+    return Outcome(
+        {"report": run_report(solution) | modelling_report(told), "folder": str(folder), "files": files},
+        lines,
+        exit_code(solution),
+    )
 
 
 def _moving(solution: Solution, folder: Path) -> dict[str, str]:

@@ -13,6 +13,10 @@ from symgen.cli.words import RUN, UsageError, settings
 if TYPE_CHECKING:
     from runtime.model import Model
     from runtime.solutions.solution import Solution
+    from runtime.studies.convergence import Convergence
+    from runtime.views.run_page import NotEstimated
+
+    Told = Convergence | NotEstimated
 
 BALANCE_REMARK = 0.01
 MODEL_FOLDER, SOLUTION_FILE = "model", "solution.npz"
@@ -32,7 +36,7 @@ def simulate(arguments: argparse.Namespace) -> Outcome:
     inputs = input_samples(arguments.inputs) if arguments.inputs else None
     kept = settings(arguments, ("outputs", "stream", "checkpoint", "checkpoint_every"))
     solution = run_model(model, arguments, inputs=inputs, **kept)
-    return _outcome(solution, folder, arguments.plots is not False)
+    return _outcome(solution, folder, arguments.plots is not False, arguments.convergence)
 
 
 def resume(arguments: argparse.Namespace) -> Outcome:
@@ -59,13 +63,42 @@ def resume(arguments: argparse.Namespace) -> Outcome:
     return _outcome(solution, folder, pictures=False)
 
 
-def _outcome(solution: Solution, folder: Path | None, pictures: bool) -> Outcome:
-    """What a run ended with; its files if there is a folder for them."""
+def _outcome(solution: Solution, folder: Path | None, pictures: bool, convergence: str = "half") -> Outcome:
+    """What a run ended with; its files if there is a folder for them, with a page the error of the model, too."""
     from runtime.views.report import run_report
 
-    files = leave_all(solution, folder, pictures) if folder else {}
-    lines = summary(solution) + ([f"results in {folder}"] if folder else [])
-    return Outcome({"report": run_report(solution), "files": files}, lines, exit_code(solution))
+    told = estimated(solution, convergence) if folder and pictures else None
+    files = leave_all(solution, folder, pictures, told) if folder else {}
+    lines = summary(solution) + modelling_lines(told) + ([f"results in {folder}"] if folder else [])
+    report = run_report(solution) | modelling_report(told)
+    return Outcome({"report": report, "files": files}, lines, exit_code(solution))
+
+
+def estimated(solution: Solution, convergence: str) -> Told:
+    """The error of the model of a run, or why it is not estimated."""
+    from runtime.views.run_page import modelling_error
+
+    with Progress("symgen") as progress:
+        progress.note("estimating the error of the model ...")
+        return modelling_error(solution, convergence)
+
+
+def modelling_lines(told: Told | None) -> list[str]:
+    """What the summary of a run says of the error of the model."""
+    from runtime.views.run_page import NotEstimated
+
+    if told is None:
+        return []
+    return [f"error of the model not estimated: {told.why}"] if isinstance(told, NotEstimated) else told.lines()
+
+
+def modelling_report(told: Told | None) -> dict[str, Any]:
+    """The section of report.json."""
+    from runtime.views.run_page import NotEstimated
+
+    if told is None:
+        return {}
+    return {"modelling_error": {"not_estimated": told.why} if isinstance(told, NotEstimated) else told.to_dict()}
 
 
 def cache(arguments: argparse.Namespace) -> Outcome:
@@ -164,20 +197,20 @@ def loaded_or_run(arguments: argparse.Namespace) -> tuple[Solution, Path | None]
     return run_model(opened_model(arguments.scene, arguments.made_with), arguments), None
 
 
-def leave_all(solution: Solution, folder: Path, pictures: bool) -> dict[str, str]:
+def leave_all(solution: Solution, folder: Path, pictures: bool, told: Told | None = None) -> dict[str, str]:
     """Results, pictures if wanted, and the model with what all that asked of it; {what: path}.
 
     Raises OutputError or SceneError.
     """
     try:
-        return leave_results(solution, folder, pictures)
+        return leave_results(solution, folder, pictures, told)
     finally:
         leave_model(solution.model, folder / MODEL_FOLDER)
 
 
-def leave_results(solution: Solution, folder: Path, pictures: bool = True) -> dict[str, str]:
+def leave_results(solution: Solution, folder: Path, pictures: bool = True, told: Told | None = None) -> dict[str, str]:
     """solution.npz and .csv, report.json; page.html, motion.png, energy.png, where there are any deformation.png
-    and forces.png; {what: path}. Raises OutputError.
+    and forces.png; {what: path}. told: the error of the model. Raises OutputError.
     """
     from runtime.contract.files import write_text
     from runtime.results.export import as_json
@@ -185,13 +218,13 @@ def leave_results(solution: Solution, folder: Path, pictures: bool = True) -> di
 
     solution.save(folder / SOLUTION_FILE)
     solution.export(folder / "solution.csv")
-    write_text(folder / "report.json", as_json(run_report(solution)))
+    write_text(folder / "report.json", as_json(run_report(solution) | modelling_report(told)))
     names = [SOLUTION_FILE, "solution.csv", "report.json"]
     if pictures:
         from runtime.views import plots
 
         names += [path.name for path in plots.usual(solution, folder)]
-        solution.page(folder / "page.html")
+        solution.page(folder / "page.html", convergence="off" if told is None else told)
         names.append("page.html")
     return {name: str(folder / name) for name in names}
 

@@ -116,6 +116,13 @@ RUN = (
         ),
     ),
 )
+MODELLING = opt(
+    "--convergence",
+    "the error of the model on the page: by half the pieces and elements of beams, by all usual knobs (one to seven "
+    "times the run each), or not at all (default: %(default)s)",
+    choices=("half", "all", "off"),
+    default="half",
+)
 LONG_RUN = Group(
     "long runs",
     None,
@@ -235,6 +242,7 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
                 default=None,
             ),
             *RUN,
+            MODELLING,
             opt("--inputs FILE.csv", "samples of inputs: columns t,name,..., held in between"),
             opt("--checkpoint FILE", "file that `symgen resume` goes on from"),
             LONG_RUN,
@@ -435,6 +443,7 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
             WITH,
             opt("--out DIR", "folder for everything (default: out/SCENE)"),
             *RUN,
+            MODELLING.but(default="all"),
         ),
     ),
     "completion": (completion, (opt("shell", "the shell that it is for", choices=("bash", "zsh")),)),
