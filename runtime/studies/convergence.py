@@ -332,13 +332,13 @@ def convergence(
     ]
     runs, done = 1 + sum(len(job.levels) for job in jobs), 1
     note = progress if callable(progress) else lambda done, runs: None
-    base = study.sampled(model) if run is None else study.observed(run, float(run.stats.get("wall_seconds", nan)))
+    base = study.sampled(model) if run is None else study.observed(run)
     note(done, runs)
     changes, turned = [], []
     for job in jobs:
         found: list[_Outputs | str] = []
         for level in job.levels:
-            found.append(study.tried(level, job.unlike))
+            found.append(study.tried(level, job.unlike, base.assembled))
             done += 1
             note(done, runs)
         changes += [_change(name, job, base, found) for name in base.values]
@@ -518,7 +518,10 @@ def _given(models: Mapping[str, EmittedModel], factor: float, to: str) -> Iterat
 
 @dataclass(frozen=True)
 class _Outputs:
-    """values: of each output a number or a series; sizes and stepping errors of each; time that it took [s]."""
+    """values: of each output a number or a series; sizes and stepping errors of each; time that it took [s].
+
+    assembled: the start contradicted itself, and the motion began where the loops allow it.
+    """
 
     values: dict[str, np.ndarray]
     sizes: dict[str, float]
@@ -526,6 +529,7 @@ class _Outputs:
     units: dict[str, str]
     shown: dict[str, float]
     seconds: float
+    assembled: bool = False
 
 
 @dataclass(frozen=True)
@@ -567,8 +571,10 @@ class _Study:
             t0=float(run.t[0]),
         )
 
-    def tried(self, level: _Level, unlike: Sequence[str]) -> _Outputs | str:
-        """What a turned model shows, or why it shows nothing."""
+    def tried(self, level: _Level, unlike: Sequence[str], assembled: bool) -> _Outputs | str:
+        """What a turned model shows, or why it shows nothing; assembled: did the model begin where loops allow it?"""
+        if unlike and assembled:
+            return "the start contradicts itself, so cut beams begin elsewhere: give one that closes the loops"
         if named := [name for name in self.parameters or {} if name.partition(".")[0] in unlike]:
             return f"the parameter {named[0]} is that of a piece"
         try:
@@ -587,13 +593,11 @@ class _Study:
         if isinstance(initial, Mapping) and renamed:
             initial = {_other(name, renamed): value for name, value in initial.items()}
         if self.of == EQUILIBRIUM:
-            return self.observed(self._at_rest(model, initial), 0.0, unlike, began)
-        return self.observed(self._moved(model, initial), 0.0, unlike, began)
+            return self.observed(self._at_rest(model, initial), unlike, began)
+        return self.observed(self._moved(model, initial), unlike, began)
 
-    def observed(
-        self, run: Solution, seconds: float, unlike: Sequence[str] = (), began: float | None = None
-    ) -> _Outputs:
-        """Values of the outputs of a run; seconds: that it took, where it is not known when its process time began."""
+    def observed(self, run: Solution, unlike: Sequence[str] = (), began: float | None = None) -> _Outputs:
+        """Values of the outputs of a run; began: its process time, which counts where no run is given [s]."""
         values, sizes, stepping, shown = {}, {}, {}, {}
         units = column_units(run.model)
         error = 0.0 if self.of == EQUILIBRIUM else run.error.largest
@@ -610,8 +614,10 @@ class _Study:
             stepping[key] = error * (amplitude if len(y) > 1 else sizes[key])
             shown[key] = float(np.std(y)) if how == MOTION else float(values[key][0])
         named = {key: units.get(name, "") for key, name in zip(values, self._names(unlike), strict=True)}
-        spent = seconds if began is None else time.process_time() - began
-        return _Outputs(values, sizes, stepping, named, shown, max(spent, 1e-6))
+        own = began is None or self.times is not None  # beside a run that is given: what making the model takes is out
+        spent = float(run.stats.get("wall_seconds", nan)) if own else time.process_time() - (began or 0.0)
+        assembled = any(event.kind == "start_changed" for event in run.events)
+        return _Outputs(values, sizes, stepping, named, shown, max(spent, 1e-6), assembled)
 
     def _names(self, unlike: Sequence[str]) -> list[str]:
         return [name for name, _ in self.wanted or () if name.partition(".")[0] not in unlike]

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from symgen import Scene
 from symgen.cli import main
 
 pytestmark = pytest.mark.long
@@ -220,3 +221,21 @@ def test_converge_tells_the_error_of_the_model(capsys: pytest.CaptureFixture[str
     for wrong, message in ((["--reduce", "end"], "--outputs"), (["--knobs", "mode"], "arm.modes")):
         code, _, err = said(capsys, "converge", str(few), *wrong)
         assert code == 2 and message in err
+
+
+def test_simulate_leaves_the_error_of_the_model(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    """Of two welded pieces half of them tell it: in the summary, in report.json and on the page; `off` says so."""
+    scene = Scene("swing").gravity(0.0, -9.81)
+    for k, last in enumerate(("ground.origin", "piece0.end")):
+        scene.beam(f"piece{k}", length=0.5, density=7870.0, area=4.2e-5, second_moment=1.26e-10, youngs_modulus=2e11,
+                   lateral={"modes": 1})  # fmt: skip
+        scene.joint("weld" if k else "revolute", f"joint{k}", last, f"piece{k}.start")
+    scene.measure("tip", "y", of="piece1.end").to_toml(tmp_path / "swing.toml")
+    words = ["simulate", str(tmp_path / "swing.toml"), "--t-end", "0.2", "--out", str(tmp_path / "out")]
+    code, out, _ = said(capsys, *words)
+    assert code == 0 and "turned piece0.pieces 2 -> 1" in out and "not turned: piece0.modes" in out
+    told = json.loads((tmp_path / "out" / "report.json").read_text())["modelling_error"]["errors"]["tip"]
+    assert told["error"] > 0 and told["knob"] == "piece0.pieces"
+    assert "turned piece0.pieces" in (tmp_path / "out" / "page.html").read_text(encoding="utf-8")
+    code, out, _ = said(capsys, *words, "--convergence", "off")
+    assert code == 0 and "error of the model not estimated: it was switched off" in out

@@ -229,3 +229,90 @@ def test_a_model_whose_run_fails_has_no_error() -> None:
     scene = swing().force("pull", "arm.end", "1 / (0.1 - t)", 0.0)
     with pytest.raises(NoResult, match="the run of swing ended with"):
         scene.model().convergence(["tip"], t_end=0.5, tolerance=1e-3)
+
+
+def long_swing(count: int, **more: Any) -> Scene:
+    """A beam on a hinge by pieces that falls; without stiffening, so that few pieces are far off."""
+    scene, last = Scene("swing").gravity(0.0, -9.81), "ground.origin"
+    for k in range(count):
+        scene.beam(f"piece{k}", length=LENGTH / count, **STEEL, lateral={"modes": 1}, **more)
+        scene.joint("weld" if k else "revolute", f"joint{k}", last, f"piece{k}.start")
+        last = f"piece{k}.end"
+    scene.measure("tip", "y", of=last).measure("angle", "angle", of=last)
+    return scene.initial({f"piece{k}.theta": 0.1 for k in range(count)})
+
+
+@pytest.mark.long
+def test_beside_a_run_that_is_given_it_tells_what_new_runs_tell() -> None:
+    """Its samples, which no other run has, are where models are compared; half the pieces are the only knob."""
+    model = long_swing(2).model()
+    run = model.simulate(t_end=0.5, scheme="exponential_adams", dt=0.5 / 777, parameters={})
+    beside = model.convergence(run=run, knobs=["half"])
+    alone = model.convergence(t_end=0.5, knobs=["pieces"])
+    assert [one.knob for one in beside.turned] == ["piece0.pieces"] and beside.turned[0].to == ("1",)
+    for name in ("tip", "angle"):
+        assert beside[name].error == pytest.approx(alone[name].error, rel=0.05)
+    assert "piece0.modes" in beside.left
+
+
+def test_a_single_beam_has_no_half() -> None:
+    model = swing().model()
+    found = model.convergence(run=model.simulate(t_end=0.05), knobs=["half"])
+    assert not found.turned and np.isnan(found["tip"].error)
+    assert "arm.modes" in found.left and "arm.modes, arm.pieces, arm.axial can be" in str(found)
+
+
+def test_without_measures_of_a_run_coordinates_that_move() -> None:
+    scene = Scene("pendulum").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0.0))
+    scene.revolute("hinge", "ground.origin", "rod.origin")
+    model = scene.model()
+    found = model.convergence(run=model.simulate(t_end=0.1))
+    assert list(found.errors) == ["rod.theta"] and "no beams and no flexible bodies" in str(found)
+
+
+def test_cut_beams_of_a_start_that_contradicts_itself_are_not_compared() -> None:
+    """Two beams of 1 m between pins 1.2 m apart, given at angles that do not meet: where they close is no matter
+    of the model, and cut ones may close elsewhere."""
+    scene = Scene("roof").ground(markers={"far": {"position": (1.2, 0.0)}})
+    for name in ("left", "right"):
+        scene.beam(name, length=LENGTH, **STEEL, lateral={"modes": 1})
+    scene.revolute("A", "ground.origin", "left.start").revolute("B", "left.end", "right.start")
+    scene.revolute("C", "right.end", "ground.far").gravity(0.0, -9.81)
+    scene.measure("ridge", "y", of="left.end").initial({"left.theta": 0.5, "right.theta": -0.5})
+    scene.independent("left.q1", "right.q1")
+    model = scene.model()
+    run = model.simulate(t_end=0.02)
+    assert any(event.kind == "start_changed" for event in run.events)
+    found = model.convergence(run=run, knobs=["left.pieces"])
+    assert [(one.says, one.why.split(",")[0]) for one in found.changes] == [
+        ("not compared", "the start contradicts itself")
+    ]
+
+
+@pytest.mark.parametrize(
+    ("asked", "problem"),
+    [
+        ({"t_end": 1.0}, "t_end.*is that of the run"),
+        ({"of": "equilibrium"}, "run.*is a motion"),
+        ({"outputs": lambda model: {"x": 1.0}}, "run.*is a motion"),
+    ],
+)
+def test_what_does_not_go_with_a_run(asked: dict[str, Any], problem: str) -> None:
+    model = swing().model()
+    run = model.simulate(t_end=0.02)
+    with pytest.raises(ArgumentError, match=problem):
+        model.convergence(run=run, **asked)
+    with pytest.raises(ArgumentError, match="of another model"):
+        cantilever().model().convergence(run=run)
+
+
+def test_runs_that_cannot_be_compared_with_are_refused() -> None:
+    model = swing().model()
+    with pytest.raises(NoResult, match="error of the steps of swing is not known.*switched off"):
+        model.convergence(run=model.simulate(t_end=0.002, scheme="rk4", dt=1e-5, error="off"))
+    driven = swing().input("push", 0.0, "N").force("hand", "arm.end", "push", 0.0).model()
+    run = driven.simulate(t_end=0.02, inputs={"push": lambda t: 0.1 * t})
+    with pytest.raises(NoResult, match="followed inputs that it does not hold, push"):
+        driven.convergence(run=run)
+    given = driven.convergence(run=run, inputs={"push": lambda t: 0.1 * t}, knobs=["modes"])
+    assert [one.says for one in given.changes if one.says == "not compared"] == []

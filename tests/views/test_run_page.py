@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runtime import OutputError, Solution, Status, load_model, simulate
+from runtime import ArgumentError, OutputError, Solution, Status, load_model, simulate
 from runtime.contract.status import Event
 from runtime.studies.convergence import Convergence, ModellingError
 from symgen import Scene
@@ -191,6 +191,46 @@ def test_errors_of_steps_and_model_are_in_it(tmp_path: Path) -> None:
     off.page(tmp_path / "page.html", convergence=told)
     row = Text((tmp_path / "page.html").read_text(encoding="utf-8")).row("Result", "tip_y")
     assert row == ["tip_y", "350 mm", "700 µm (0.2 %)", "2 nm", "beam.lateral"]
+
+
+def swing(pieces: int) -> Scene:
+    """A soft beam of welded pieces on a hinge, that falls; without stiffening few pieces are far off."""
+    scene, last = Scene("swing").gravity(0.0, -9.81), "ground.origin"
+    beam = {"density": 7870.0, "area": 4.2e-5, "second_moment": 1.26e-10, "youngs_modulus": 2e11}
+    for k in range(pieces):
+        scene.beam(f"piece{k}", length=1.0 / pieces, **beam, lateral={"modes": 1})
+        scene.joint("weld" if k else "revolute", f"joint{k}", last, f"piece{k}.start")
+        last = f"piece{k}.end"
+    return scene.measure("tip", "y", of=last).initial({f"piece{k}.theta": 0.1 for k in range(pieces)})
+
+
+def test_half_the_pieces_are_on_the_page_by_themselves(tmp_path: Path) -> None:
+    """What `convergence` tells of the same run, and what was not turned; switched off it says so."""
+    model = swing(2).model()
+    run = model.simulate(t_end=0.3)
+    told = model.convergence(run=run, knobs=["half"])
+    assert told["tip"].error > 0
+    found = read(run, tmp_path)
+    assert found.row("Result", "error of the model")[1].startswith("of the motion, estimated with other models")
+    assert found.row("Result", "tip")[2].endswith(f"({100 * told['tip'].relative:.2g} %)")
+    text = (tmp_path / "page.html").read_text(encoding="utf-8")
+    assert "turned piece0.pieces 2 -&gt; 1" in text and "cannot be turned: piece0.shear" in text
+    run.page(tmp_path / "off.html", convergence="off")
+    row = Text((tmp_path / "off.html").read_text(encoding="utf-8")).row("Result", "error of the model")
+    assert row[1] == "not estimated: it was switched off"
+    with pytest.raises(ArgumentError, match="convergence.*half, all, off"):
+        run.page(tmp_path / "other.html", convergence="halves")
+
+
+def test_why_no_error_of_the_model_is_told(tmp_path: Path) -> None:
+    """A model without its scene is refused by name, and where nothing can be halved it says what can be turned."""
+    model = swing(1).model()
+    run = model.simulate(t_end=0.05)
+    row = read(run, tmp_path).row("Result", "error of the model")[1]
+    assert row.startswith("not told") and "piece0.modes" in row
+    bare = replace(run, model=replace(model, scene_toml=""))
+    row = read(bare, tmp_path).row("Result", "error of the model")[1]
+    assert row.startswith("not estimated: model swing") and "without its scene" in row
 
 
 @pytest.mark.every_push("two_oscillators")
