@@ -9,6 +9,7 @@ from math import isnan
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
+import numpy as np
 from matplotlib.figure import Figure
 
 from runtime.contract.arguments import PLACE, require
