@@ -25,7 +25,7 @@ from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.times import SwitchTime, switching_times
 
 KEPT = 4000  # states of a reference
-REACH, LEAST_STEPS = 0.75, 20_000  # h w of a reference, and how many steps it takes at least
+REACH, LEAST_STEPS = 0.3, 20_000  # h w of a reference, and how many steps it takes at least
 FINER = 2**0.25  # ratio of one number of steps of an oracle to the next
 MOST_STEPS = 200_000
 RIVALS = (

@@ -181,7 +181,7 @@ class SectionField:
 
         moved: q, q_dot, q_ddot (N, .); a_o (N, 3): acceleration of the frame less gravity, body axes; loads: place, and
         force and moment about the frame origin (N, 6) of each, body axes; spread: `along` of a load along the beam, and
-        the same.
+        the same with the force of the second half of a linear one (N, 9).
         """
         rho, a, spin = self._motion(moved, frame, a_o)
         n = len(self.sections)
@@ -394,7 +394,12 @@ def by_equilibrium(solution: Samples, beam: Beam, field: SectionField) -> np.nda
         a_o = into_body(frame, vectors(moved[2][:, beam.place]) - gravity)
         acting = [(name, wrench(force[rows], len(beam.place), frame)) for name, force in parts]
         loads = [(places[name], load) for name, load in acting if name in places]
-        spread = [(beam.spread[name], load) for name, load in acting if name in beam.spread]
+        halves = {name: vectors(force[rows][:, -len(beam.place) :]) for name, force in parts}
+        spread = [
+            (beam.spread[name], np.hstack([load, into_body(frame, halves[name])]))
+            for name, load in acting
+            if name in beam.spread
+        ]
         found[:, rows] = field.forces(moved, frame, a_o, loads, spread)
     return found
 
@@ -402,17 +407,16 @@ def by_equilibrium(solution: Samples, beam: Beam, field: SectionField) -> np.nda
 def _beyond(along: Sequence[float], load: np.ndarray, length: float, xi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Force and moment about the frame origin (3, N, n) of the part of a load along the beam beyond sections.
 
-    Force and moment say where one force is, and p_0 + p_1 x of a linear load; what is left of the moment, of the
-    deflection, is shared as the force is.
+    Force and moment say where one force is, the forces of the whole and of the second half what p_0 + p_1 x of a linear
+    load is; what is left of the moment, of the deflection, is shared as the force is.
     """
     start, end, power = along[0] * length, along[1] * length, along[2]
-    F, M = load.T[:3, :, None], load.T[3:, :, None]
-    first = np.stack([F[0] * (start + end) / 2, M[2], -M[1]])  # int x p dx of a straight beam
+    F, M, second = load.T[:3, :, None], load.T[3:6, :, None], load.T[6:, :, None]
     if power < 0:
         beyond = moving_place(load)[:, None] > xi * length
         return F * beyond, M * beyond
-    A, B, C = end - start, (end**2 - start**2) / 2, (end**3 - start**3) / 3
-    p_1 = (A * first - B * F) / (A * C - B * B) if power else np.zeros_like(F)
+    A, B = end - start, (end**2 - start**2) / 2
+    p_1 = 4 * (2 * second - F) / A**2 if power else np.zeros_like(F)
     p_0 = (F - B * p_1) / A
     low = np.clip(xi * length, start, end)
 
@@ -428,6 +432,6 @@ def _beyond(along: Sequence[float], load: np.ndarray, length: float, xi: np.ndar
 
 def moving_place(load: np.ndarray) -> np.ndarray:
     """(N,) [m] from the start where a force acts, by it and its moment about the frame origin (N, 6); 0 of none."""
-    _, F_y, F_z, _, M_y, M_z = load.T
+    _, F_y, F_z, _, M_y, M_z = load.T[:6]
     size = F_y**2 + F_z**2
     return np.asarray(np.divide(M_z * F_y - M_y * F_z, size, out=np.zeros_like(size), where=size > 0))

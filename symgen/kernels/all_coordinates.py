@@ -140,16 +140,31 @@ def load_forces(system: Condensed, bodies: Sequence[str]) -> Kernel:
 
     Of both its ends, and of the friction of joints, on flexible bodies: what their stresses and section forces are made
     of. `load_actions` has one end of a load, in world axes, for who draws or reads it: neither follows from the other.
+    Behind them, where a load is linear along a beam, the world force [N] of the second half of its part of the beam,
+    which says how it is shared out.
     """
     eq = system.equations
     frames = {body: eq.frame_columns(body) for body in bodies}
     rows = max((len(columns) for columns in frames.values()), default=0)
+    linear = any(along[2:] == [1.0] for along in eq.load_spans.values())
     columns = [
-        ca.vertcat(*(eq.load_forces[name].get(column, ca.SX(0)) for column in own), ca.SX(rows - len(own), 1))
+        ca.vertcat(
+            *(eq.load_forces[name].get(column, ca.SX(0)) for column in own),
+            ca.SX(rows - len(own), 1),
+            *(_second_half(eq, name) if linear else ()),
+        )
         for body, own in frames.items()
         for name in eq.loads_on(body)
     ]
     return Kernel(eq.state, {"load_forces": ca.densify(ca.horzcat(*columns)) if columns else ca.SX(rows, 0)})
+
+
+def _second_half(eq: Equations, name: str) -> Sequence[ca.SX]:
+    """World force of a load that is linear along a beam, beyond the middle of its part of the beam; zeros of others."""
+    along = eq.load_spans.get(name, [])
+    if along[2:] != [1.0]:
+        return [ca.SX(0)] * len(eq.gravity)
+    return eq.loads_beyond[name]((along[0] + along[1]) / 2)
 
 
 def measures(system: Condensed) -> Kernel:

@@ -149,9 +149,9 @@ SYMBOLS: tuple[Notation, ...] = (
         "load_forces",
         "",
         "",
-        "3, 6 or 7 x loads",
+        "3 to 10 x loads",
         "N, N m",
-        "force of a load on the frame of a flexible body",
+        "force of a load on the frame of a flexible body, and of the second half of a linear one",
     ),
     Notation(
         "load_actions", "", "", "3 or 6 x loads", "N, N m", "world force and moment of a load on its marker, or b"

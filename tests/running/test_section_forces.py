@@ -77,6 +77,18 @@ def test_hanging_bar(model_of: Build) -> None:
     assert np.isnan(forces(run, "modes")[2]).all()  # no bending shapes
 
 
+def test_a_linear_load_along_the_beam_and_across(model_of: Build) -> None:
+    """N = int (4 + 6 s) ds and M = int (s - x) (1 - 3 s) ds beyond x, of a load on 0.3 to 1.5 m."""
+    builder = Scene("linear").beam("b", **STIFF, lateral={"modes": 2}).weld("wall", "ground.origin", "b.start")
+    builder.distributed("wind", "b", components=("4 + 6*s", "1 - 3*s"), frame="body", start=0.15, end=0.75)
+    normal, shear, moment = forces(at_rest(model_of, builder))
+    low, end = np.clip(X, 0.3, 1.5), 1.5
+    np.testing.assert_allclose(normal, 4 * (end - low) + 3 * (end**2 - low**2), rtol=1e-9, atol=1e-9)
+    np.testing.assert_allclose(shear, (end - low) - 1.5 * (end**2 - low**2), rtol=1e-6, atol=1e-6)
+    expected = (end**2 - low**2) / 2 - (end**3 - low**3) - X * ((end - low) - 1.5 * (end**2 - low**2))
+    np.testing.assert_allclose(moment, expected, rtol=1e-6, atol=1e-6)
+
+
 def test_turning_beam(model_of: Build) -> None:
     """N = rho A w^2 (L^2 - x^2) / 2 at constant speed; with an angular acceleration Q and M of a linear load."""
     scene = (
