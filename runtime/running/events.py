@@ -1,6 +1,7 @@
 """Event handling in a run: events are reported, give inputs other values, and end it. Kinks of loads only end steps.
 
-Impacts and stick-slip are event-driven: a step ends at each change, and the equations behind it are other ones.
+Impacts and stick-slip are event-driven: a step ends at each change, and the equations behind it are other ones. (Time
+stepping in the sense of Moreau and Jean, impulses over steps of one length without events, is not here.)
 
 In which step one lies the scheme tells (schemes/switching/watched.py); event location in it is that of
 schemes/switching/event_search.py; what impacts and friction make of the velocities, schemes/switching/settle.py.

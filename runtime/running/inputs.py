@@ -23,10 +23,10 @@ SAMPLE_AT_STEP = 1e-6  # of a step: a sample that far from the end of a step is 
 class Sampled:
     """A controller: function(t, values) decides an input every so many seconds; it is held in between.
 
-    values (k,): coordinates, rates and measures named in `reads`, as they are at t. memory: numbers that the function
-    remembers, as each run begins with them; it is called as function(t, values, memory) and changes that array (k,) in
-    place. Checkpoints keep it. () says that it remembers nothing; None that it may remember what cannot be kept, and
-    such a run has no checkpoints.
+    A zero-order hold. values (k,): coordinates, rates and measures named in `reads`, as they are at t. memory: numbers
+    that the function remembers, as each run begins with them; it is called as function(t, values, memory) and changes
+    that array (k,) in place. Checkpoints keep it. () says that it remembers nothing; None that it may remember what
+    cannot be kept, and such a run has no checkpoints.
     """
 
     function: Callable[..., float]

@@ -1,6 +1,7 @@
 """What `single_rate` and the paper's scheme share: central difference with closed loops, its start and observation.
 
-Central difference is Newmark's method with beta = 0, gamma = 1/2, also called Stormer-Verlet or leapfrog.
+Central difference is Newmark's method with beta = 0, gamma = 1/2, also called Stormer-Verlet or leapfrog; symplectic
+where the mass matrix is constant and forces depend on positions only.
 
 Fields of z besides the common ones: d, the last increment q(t) - q(t - h), and a, the last q_i_ddot (differences.py);
 loop_old and loop_dot, the loop unknowns a step of the fastest group ago and their rates.

@@ -15,7 +15,8 @@ D is 0 at the start with its first derivative; with the polynomial of least degr
 the last term, the echo, being there for stiff modes. Every line is the motion of the linear system of
 linear_propagation.py with a force G2 tau^2 / 2 + G3 tau^3 / 6, run by m sub-steps. Forces that depend on time enter by
 G1 = d(Q_hat - M_hat a)/dt. So the linear part of the motion, stiff modes included, is free of the major step's error,
-and what limits the major step is the nonlinearity of the mechanism.
+and what limits the major step is the nonlinearity of the mechanism. The order conditions, stiff ones too, are Luan and
+Ostermann's.
 """
 
 from __future__ import annotations

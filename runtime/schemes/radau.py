@@ -1,5 +1,6 @@
 """Radau IIA with three stages: order 5, L-stable, one Jacobian a step. A baseline, compiled like the rest.
 
+Stiffly accurate: its last stage is the end of the step.
 A collocation method: Hairer and Wanner's RADAU5 with a fixed step, on the second-order
 equations q'' = M_hat^-1 Q_hat = a(q, q', t).
 Unknown are the accelerations K_i of the stages,

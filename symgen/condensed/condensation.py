@@ -1,4 +1,4 @@
-"""Condensation to independent coordinates along the structure (Eqs. 29-38).
+"""Condensation to independent (minimal) coordinates along the structure (Eqs. 29-38).
 
 Every dependent acceleration is one substitution  x_d'' = sum e_j x_j'' + c.  With S collecting the e and s the c,
 M_hat = S^T M S and Q_hat = S^T (Q* - M s). Neither S nor an inverse is ever formed: M_hat comes from one congruence

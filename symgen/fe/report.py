@@ -1,5 +1,7 @@
 """The report of a flexible body: frequencies, effective masses, what truncation loses, the check of rigid modes.
 
+Effective masses (modal participation) are shares of the body's mass.
+
 Is the structure one free body: six motions without strain, and the six that the node table says?
 
 What a mode set leaves out: static flexibility at the interfaces, and mass with held interfaces.

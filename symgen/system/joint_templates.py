@@ -7,7 +7,8 @@ normal n_a turn with phi_a. In space an axis turns with its marker: its virtual 
 omega x axis; axis rates are symbols of their own, which keeps second derivatives short. The chain to the coordinates
 of bodies is the markers' business.
 
-The coordinates of a joint that places a body: X(q), the motion subspace S(q) and its rate, from its motions.
+The relative (joint) coordinates of a joint that places a body: X(q), the motion subspace S(q) and its rate, from its
+motions.
 """
 
 from __future__ import annotations

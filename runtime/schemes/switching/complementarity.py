@@ -8,6 +8,9 @@ With v' = b + A f, where A = G M_hat^-1 G^T is the Delassus matrix,
 It is solved by pivots on the active set of those that hold: all hold; the one whose force is beyond its bound by most,
 measured by what that would accelerate, lets go; one that would then accelerate against its force holds again. Where
 rows say the same, A is singular: then those that hold do so with the least sum of (f / bound)^2.
+
+These are principal pivots of one index, where the violation is largest; not Lemke's complementary pivots, which trace a
+path from an artificial variable. Where they do not end there is no answer, and the run says so.
 """
 
 from __future__ import annotations

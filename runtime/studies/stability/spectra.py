@@ -1,4 +1,9 @@
-"""What steps do to small disturbances at a state: the exact Jacobian of a step of a scheme, its radius and growth."""
+"""What steps do to small disturbances at a state: the exact Jacobian of a step of a scheme, its radius and growth.
+
+Of a Runge-Kutta method on a linear system its eigenvalues are the values R(h lambda) of the stability function
+(E. Hairer, G. Wanner: Solving Ordinary Differential Equations II, 2nd ed., Springer 1996, section IV.2); here it is
+that of any scheme, sub-steps included, on the equations of the mechanism.
+"""
 
 from __future__ import annotations
 

@@ -3,7 +3,8 @@
 One sweep out and one back along the tree of frames (R. Featherstone, Rigid Body Dynamics Algorithms, 2008, ch. 5).
 
 Out: omega, alpha and a of each frame, with -gravity as the acceleration of the ground. Back: the wrench that moves the
-masses beyond each transform, whose power on the transform's twists is the generalised force.
+masses beyond each transform, whose power on the transform's twists is the generalised force (principle of virtual
+power). With joint accelerations of zero that is Featherstone's bias force C(q, v).
 """
 
 from __future__ import annotations
