@@ -562,7 +562,7 @@ class Scene(SceneEntries):
         return self._merge("partition", {"stiff": list(names)})
 
     def initial(self, coordinates: dict[str, Any]) -> Self:
-        """Set starting coordinates by name; calls add up.
+        """Set starting coordinates by name; calls add up. Rates at the start have a method of their own, `rates`.
 
         Parameters
         ----------

@@ -108,7 +108,11 @@ def unknown_coordinate(key: str, name: str, names: list[str], joints: Sequence[A
         problem = f"the pattern '{name}' matches no coordinate"
     if name.endswith("_dot") and name.removesuffix("_dot") in names:
         own = name.removesuffix("_dot")
-        return Fault(key, problem, f"a rate stands by its coordinate among the rates: [initial.rates] '{own}' = ...")
+        return Fault(
+            key,
+            problem,
+            f"a rate stands by its coordinate: .rates({{'{own}': ...}}), in a file [initial.rates] '{own}' = ...",
+        )
     of, _, motion = name.partition(".")
     joint = next((one for one in joints if one.name == of), None)
     if joint is None or any(one.startswith(f"{of}.") for one in names):

@@ -62,6 +62,14 @@ def test_starting_values_add_up() -> None:
     assert {name: one.value for name, one in start.rates.items()} == {"a.x": 3.0, "b.x": 6.0}
 
 
+def test_a_rate_among_starting_coordinates_is_shown_its_place() -> None:
+    """In Python and in a file."""
+    scene = Scene("one").rigid("a", mass=1.0, inertia=1.0, free=True)
+    with pytest.raises(SceneError) as refused:
+        scene.initial({"a.x_dot": 1.0}).build()
+    assert ".rates({'a.x': ...})" in refused.value.remedy and "[initial.rates] 'a.x' = ..." in refused.value.remedy
+
+
 @pytest.mark.parametrize("path", GOOD, ids=lambda path: path.stem)
 def test_round_trip_through_a_file(path: Path, tmp_path: Path) -> None:
     scene = SceneRecord.from_toml(path)
