@@ -647,4 +647,6 @@ class FlexibleBody:
             held if self.mode_set == "fixed_interface" else None,
             self.losses(),
             self.check,
+            self.origin,
+            {name: marker.position for name, marker in self.markers.items()},
         )

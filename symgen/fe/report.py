@@ -9,7 +9,7 @@ What a mode set leaves out: static flexibility at the interfaces, and mass with 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -185,8 +185,12 @@ def body_report(
     held: tuple[Array, Array] | None,
     losses: Sequence[FlexibilityLoss],
     check: RigidCheck,
+    origin: Array | None = None,
+    markers: Mapping[str, Array] | None = None,
 ) -> str:
     """Markdown.
+
+    origin (3,) [m]: where in the mesh places are measured from; markers: from there, (3,) [m] by name.
 
     hertz (nf,); shares (nf, 3): effective modal masses over total mass; held: the same two of the normal modes
     with held interfaces (Craig-Bampton), or None.
@@ -195,7 +199,7 @@ def body_report(
         f"Rigid-body check: {check.zero_modes} zero modes (up to {check.highest_zero:.2g} Hz, lowest elastic "
         f"{check.lowest_elastic:.5g} Hz); rigid motions leave {check.residual:.1g} of the stiffness forces."
     )
-    parts = [f"# {title}", "", rigid, "", "## Modes", "", *_mode_table(hertz, shares)]
+    parts = [f"# {title}", "", rigid, "", *_places(origin, markers or {}), "## Modes", "", *_mode_table(hertz, shares)]
     if np.max(shares, initial=0.0) < NO_MASS:
         parts += ["", "The modes are free of rigid motion: the frame carries all the mass, the modes none."]
     for a in np.flatnonzero(np.diff(hertz) < CLOSE * hertz[:-1]):
@@ -211,6 +215,16 @@ def body_report(
     ]
     parts += [_row(loss.name, *(_percent(value) for value in loss.loss)) for loss in losses]
     return "\n".join(parts) + "\n"
+
+
+def _places(origin: Array | None, markers: Mapping[str, Array]) -> list[str]:
+    """Where places are measured from: a gauge that is meant in the mesh's own coordinates is somewhere else."""
+    if origin is None:
+        return []
+    at = {name: ", ".join(f"{value + 0.0:.6g}" for value in place) for name, place in markers.items()}
+    listed = "; ".join(f"{name} at ({place})" for name, place in at.items())
+    mesh = ", ".join(f"{value + 0.0:.6g}" for value in origin)
+    return [f"Places of gauges and markers are measured from ({mesh}) m of the mesh: {listed}.", ""]
 
 
 def _mode_table(hertz: Array, shares: Array) -> list[str]:

@@ -161,6 +161,15 @@ def test_effective_masses_of_a_clamped_bar_add_up() -> None:
     assert f"{100 * shares[2]:.3g} %" in report and "6 zero modes" in report
 
 
+def test_the_report_says_where_places_are_measured_from() -> None:
+    """The mean of the left end's nodes is the middle of the section: a gauge at the mesh's z = 0 is not at z = 0."""
+    report = body(origin="left").report()
+    middle = f"{SIZE[1] / 2:.6g}, {SIZE[2] / 2:.6g}"
+    assert f"measured from (0, {middle}) m of the mesh: left at (0, 0, 0)" in report
+    assert f"right at ({SIZE[0]:.6g}, 0, 0)" in report
+    assert "measured from (0, 0, 0) m" in body().report()
+
+
 def test_a_marker_may_be_away_from_its_nodes() -> None:
     pin = (SIZE[0] + 0.02, 0.0, 0.0)
     plain, moved = body(), body(marker_positions={"right": pin})
