@@ -36,11 +36,12 @@ if TYPE_CHECKING:
     from runtime.gradients.run_in_jax import as_jax
     from runtime.gradients.run_in_torch import as_torch
     from runtime.model import Model, load_model
-    from runtime.operating.campbell import campbell, unbalance_response
+    from runtime.operating.campbell import campbell
     from runtime.operating.equilibrium import Equilibrium, NoEquilibrium, equilibrium
     from runtime.operating.linearisation import Linearisation
     from runtime.operating.linearise import linearise
     from runtime.operating.modes import modes
+    from runtime.operating.unbalance import unbalance_response
     from runtime.orbits.continuation import periodic_over
     from runtime.orbits.periodic import periodic
     from runtime.running.driven import quasi_static_motion
@@ -122,7 +123,7 @@ _HOMES = {
     "modes": "operating.modes",
     "campbell": "operating.campbell",
     "mode_motion": "solutions.mode_motion",
-    "unbalance_response": "operating.campbell",
+    "unbalance_response": "operating.unbalance",
     "periodic": "orbits.periodic",
     "periodic_over": "orbits.continuation",
     "Solution": "solutions.solution",

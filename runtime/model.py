@@ -24,11 +24,11 @@ if TYPE_CHECKING:
     from runtime.gradients.differentiable_run import output_jacobian as _output_jacobian
     from runtime.gradients.fit import fit as _fit
     from runtime.operating.campbell import campbell as _campbell
-    from runtime.operating.campbell import unbalance_response as _unbalance_response
     from runtime.operating.dynamics import Dynamics
     from runtime.operating.equilibrium import equilibrium as _equilibrium
     from runtime.operating.linearise import linearise as _linearise
     from runtime.operating.modes import modes as _modes
+    from runtime.operating.unbalance import unbalance_response as _unbalance_response
     from runtime.orbits.continuation import periodic_over as _periodic_over
     from runtime.orbits.periodic import periodic as _periodic
     from runtime.running.driven import quasi_static_motion as _quasi_static_motion
@@ -130,7 +130,7 @@ class Model(EmittedModel):
 
         @LazyMethod
         def unbalance_response():
-            from runtime.operating.campbell import unbalance_response
+            from runtime.operating.unbalance import unbalance_response
 
             return unbalance_response
 

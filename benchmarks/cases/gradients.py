@@ -12,7 +12,7 @@ from runtime import DifferentiableRun, load_model
 from runtime.engine.derivatives import LaneArrays, Recorder, TangentCode, most_lanes
 from runtime.engine.native import NativeProgram
 from runtime.gradients import End
-from runtime.gradients.start_of_run import Beginning
+from runtime.gradients.started_run import Beginning
 from runtime.model import Model
 from symgen.scenes import generated_folder
 

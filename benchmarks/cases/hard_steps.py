@@ -18,7 +18,8 @@ from benchmarks.scenes.hard_suite import CASES, HARD_SUITE, HardCase
 from runtime.model import Model
 from runtime.running.method_choice import Method
 from runtime.studies.advice.methods import stiff_methods
-from runtime.studies.advice.reference import Reference, Trial
+from runtime.studies.advice.reference import Reference
+from runtime.studies.advice.trial import Trial
 
 TOLERANCE, MOST = 1e-3, 200_000
 TURNS = 4  # further timings of each method's best run: another program's burst hits one of them

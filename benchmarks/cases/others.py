@@ -33,7 +33,8 @@ from runtime.model import Model
 from runtime.running.method_choice import Method
 from runtime.schemes.stage_equations import StageEquations
 from runtime.studies.advice.methods import stiff_methods
-from runtime.studies.advice.reference import Reference, Trial
+from runtime.studies.advice.reference import Reference
+from runtime.studies.advice.trial import Trial
 
 SHORTER = {"oscillators_10000": 1.0, "arm_40": 0.25}  # s of motion, where all of it takes SUNDIALS many seconds
 LONG_ARM, EXUDYN_SAMPLES = "arm_20", 50

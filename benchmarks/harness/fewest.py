@@ -8,7 +8,8 @@ import numpy as np
 
 from runtime.running.method_choice import FIRST_LEVEL_STEPS, Method
 from runtime.running.step_refinement import StepRefinement
-from runtime.studies.advice.reference import Reference, Trial, trial_of
+from runtime.studies.advice.reference import Reference
+from runtime.studies.advice.trial import Trial, trial_of
 
 REFINEMENTS = 4  # halvings of the interval (in logarithm) between too few steps and enough
 HOPELESSLY_SLOW = 2.0  # times what is to be beaten

@@ -45,7 +45,7 @@ TOPICS: dict[str, list[str]] = {
         "runtime.operating.modes.modes",
         "runtime.operating.modes.ModeTable",
         "runtime.operating.campbell.campbell",
-        "runtime.operating.campbell.unbalance_response",
+        "runtime.operating.unbalance.unbalance_response",
         "runtime.solutions.mode_motion.mode_motion",
         "runtime.running.driven.quasi_static_motion",
     ],

@@ -21,7 +21,8 @@ from runtime.gradients.objectives import Objective
 from runtime.gradients.observed_program import ObservedProgram, check_outputs, observed_program
 from runtime.gradients.passes import Backward, forward
 from runtime.gradients.recorded_run import RecordedRun, require_finite
-from runtime.gradients.start_of_run import Beginning, StartedRun, StartOfRun
+from runtime.gradients.start_of_run import StartOfRun
+from runtime.gradients.started_run import Beginning, StartedRun
 from runtime.gradients.switches import Switches
 from runtime.gradients.turns import TurnProgram
 from runtime.gradients.variables import Inputs, driven_by, held_samples, holds_of, variables_of

@@ -14,7 +14,7 @@ from runtime.contract.model import EmittedModel
 from runtime.contract.signals import SINCE
 from runtime.gradients.course import ALIKE_SLOPES, EventCrossing, Hold
 from runtime.gradients.impacts import rows_of
-from runtime.gradients.start_of_run import StartedRun
+from runtime.gradients.started_run import StartedRun
 from runtime.gradients.switches import MEETING
 from runtime.running.events import EventHandler, LocatedEvents, state_of
 from runtime.running.problem import Plan

@@ -19,7 +19,7 @@ import numpy as np
 from runtime.engine.derivatives import LaneArrays, Recorder, TangentCode
 from runtime.gradients.course import Course, Stop, Turn
 from runtime.gradients.observed_program import ObservedProgram
-from runtime.gradients.start_of_run import StartedRun
+from runtime.gradients.started_run import StartedRun
 from runtime.gradients.turns import TurnProgram
 
 TAPE_NUMBERS = 500_000  # a run whose tape is shorter is recorded whole; about what a second-level cache holds

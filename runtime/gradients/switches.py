@@ -21,7 +21,7 @@ from runtime.contract.tape import UNUSED, Tape, node_value, read_tape
 from runtime.engine.native import NativeProgram
 from runtime.gradients.course import Course, Stop
 from runtime.gradients.observed_program import ObservedProgram
-from runtime.gradients.start_of_run import StartedRun
+from runtime.gradients.started_run import StartedRun
 from runtime.running.problem import Plan
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.switching.times import has_switching_times

@@ -27,7 +27,7 @@ from runtime.engine.program import Fields, Layout, Program, Sequence, make_stage
 from runtime.gradients.course import EVENT, EventCrossing, Turn
 from runtime.gradients.impacts import sizes, thrown
 from runtime.gradients.observed_program import ObservedProgram
-from runtime.gradients.start_of_run import StartedRun
+from runtime.gradients.started_run import StartedRun
 from runtime.schemes.switching.stop_program import loop_guess, restarted, with_steps
 from runtime.schemes.switching.watched import NEVER, held_kinks, values_at, watched_events
 

@@ -24,11 +24,13 @@ from runtime.contract.errors import ModelError, NoResult
 from runtime.contract.model import EmittedModel, refuse_reactions
 from runtime.contract.orientations import angle_names, angles
 from runtime.contract.signals import SUFFIXES
-from runtime.operating.balance import Balance, Clamped, Found, balanced, clamped_directions, steady_rates, trimmed
+from runtime.operating.balance import Clamped, clamped_directions, steady_rates
 from runtime.operating.functions import PointFunctions, PointValues, has_drives, independent_turns, row_names
 from runtime.operating.given_state import given_position, given_state
 from runtime.operating.linearisation import modal_analysis
 from runtime.operating.mode_solver import State
+from runtime.operating.newton import Balance, Found, balanced
+from runtime.operating.trim import trimmed
 
 STIFFNESS_ROUNDING = 1e-13  # of the largest stiffness
 UNSTEADY = 1e-9  # change of the forces along the motion, relative to what the stiffness makes of it

@@ -13,7 +13,7 @@ from runtime.contract.arguments import BY_NAME, NAMES, NUMBER, Kind, arguments
 from runtime.contract.coordinates import independent, independent_rates, loop_part
 from runtime.contract.errors import ModelError
 from runtime.contract.model import EmittedModel
-from runtime.operating.balance import clamped_directions, force_by_parameters
+from runtime.operating.balance import clamped_directions
 from runtime.operating.equilibrium import (
     Equilibrium,
     equilibrium,
@@ -34,6 +34,7 @@ from runtime.operating.functions import (
 from runtime.operating.given_state import given_state
 from runtime.operating.linearisation import Linearisation
 from runtime.operating.mode_solver import State, parameters_at, state_at
+from runtime.operating.trim import force_by_parameters
 from runtime.results.samples import Samples
 from runtime.schemes.stage_equations import StageEquations, along_rotations, turning
 

@@ -11,8 +11,9 @@ from runtime.contract.coordinates import at_home, dependent_part, rate_parts
 from runtime.contract.errors import ModelError
 from runtime.contract.model import EmittedModel, refuse_reactions
 from runtime.operating.at_stops import MOST_CORRECTIONS, ON_IT, gaps
-from runtime.operating.balance import LARGEST_STEP, MOST_PLACINGS, STEP_HALVINGS, Clamped, Found
+from runtime.operating.balance import MOST_PLACINGS, Clamped
 from runtime.operating.functions import PointValues, independent_turns
+from runtime.operating.newton import LARGEST_STEP, STEP_HALVINGS, Found
 from runtime.schemes.switching.complementarity import balancing, complementary
 from runtime.schemes.switching.settle import elements
 from runtime.schemes.switching.stops import AT_REST

@@ -1,5 +1,4 @@
-"""What a motion has missed: what shapes of flexible bodies leave out of deflections, section forces and stresses,
-angles that are read off near a singular orientation, kinks of loads that no step ended at.
+"""What a motion has missed: what shapes of flexible bodies leave out of deflections, section forces and stresses.
 
 Deflections are asked only of beams whose shapes cannot carry what is attached to them.
 """
@@ -8,12 +7,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from runtime.contract.coordinates import euler_angles, parameter_columns
 from runtime.contract.errors import ModelError
-from runtime.contract.orientations import NEAR_GIMBAL_LOCK, angles, regularity
 from runtime.contract.records import BeamRecord
 from runtime.contract.status import Event
-from runtime.engine.rows import evaluate
 from runtime.results.samples import Samples
 
 MOST_SAMPLES_LOOKED_AT = 100  # samples at most
@@ -185,48 +181,3 @@ def _missing_of_beam(solution: Samples, record: BeamRecord, shares: dict[str, fl
             f"solution.beam_stresses('{record.body}') has it by equilibrium, or give more modes"
         )
         events.append(Event(float(some.t[int(lacking.argmax())]), "stresses_missing", text))
-
-
-# ---- Events of Euler angles that are read off near their singular orientation; the motion knows nothing of it.
-
-
-def singular_angles(solution: Samples) -> list[Event]:
-    """An event for each body that came so near in a saved sample, at the nearest one."""
-    events, columns = [], parameter_columns(solution.model)
-    for body, kind in euler_angles(solution.model).items():
-        theta = angles(kind, solution.q[:, columns[body]])
-        off = regularity(kind, theta)
-        k = int(off.argmin())
-        if off[k] < NEAR_GIMBAL_LOCK:
-            text = (
-                f"the Euler angles {kind} of {body} are near their singular orientation (theta2 = {theta[k, 1]:.4g} "
-                "rad), where theta1, theta3 and the rates are not determined; the motion is not touched: read "
-                f"{body}.e0 ... e3 and {body}.omega_x, _y, _z, or give the body another sequence"
-            )
-            events.append(Event(float(solution.t[k]), "angles_singular", text))
-    return events
-
-
-# ---- Kinks of loads that a run has crossed: where the motion came to a condition of theirs and no step ended.
-
-
-def crossed_kinks(solution: Samples) -> list[Event]:
-    """The first one of each load between two samples, for the inputs at the end."""
-    model = solution.model
-    owners = model.description.kinks
-    first = sum(not event.mode for event in model.description.events)
-    if not owners or len(solution.t) < 2:
-        return []
-    at = {"q": solution.q, "q_dot": solution.q_dot, "t": solution.t[:, None]}
-    values = evaluate(model.kernel("events"), at, model.constants(solution.parameters))["events"][:, first:]
-    passes = (values[:-1] < 0) & (values[1:] >= 0) | (values[:-1] > 0) & (values[1:] <= 0)
-    found: dict[str, float] = {}
-    for owner, column in zip(owners, passes.T, strict=True):
-        if column.any():
-            time = float(solution.t[1 + int(column.argmax())])
-            found[owner] = min(time, found.get(owner, np.inf))
-    text = (
-        "a step crosses a kink of {}, so that errors are those of order 1 or 2; "
-        'take options = {{"kinks": "located"}}, or declare an event there'
-    )
-    return [Event(time, "kink_crossed", text.format(owner), owner) for owner, time in found.items()]

@@ -13,7 +13,8 @@ from runtime.contract.model import DrawnPoint
 from runtime.contract.records import Description
 from runtime.contract.status import Event, Status
 from runtime.results.body_motion import poses_of
-from runtime.results.missing import missing_sections, missing_shapes, missing_stresses, singular_angles
+from runtime.results.missing import missing_sections, missing_shapes, missing_stresses
+from runtime.results.singular_angles import singular_angles
 from runtime.running.monitor import flexible_bodies
 from runtime.solutions.solution import Solution
 

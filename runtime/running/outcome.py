@@ -86,7 +86,7 @@ def _ended(run: Run, error: MotionError | None, missed: Sequence[Event]) -> Solu
         stats["last_step"] = run.plan.last_step
     events = sorted((event for event in happened if event.kind != "kink"), key=lambda event: event.time)
     if run.segment.model.description.kinks and run.segment.plan.scheme.options.kinks == "crossed":
-        from runtime.results.missing import crossed_kinks
+        from runtime.results.crossed_kinks import crossed_kinks
 
         events += crossed_kinks(solution)
     elif len(events) < len(happened):

@@ -19,7 +19,10 @@ import numpy as np
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
 from runtime.contract.coordinates import dependent_part, independent, joined, loop_part, whole
 from runtime.contract.model import EmittedModel
-from runtime.operating.balance import (
+from runtime.operating.equilibrium import NoEquilibrium, equilibrium
+from runtime.operating.functions import PointFunctions
+from runtime.operating.linearise import rigid_rates
+from runtime.operating.newton import (
     LARGEST_STEP,
     LEAST_SCALE,
     NEWTON_TOLERANCE,
@@ -28,9 +31,6 @@ from runtime.operating.balance import (
     Balance,
     balanced,
 )
-from runtime.operating.equilibrium import NoEquilibrium, equilibrium
-from runtime.operating.functions import PointFunctions
-from runtime.operating.linearise import rigid_rates
 from runtime.schemes.scheme import LARGEST_NUMBER
 from runtime.schemes.sparse_lu import Number, factor, solve, solve_symmetric
 from runtime.schemes.stage_equations import StageEquations
@@ -74,7 +74,7 @@ def _built(model: EmittedModel, elastic: list[int]) -> ca.Function:
 #
 # Newton's method on r(q_e) = 0, as long as it stays in one valley of the potential: the symmetric part of -dr/dq_e
 # is positive definite at every step, no step is long, and each takes at most a quarter of the work r^T d of the one
-# before until only rounding is left. There the method of runtime/operating/balance.py makes the same steps, and the
+# before until only rounding is left. There the method of runtime/operating/newton.py makes the same steps, and the
 # equilibrium is one that small vibrations do not leave. Where it does not stay, that method decides.
 
 SETTLING_PASSES = 3  # equilibrium and rates depend on each other weakly

@@ -20,7 +20,8 @@ from matplotlib.figure import Figure
 from runtime.contract.arguments import NAMES, PLACE, Kind, require
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import ArgumentError, ModelError
-from runtime.operating.campbell import Campbell, frequencies_along
+from runtime.operating.campbell import Campbell
+from runtime.operating.frequencies_along import frequencies_along
 from runtime.results.samples import Samples
 from runtime.results.section_forces import Which
 from runtime.results.section_forces import section_forces as forces_along

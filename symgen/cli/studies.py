@@ -308,7 +308,8 @@ def advise(arguments: argparse.Namespace) -> Outcome:
     Every method makes the whole motion with ever more steps until its error meets the tolerance; the one with the
     fewest operations is advised. With --out it leaves a picture of error against operations of every method.
     """
-    from runtime.studies.advice.advise import advice_data, advice_lines, advise
+    from runtime.studies.advice.advice_text import advice_data, advice_lines
+    from runtime.studies.advice.advise import advise
 
     model = opened_model(arguments.scene, arguments.made_with)
     with Progress(f"symgen {model.name}") as progress:
@@ -327,7 +328,7 @@ def report(arguments: argparse.Namespace) -> Outcome:
     Every method makes the motion with ever more steps, each of which is compared with an independent reference and
     timed. With --out it leaves methods.md, methods.csv and error_time.png.
     """
-    from runtime.studies.advice.advise import advice_data, advice_lines
+    from runtime.studies.advice.advice_text import advice_data, advice_lines
     from runtime.studies.advice.report import leave
     from runtime.studies.advice.report import report as made
 

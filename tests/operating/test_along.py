@@ -10,7 +10,7 @@ import pytest
 
 from runtime import ArgumentError, plots, simulate
 from runtime.model import Model
-from runtime.operating.campbell import frequencies_along
+from runtime.operating.frequencies_along import frequencies_along
 
 Load = Callable[[str], Model]
 

@@ -10,11 +10,13 @@ import numpy as np
 import pytest
 
 from runtime import Model, NoEquilibrium, equilibrium, linearise
-from runtime.operating.balance import Balance, Clamped, balanced, trimmed
-from runtime.operating.campbell import ModeState, tracked
+from runtime.operating.balance import Clamped
 from runtime.operating.equilibrium import is_steady
 from runtime.operating.functions import PointFunctions, PointValues
 from runtime.operating.linearisation import modal_analysis
+from runtime.operating.mode_tracking import ModeState, tracked
+from runtime.operating.newton import Balance, balanced
+from runtime.operating.trim import trimmed
 from symgen.scene import Scene, SceneRecord
 
 UNIT = np.eye(2)

@@ -18,10 +18,12 @@ from runtime.running.method_choice import Method, affordable
 from runtime.running.singular.crossing import MOST_CROSSING_EVALUATIONS, BranchLost, TightIntegrator
 from runtime.running.step_refinement import StepRefinement
 from runtime.studies.advice import methods
-from runtime.studies.advice.advise import Advice, NoAdvice, advice_data, advice_lines, advise, advised_command
+from runtime.studies.advice.advice_text import advice_data, advice_lines, advised_command
+from runtime.studies.advice.advise import Advice, NoAdvice, advise
 from runtime.studies.advice.methods import candidates, left_out
-from runtime.studies.advice.reference import NoReference, Reference, independent_reference, seconds_of, trial_of
+from runtime.studies.advice.reference import NoReference, Reference, independent_reference
 from runtime.studies.advice.spectrum import StepRatios
+from runtime.studies.advice.trial import seconds_of, trial_of
 from symgen.generate import model_of as derived
 from symgen.scene import SceneRecord
 
@@ -192,7 +194,7 @@ def test_a_clock_that_misses_most_of_a_call_is_not_believed(
             seen += 1e-6 if asked == 8 else 2e-3
         return seen
 
-    monkeypatch.setattr("runtime.studies.advice.reference.time.process_time", clock)
+    monkeypatch.setattr("runtime.studies.advice.trial.time.process_time", clock)
     assert seconds_of(level) == pytest.approx(2e-3)
     assert asked > 8
 

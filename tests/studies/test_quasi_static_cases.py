@@ -10,7 +10,7 @@ import pytest
 
 from runtime import ensemble, simulate
 from runtime.model import Model
-from runtime.operating.balance import balanced
+from runtime.operating.newton import balanced
 from runtime.start import quasi_static
 from runtime.start.start_state import start_state
 from runtime.studies.ensemble import rows, starts

@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import floor, isfinite, log10
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,13 +21,15 @@ from runtime.contract.model import EmittedModel
 from runtime.running.method_choice import Method, chosen_method
 from runtime.running.problem import AUTO, Problem, tolerance_of
 from runtime.running.step_refinement import RefinementLevel, StepRefinement
-from runtime.studies.advice.methods import always_reported, candidates, checked_grades, left_out, multirate
+from runtime.studies.advice.methods import always_reported, candidates, checked_grades, multirate
 from runtime.studies.advice.spectrum import step_ratios
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from runtime.studies.advice.reference import Reference, Trial
+    from runtime.studies.advice.reference import Reference
+    from runtime.studies.advice.trial import Trial
+
 
 HOPELESS_OPERATIONS = 2.0  # times the operations of the best answer so far: a refinement that needs more is given up
 SHOWN_HOPELESS_OPERATIONS, SHOWN_LEVELS = (
@@ -254,7 +256,7 @@ def _refined(
     curve = np.array([(_operations(level), finer.differs) for level, finer in pairs]).reshape(-1, 2)
     trials: list[Trial] = []
     if reference is not None:
-        from runtime.studies.advice.reference import trial_of
+        from runtime.studies.advice.trial import trial_of
 
         trials = [trial_of(method.label, level, reference) for level in levels]
     whole = next((one for one in reversed(levels) if not one.lost), None)
@@ -268,57 +270,3 @@ def _refined(
 
 def _operations(level: RefinementLevel) -> float:
     return float(level.steps) * level.run.segment.stepper.operations
-
-
-# ---- in words ----------------------------------------------------------------------------------------------------
-
-
-def advice_data(advice: Advice) -> dict[str, Any]:
-    """Plain values, SI units."""
-    method = advice.method
-    return {
-        "model": advice.model.name,
-        "tolerance": advice.tolerance,
-        "graded": advice.graded,
-        "t_end": advice.t_end,
-        "scheme": method.scheme,
-        "m": list(method.m or ()),
-        "options": dict(method.options),
-        "dt": advice.dt,
-        "error": advice.best.error,
-        "operations": advice.best.operations,
-        "gain": advice.gain if isfinite(advice.gain) else None,
-        "reason": advice.reason,
-        "left_out": left_out(advice.model),
-        "automatic": {"scheme": advice.automatic[0], "tolerance": advice.tolerance, "reason": advice.automatic[1]},
-        "candidates": [
-            {"method": one.label, "dt": one.dt, "operations": one.operations, "error": one.error}
-            if one.answer
-            else {"method": one.label, "dt": None, "operations": None, "error": None, "failure": one.failure}
-            for one in advice.candidates
-        ],
-    }
-
-
-def advice_lines(advice: Advice, scene: str = "") -> list[str]:
-    """For a person: candidates, advice, the command; scene: the words that it was given by."""
-    lines = [
-        f"{advice.model.name}: to reach {advice.tolerance:g} in {', '.join(advice.graded)} over {advice.t_end:g} s:"
-    ]
-    for one in advice.candidates:
-        came = f"dt = {one.dt:<8g} s  {one.operations:9.3g} operations  error {one.error:.2g}"
-        lines.append(f"  {one.label:34} {came if one.answer else one.failure}")
-    lines += [one for one in (left_out(advice.model), advice.reason) if one]
-    words = f"symgen simulate {scene or advice.model.name} --scheme auto --tolerance {advice.tolerance:g}"
-    lines += [f"to a tolerance ({advice.automatic[1]}): {words}"]
-    return [*lines, f"run it with: {advised_command(advice, scene)}"]
-
-
-def advised_command(advice: Advice, scene: str = "") -> str:
-    """The words for `symgen simulate`; scene: what it calls the scene (the model's name by default)."""
-    method = advice.method
-    words = ["symgen simulate", scene or advice.model.name, f"--scheme {method.scheme}"]
-    words += [f"--m {','.join(map(str, method.m))}"] if method.m else []
-    for name, value in method.options.items():
-        words.append(f"--option {name}={','.join(map(str, value)) if isinstance(value, tuple) else value}")
-    return " ".join([*words, f"--dt {advice.dt:g}"])

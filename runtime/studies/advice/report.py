@@ -12,8 +12,10 @@ from runtime.contract.arguments import BY_NAME, NAMES, arguments
 from runtime.contract.escapes import markdown
 from runtime.contract.files import write_text
 from runtime.contract.model import EmittedModel
-from runtime.studies.advice.advise import Advice, Note, advice_lines, advise
-from runtime.studies.advice.reference import Trial, independent_reference
+from runtime.studies.advice.advice_text import advice_lines
+from runtime.studies.advice.advise import Advice, Note, advise
+from runtime.studies.advice.reference import independent_reference
+from runtime.studies.advice.trial import Trial
 
 PICTURE, TABLE, PAGE = "error_time.png", "methods.csv", "methods.md"
 
