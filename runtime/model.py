@@ -249,31 +249,151 @@ class Model(EmittedModel):
 
     @arguments()
     def inverse_dynamics(self, q: Any, v: Any, a: Any, motors: Sequence[str] = (), **where: Any) -> np.ndarray:
-        """Generalised forces tau (n_i,) [N, N m] for the motion q, v, a (n_i,); motors: inputs to solve for instead.
+        """Find the generalised forces of a motion, tau = M_hat a - Q_hat.
 
-        where: t [s], parameters, near (a configuration that closes the loops), of this and the next five methods.
+        Parameters
+        ----------
+        q : (n_i,) array
+            Independent coordinates q_i [m, rad].
+        v : (n_i,) array
+            Rates of q_i [m/s, rad/s].
+        a : (n_i,) array
+            Accelerations of q_i [m/s^2, rad/s^2].
+        motors : sequence of str
+            Inputs to solve for instead, of least norm.
+        **where
+            t [s]; parameters by name; near: a configuration that closes the loops.
+
+        Returns
+        -------
+        (n_i,) or (k,) array
+            Forces [N, N m] of the coordinates, or values of the motors.
+
+        Raises
+        ------
+        ModelError, InitialStateError
+            For numbers of another shape, unknown names, a q that does not close the loops, and motors that cannot make
+            the motion.
         """
         return self._dynamics().inverse_dynamics(q, v, a, motors, **where)
 
     def forward_dynamics(self, q: Any, v: Any, tau: Any = None, **where: Any) -> np.ndarray:
-        """Accelerations (n_i,) [m/s^2, rad/s^2] under the loads of the scene and tau (n_i,)."""
+        """Find the accelerations under the loads of the scene, M_hat q_i_ddot = Q_hat + tau (Eq. 38).
+
+        Parameters
+        ----------
+        q : (n_i,) array
+            Independent coordinates q_i [m, rad].
+        v : (n_i,) array
+            Rates of q_i [m/s, rad/s].
+        tau : (n_i,) array, optional
+            Further generalised forces [N, N m].
+        **where
+            t [s]; parameters by name; near: a configuration that closes the loops. As of `inverse_dynamics`.
+
+        Returns
+        -------
+        (n_i,) array
+            Accelerations of q_i [m/s^2, rad/s^2].
+
+        Raises
+        ------
+        ModelError, InitialStateError
+            For numbers of another shape, unknown names, and a q that does not close the loops.
+        """
         return self._dynamics().forward_dynamics(q, v, tau, **where)
 
     def mass_matrix(self, q: Any, **where: Any) -> np.ndarray:
-        """Mass matrix M(q) (n_i, n_i) of the independent coordinates."""
+        """Find the mass matrix M_hat(q) of the independent coordinates (Eq. 38).
+
+        Parameters
+        ----------
+        q : (n_i,) array
+            Independent coordinates q_i [m, rad].
+        **where
+            t [s]; parameters by name; near: a configuration that closes the loops. As of `inverse_dynamics`.
+
+        Returns
+        -------
+        (n_i, n_i) array
+            In kg, kg m and kg m^2.
+
+        Raises
+        ------
+        ModelError, InitialStateError
+            For numbers of another shape, unknown names, and a q that does not close the loops.
+        """
         return self._dynamics().mass_matrix(q, **where)
 
     def gravity(self, q: Any, **where: Any) -> np.ndarray:
-        """Generalised forces (n_i,) that hold the mechanism still at q, springs and other loads included."""
+        """Find the generalised forces that hold the mechanism still at q.
+
+        Parameters
+        ----------
+        q : (n_i,) array
+            Independent coordinates q_i [m, rad].
+        **where
+            t [s]; parameters by name; near: a configuration that closes the loops. As of `inverse_dynamics`.
+
+        Returns
+        -------
+        (n_i,) array
+            Forces [N, N m] against weight, springs and all other loads at rest.
+
+        Raises
+        ------
+        ModelError, InitialStateError
+            For numbers of another shape, unknown names, and a q that does not close the loops.
+        """
         return self._dynamics().gravity(q, **where)
 
     def coriolis(self, q: Any, v: Any, **where: Any) -> np.ndarray:
-        """Generalised forces C(q, v) v (n_i,): centrifugal, gyroscopic and damping."""
+        """Find what the generalised forces have more because of the velocities, C(q, v) v.
+
+        Parameters
+        ----------
+        q : (n_i,) array
+            Independent coordinates q_i [m, rad].
+        v : (n_i,) array
+            Rates of q_i [m/s, rad/s].
+        **where
+            t [s]; parameters by name; near: a configuration that closes the loops. As of `inverse_dynamics`.
+
+        Returns
+        -------
+        (n_i,) array
+            Centrifugal, gyroscopic and damping forces [N, N m].
+
+        Raises
+        ------
+        ModelError, InitialStateError
+            For numbers of another shape, unknown names, and a q that does not close the loops.
+        """
         return self._dynamics().coriolis(q, v, **where)
 
     @arguments()
     def jacobian(self, marker: str, q: Any, **where: Any) -> np.ndarray:
-        """Jacobian (6, n_i), in the plane (3, n_i): velocity and angular velocity of "body.marker" by v."""
+        """Find how a marker moves with the rates of q_i, in axes of the world.
+
+        Parameters
+        ----------
+        marker : str
+            "body.marker".
+        q : (n_i,) array
+            Independent coordinates q_i [m, rad].
+        **where
+            t [s]; parameters by name; near: a configuration that closes the loops. As of `inverse_dynamics`.
+
+        Returns
+        -------
+        (6, n_i) array, in the plane (3, n_i)
+            Its velocity [m/s] and the angular velocity [rad/s] there are J v.
+
+        Raises
+        ------
+        ModelError, InitialStateError
+            For numbers of another shape, unknown names, and a q that does not close the loops.
+        """
         return self._dynamics().jacobian(marker, q, **where)
 
     def _repr_html_(self) -> str:

@@ -87,11 +87,41 @@ def reference_solution(
     initial: Mapping[str, float] | None = None,
     start: str | None = None,
 ) -> Solution:
-    """A tight path to judge schemes by: the condensed equations from 0 to t_end by SciPy, loops closed to rounding.
+    """Integrate the condensed equations tightly by SciPy, to judge schemes by; loops are closed to rounding.
 
-    method: one of EXPLICIT_SCIPY or IMPLICIT_SCIPY (exact Jacobian); times: where to report (the end only by
-    default). Raises ArgumentError for an unknown method, ModelError or InitialStateError for bad arguments,
-    NoResult after MOST_SLOPE_EVALUATIONS.
+    Parameters
+    ----------
+    model : Model
+        The mechanism.
+    method : str
+        DOP853, RK45, RK23, or with the exact Jacobian Radau, BDF or LSODA.
+    t_end : float
+        End of the motion, which begins at 0 [s].
+    times : (N,) array, optional
+        Where to report [s]; the end only by default.
+    rtol, atol : float
+        Tolerances of a step [1; m, rad].
+    parameters, initial, start : optional
+        As of `simulate`.
+
+    Returns
+    -------
+    Solution
+        The motion at these times.
+
+    Raises
+    ------
+    ArgumentError
+        For an unknown method.
+    ModelError, InitialStateError
+        For parameters and a start that cannot be used.
+    NoResult
+        After too many evaluations.
+
+    References
+    ----------
+    E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., Springer, 1993.
+    E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 2nd ed., Springer, 1996.
     """
     if method not in EXPLICIT_SCIPY + IMPLICIT_SCIPY:
         raise ArgumentError(f"method must be one of {', '.join(EXPLICIT_SCIPY + IMPLICIT_SCIPY)}, not {method!r}")

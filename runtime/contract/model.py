@@ -343,9 +343,22 @@ class EmittedModel:
 
     @arguments(values=BY_NAME)
     def with_inputs(self, values: Mapping[str, float | Callable[[Any], Any]]) -> Self:
-        """A copy with inputs by name: constants, or functions of time, which are called with a symbolic t.
+        """Make a copy whose inputs have other values.
 
-        Raises ModelError or ArgumentError for an unknown input or a value that cannot be used.
+        Parameters
+        ----------
+        values : mapping of str to float or callable
+            By name: constants [SI units], or functions of time, which are called with a symbolic t.
+
+        Returns
+        -------
+        Model
+            The copy; this one stays as it is.
+
+        Raises
+        ------
+        ModelError, ArgumentError
+            For an unknown input or a value that cannot be used.
         """
         numbers, functions = checked_inputs(self.name, self.description.inputs, self.signals.parameters, values)
         kept = {name: source for name, source in self.sources.items() if name not in numbers}
@@ -378,7 +391,23 @@ class EmittedModel:
         return {name: self.operations_of(name) for name in self._kernels} | emitted
 
     def operations_of(self, name: str) -> int:
-        """Operations of a function, which is built where the description does not say."""
+        """Count the arithmetic operations of a function, which is built where the description does not say.
+
+        Parameters
+        ----------
+        name : str
+            Name of the function, one of `builders`.
+
+        Returns
+        -------
+        int
+            Operations of an evaluation.
+
+        Raises
+        ------
+        ModelError
+            For a function that the model does not have.
+        """
         if name not in self._operations:
             emitted = (spec.operations for spec in self.description.functions if spec.name == name)
             counted = next(emitted, None)
@@ -386,7 +415,23 @@ class EmittedModel:
         return self._operations[name]
 
     def coordinate(self, name: str) -> Coordinate:
-        """The record of a coordinate. Raises ModelError for an unknown name."""
+        """Look up the record of a coordinate.
+
+        Parameters
+        ----------
+        name : str
+            One of `coordinates`.
+
+        Returns
+        -------
+        Coordinate
+            Kind, unit, owner.
+
+        Raises
+        ------
+        ModelError
+            For an unknown name.
+        """
         if name not in self.coordinates:
             raise ModelError(f"model {self.name} has no coordinate {name!r}; it has {', '.join(self.coordinates)}")
         return self.description.coordinates[self.coordinates.index(name)]
@@ -398,7 +443,23 @@ class EmittedModel:
         )
 
     def kernel(self, name: str) -> ca.Function:
-        """The Function `name` as runs call it, with c as its last argument. Raises ModelError if there is none."""
+        """Build the Function `name` as runs call it, with c as its last argument.
+
+        Parameters
+        ----------
+        name : str
+            Name of the function, one of `builders`.
+
+        Returns
+        -------
+        casadi.Function
+            The same at each call.
+
+        Raises
+        ------
+        ModelError
+            For a function that the model does not have.
+        """
         if name not in self._kernels:
             if name not in self.builders:
                 driven = "Every coordinate is driven: there are no equations of motion"
@@ -411,14 +472,42 @@ class EmittedModel:
         return self._kernels[name]
 
     def derived(self, name: str, build: Callable[[], T]) -> T:
-        """Make something of the emitted functions by `build`, once for a model."""
+        """Make something of the emitted functions by `build`, once for a model.
+
+        Parameters
+        ----------
+        name : str
+            What it is kept by.
+        build : callable
+            Without arguments.
+
+        Returns
+        -------
+        object
+            What `build` gave.
+        """
         if name not in self._derived:
             self._derived[name] = build()
         found: T = self._derived[name]
         return found
 
     def of_numbers(self, name: str, numbers: tuple[Any, ...], build: Callable[[], T]) -> T:
-        """Make something of numbers (parameters, a state) by `build`; kept, and not to be changed, for the latest."""
+        """Make something of numbers (parameters, a state) by `build`; kept, and not to be changed, for the latest.
+
+        Parameters
+        ----------
+        name : str
+            What it is kept by.
+        numbers : tuple
+            What it depends on.
+        build : callable
+            Without arguments.
+
+        Returns
+        -------
+        object
+            What `build` gave.
+        """
         known: dict[tuple[Any, ...], T] = self.derived(f"of numbers: {name}", dict)
         if numbers not in known:
             found = build()
@@ -430,14 +519,38 @@ class EmittedModel:
         return known[numbers]
 
     def has(self, name: str) -> bool:
-        """Was the function generated? (A tree has no closure iterations, a scene without measures no measures.)"""
+        """Say whether a function was generated.
+
+        Parameters
+        ----------
+        name : str
+            Its name.
+
+        Returns
+        -------
+        bool
+            A tree has no closure iterations, a scene without measures no measures.
+        """
         return name in self.builders
 
     def function(self, name: str) -> ca.Function:
-        """The Function `name` of the parameters p, for other CasADi expressions and derivatives.
+        """Build the Function `name` of the parameters p, for other CasADi expressions and derivatives.
 
-        p (n_p,): `description.parameters`. Where there are inputs that it uses, u comes before p, in the order of
-        `input_entries`. Raises ModelError for a function that the model does not have.
+        Parameters
+        ----------
+        name : str
+            Name of the function, one of `builders`.
+
+        Returns
+        -------
+        casadi.Function
+            Its last argument is p (n_p,), as of `description.parameters`; before it comes u, in the order of
+            `input_entries`, where there are inputs that it uses.
+
+        Raises
+        ------
+        ModelError
+            For a function that the model does not have.
         """
         self.kernel(name)  # refuses a function that was not generated
         counts, size = (len(self.description.held), len(self.description.orientations)), self.emitted_c_size
@@ -445,10 +558,24 @@ class EmittedModel:
         return of_parameters(own, constants)
 
     def evaluate(self, name: str, **values: Any) -> dict[str, Any]:
-        """Evaluate the Function `name` at numbers or CasADi expressions; its outputs by name.
+        """Evaluate the Function `name` at numbers or CasADi expressions.
 
-        values: arguments by name, `c` among them; those that it does not take are ignored. Raises ModelError for a
-        function that the model does not have and for an argument that is missing.
+        Parameters
+        ----------
+        name : str
+            Name of the function, one of `builders`.
+        **values
+            Arguments by name, `c` among them; those that it does not take are ignored.
+
+        Returns
+        -------
+        dict
+            Its outputs by name.
+
+        Raises
+        ------
+        ModelError
+            For a function that the model does not have, and for an argument that is missing.
         """
         kernel = self.kernel(name)
         missing = [argument for argument in kernel.name_in() if argument not in values]
@@ -463,7 +590,25 @@ class EmittedModel:
         return all(self.has(function) and self.structurally_zero(function, output) for function, output in outputs)
 
     def structurally_zero(self, name: str, output: str) -> bool:
-        """Is an output of a kernel zero whatever its arguments are?"""
+        """Say whether an output of a kernel is zero whatever its arguments are.
+
+        Parameters
+        ----------
+        name : str
+            Name of the function, one of `builders`.
+        output : str
+            Name of the output.
+
+        Returns
+        -------
+        bool
+            By its sparsity.
+
+        Raises
+        ------
+        ModelError
+            For a function that the model does not have.
+        """
         if name not in self._zero_outputs:
             kernel = self.kernel(name)
             values = kernel.call([ca.SX.sym(argument, *kernel.size_in(argument)) for argument in kernel.name_in()])
@@ -509,21 +654,64 @@ class EmittedModel:
 
     @arguments()
     def parameter_vector(self, changes: Mapping[str, float] | None = None) -> np.ndarray:
-        """p (n_p,) with some entries changed by name. Raises ModelError for a name the model does not have."""
+        """Write the parameters as a vector, with some of them changed.
+
+        Parameters
+        ----------
+        changes : mapping of str to float, optional
+            New values by name [SI units].
+
+        Returns
+        -------
+        (n_p,) array
+            In the order of `parameters`.
+
+        Raises
+        ------
+        ModelError
+            For an unknown name, and a value out of its bounds.
+        """
         p = changed_vector(self.name, self.parameters, {**self.input_values, **(changes or {})})
         if changes and self.description.bounded:
             require_bounds(self.description.bounded, np.asarray(self.kernel("bounded")(p)).ravel())
         return p
 
     def constants(self, p: np.ndarray) -> np.ndarray:
-        """c (c_size,) for a parameter vector p (n_p,). Raises ModelError if one of them is infinite or NaN."""
+        """Compute what depends on the parameters alone.
+
+        Parameters
+        ----------
+        p : (n_p,) array
+            Parameters, as `parameter_vector` gives them.
+
+        Returns
+        -------
+        (c_size,) array
+            The argument c of kernels.
+
+        Raises
+        ------
+        ModelError
+            If one of them is infinite or NaN.
+        """
         c = self.of_numbers("constants", (p.tobytes(),), lambda: np.asarray(self.kernel("constants")(p)).ravel())
         if not np.all(np.isfinite(c)):
             raise ModelError(f"model {self.name}: a parameter makes the constants infinite (division by zero?)")
         return c.copy()
 
     def geometry(self, p: np.ndarray) -> dict[str, np.ndarray]:
-        """Places and shapes of the drawn points in their bodies by name, for a parameter vector p (n_p,)."""
+        """Find the places and shapes of the drawn points in their bodies.
+
+        Parameters
+        ----------
+        p : (n_p,) array
+            Parameters, as `parameter_vector` gives them.
+
+        Returns
+        -------
+        dict of str to array
+            positions (3, N) [m], shapes and turns (3, modes of all points), in the axes of the body.
+        """
         return self.of_numbers(
             "geometry",
             (p.tobytes(),),
@@ -531,7 +719,18 @@ class EmittedModel:
         )
 
     def drawn_points(self, p: np.ndarray) -> list[DrawnPoint]:
-        """Of `geometry`, in the order of the drawing."""
+        """List the drawn points with their places and shapes, in the order of the drawing.
+
+        Parameters
+        ----------
+        p : (n_p,) array
+            Parameters, as `parameter_vector` gives them.
+
+        Returns
+        -------
+        list of DrawnPoint
+            See there.
+        """
         values, points = self.geometry(p), self.description.drawing.points
         ends = np.cumsum([point.modes for point in points])
         own = [slice(end - point.modes, end) for end, point in zip(ends, points, strict=True)]
@@ -541,7 +740,18 @@ class EmittedModel:
         ]
 
     def columns_of(self, body: str) -> tuple[list[int], list[int]]:
-        """(columns in q of a body's frame, those of its modal coordinates)."""
+        """Find where the coordinates of a body stand in q.
+
+        Parameters
+        ----------
+        body : str
+            Its name.
+
+        Returns
+        -------
+        tuple of list of int
+            Columns of its frame, and of its modal coordinates.
+        """
         own = [(k, one.elastic) for k, one in enumerate(self.description.coordinates) if one.owner == body]
         return [k for k, bent in own if not bent], [k for k, bent in own if bent]
 

@@ -309,7 +309,15 @@ class BoundedQuantity:
 
 @dataclass(frozen=True)
 class Group:
-    """A group of the partition (Eqs. 39, 72): its name and positions in q_i. Groups run from slow to fast."""
+    """A group of the partition (Eqs. 39, 72); groups run from slow to fast.
+
+    Attributes
+    ----------
+    name : str
+        Its name.
+    positions : list of int
+        Positions of its coordinates in q_i.
+    """
 
     name: str
     positions: list[int]

@@ -80,7 +80,19 @@ class Event:
 
 @dataclass(frozen=True)
 class Status:
-    """name; time of the last good state [s]; coordinate that failed (if any); cause and advice in plain words."""
+    """How a run ended.
+
+    Attributes
+    ----------
+    name : str
+        Such as completed, event, diverged; `ok` says whether it is a good one.
+    time : float
+        Time of the last good state [s].
+    coordinate : str, optional
+        The coordinate that failed, if one did.
+    cause, advice : str
+        Why, and what to do, in plain words.
+    """
 
     name: StatusName
     time: float

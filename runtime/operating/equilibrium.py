@@ -48,14 +48,35 @@ class NoEquilibrium(NoResult):
 class Equilibrium:
     """A state at which nothing but the coordinates with given rates moves.
 
-    t [s]; q, q_dot (n,) in the order of model.coordinates; parameters: the vector p; state: t, q_i, q_i_dot and loop
-    unknowns; held: coordinates that are clamped; turning: those with a given rate; holding: the generalised force
-    [N, N m] that each of them needs to stay so; trimmed: inputs that were solved for; eigenvalues [1/s] and stable: of
-    small motions with the held coordinates clamped; steady: do the forces stay the same as the motion goes on? (If
-    not, this is an instant of a motion that is not steady.) drives: are prescribed motions `held` where they are at t,
-    or `moving` with the rates and accelerations that they have then; "" without any. friction: force [N, N m] of each
-    joint that friction or a rigid stop holds at rest, by `joint.friction`, `joint.limits.lower`, ...; they stay locked
-    in `eigenvalues`; locked (k, n_i): the directions of q_i in which they do.
+    Attributes
+    ----------
+    model : Model
+        The mechanism.
+    q, q_dot : (n,) array
+        All coordinates [m, rad] and rates, in the order of `model.coordinates`.
+    parameters : (n_p,) array
+        The vector p.
+    state : State
+        t [s], q_i, q_i_dot and loop unknowns.
+    held, turning : tuple of str
+        Coordinates that are clamped; those with a given rate.
+    holding : dict of str to float
+        The generalised force [N, N m] that each of them needs to stay so.
+    trimmed : dict of str to float
+        Inputs that were solved for.
+    eigenvalues : array
+        Of small motions with the held coordinates clamped [1/s]; `stable` tells by them.
+    steady : bool
+        Whether the forces stay the same as the motion goes on; if not, this is an instant of a motion that is not
+        steady.
+    drives : str
+        Whether prescribed motions are `held` where they are at t, or `moving` with the rates and accelerations that
+        they have then; "" without any.
+    friction : dict of str to float
+        Force [N, N m] of each joint that friction or a rigid stop holds at rest, by `joint.friction`,
+        `joint.limits.lower`, ...; they stay locked in `eigenvalues`.
+    locked : (k, n_i) array
+        The directions of q_i in which they do.
     """
 
     model: EmittedModel

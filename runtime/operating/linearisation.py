@@ -24,13 +24,28 @@ POOR_BASIS = 0.01  # change of a frequency without one assumed mode from which t
 
 @dataclass(frozen=True, repr=False)
 class Linearisation:
-    """M x'' + D x' + K x = B u and y = C (x, x') + D_state u, about a state of a model; all SI.
+    """The equations of a model about a state: M x'' + D x' + K x = B u and y = C (x, x') + D_state u; all SI.
 
-    x (n): deviations of the coordinates `names` [m, rad]; u (n_u): deviations of the inputs; y (n_y) of the outputs.
-    M (n, n), D (n, n) with gyroscopic terms, K (n, n) with geometric and follower terms; B (n, n_u); C (n_y, 2 n);
-    names, input_names, output_names and their units; S (n_q, n): motion of all coordinates with x; state: where it
-    is; residual (n,): M x'' that the state itself has, zero at an equilibrium; eigenvalues and shapes: see `Modal`;
-    controllers: the last so many of x are integrals of controller states, which are left out of the first-order form.
+    Attributes
+    ----------
+    names, input_names, output_names : list of str
+        Of the deviations x (n) of coordinates [m, rad], u (n_u) of inputs and y (n_y) of outputs; `units` has theirs.
+    M, D, K : (n, n) array
+        Mass; damping with gyroscopic terms; stiffness with geometric and follower terms.
+    B, C, D_state : (n, n_u), (n_y, 2 n), (n_y, n_u) array
+        Inputs and outputs.
+    S : (n_q, n) array
+        Motion of all coordinates with x.
+    state : State
+        Where it is; q, q_dot (n_q,) and parameters (n_p,) belong to it.
+    residual : (n,) array
+        M x'' that the state itself has, zero at an equilibrium.
+    controllers : int
+        The last so many of x are integrals of controller states, which are left out of the first-order form.
+
+    Notes
+    -----
+    Eigenvalues and shapes: see `Modal`.
     """
 
     model: EmittedModel

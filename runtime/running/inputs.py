@@ -21,12 +21,20 @@ SAMPLE_AT_STEP = 1e-6  # of a step: a sample that far from the end of a step is 
 
 @dataclass(frozen=True)
 class Sampled:
-    """A controller: function(t, values) decides an input every so many seconds; it is held in between.
+    """A controller that decides an input every so many seconds, held in between (zero-order hold).
 
-    A zero-order hold. values (k,): coordinates, rates and measures named in `reads`, as they are at t. memory: numbers
-    that the function remembers, as each run begins with them; it is called as function(t, values, memory) and changes
-    that array (k,) in place. Checkpoints keep it. () says that it remembers nothing; None that it may remember what
-    cannot be kept, and such a run has no checkpoints.
+    Parameters
+    ----------
+    function : callable
+        Called as function(t, values) with the time [s] and the values (k,) named in `reads`; it gives the input.
+    every : float
+        Time between its calls [s].
+    reads : sequence of str
+        Coordinates, rates and measures that it sees, as they are at t.
+    memory : sequence of float, optional
+        Numbers that it remembers, as each run begins with them: it is called as function(t, values, memory) and
+        changes that array in place; checkpoints keep it. () says that it remembers nothing; None that it may remember
+        what cannot be kept, and such a run has no checkpoints.
     """
 
     function: Callable[..., float]

@@ -16,11 +16,35 @@ SHOWN_AMPLITUDES, MOVED = 0.2, 0.1  # largest amplitudes shown: rad, and parts o
 
 
 def mode_motion(system: Linearisation, mode: int, frames: int = 24, amplitude: float | None = None) -> Solution:
-    """One period of a mode about its state: q(t) = q_0 + amplitude Re(shape exp(i w t)), w = |Im lambda|.
+    """Show one period of a mode about its state: q(t) = q_0 + amplitude Re(shape exp(i w t)), w = |Im lambda|.
 
-    mode: counted from 0; a mode that does not vibrate is shown over 1 s; amplitude: of the shape with modal mass 1; by
-    default angles swing by at most 0.2 rad and points by about a tenth of the mechanism's length. To first order: loops
-    are not closed anew. Raises ModelError for a mode that is not there and ArgumentError for no frames.
+    Parameters
+    ----------
+    system : Linearisation
+        The equations about the state.
+    mode : int
+        Counted from 0.
+    frames : int
+        Samples of the period besides the first.
+    amplitude : float, optional
+        Of the shape with modal mass 1; by default angles swing by at most 0.2 rad and points by about a tenth of the
+        mechanism's length.
+
+    Returns
+    -------
+    Solution
+        The period, or 1 s of a mode that does not vibrate.
+
+    Raises
+    ------
+    ModelError
+        For a mode that is not there.
+    ArgumentError
+        For no frames.
+
+    Notes
+    -----
+    To first order: loops are not closed anew.
     """
     if not 0 <= mode < len(system.names):
         raise ModelError(f"model {system.model.name} has {len(system.names)} modes here; there is no mode {mode + 1}")

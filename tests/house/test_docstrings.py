@@ -55,7 +55,7 @@ def assert_documented(function: Callable[..., Any]) -> None:
     assert re.match(r"(?!The |A |An |All |What |Of |At )[A-Z][a-z]+ ", text)
 
 
-DOCUMENTED: list[type] = [Scene, Solution, ModelStepper, DifferentiableRun]
+DOCUMENTED: list[type] = [Model, Scene, Solution, ModelStepper, DifferentiableRun]
 PUBLIC = [(cls, name) for cls in DOCUMENTED for name in public_methods(cls)]
 
 
