@@ -24,7 +24,7 @@ from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.impulse import Impulse, impulse_text, moves_in_time
 from runtime.schemes.switching.native_events import EventRecord as NativeRecord
-from runtime.schemes.switching.native_events import KinkMemory
+from runtime.schemes.switching.native_events import KinkMemory, native_events
 from runtime.schemes.switching.settle import losses, losses_text
 from runtime.schemes.switching.steps_with_stops import Passage
 from runtime.schemes.switching.stops import Impact
@@ -150,6 +150,10 @@ class EventHandler:
         if not self.own.model.element_modes.size:
             return None
         found, scheme = z.copy(), self._scheme
+        if self.native:
+            known = self._settled_natively(z)
+            if known is not None:
+                return known if len(known) else None
         observed = _ObservedState(z, scheme.constants(self.own.c), np.zeros(len(self._events)))
         push = self._push(self._settle(found, float(z[0] + z[1] * self.own.plan.grid.dt_L), [], observed))
         w = found[self._inputs]
@@ -158,6 +162,24 @@ class EventHandler:
             self.own.restart(z, w, push)
             self.own.look_anew(z)
         return w if changed else None
+
+    def _settled_natively(self, z: np.ndarray) -> np.ndarray | None:
+        """`settle` by native code; without entries where the inputs stay. None: rates change, or nothing is
+        consistent.
+        """
+        own, w, modes = self.own, z[self._inputs].copy(), self.own.model.element_modes
+        code = native_events(own.stepper)
+        assert code is not None
+        found = code.decided(z, self._scheme.constants(own.c), own.c, w)
+        if found is None or not found[1]:
+            return None
+        new = found[0]
+        if np.array_equal(new, w):
+            return w[:0]
+        self._tell_modes(float(z[0] + z[1] * own.plan.grid.dt_L), w[modes], new[modes])
+        own.restart(z, new, np.zeros(len(own.model.q_i)))
+        own.look_anew(z)
+        return new
 
     def happen(self, z: np.ndarray, happened: list[int]) -> np.ndarray | None:
         """These events at the end of the last step of z, in place; (n_w,) the inputs if they changed.

@@ -14,7 +14,7 @@ from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import EmittedModel
 from runtime.contract.signals import SINCE, SUFFIXES, Signals
 from runtime.contract.status import Status
-from runtime.schemes.scheme import Scheme
+from runtime.schemes.scheme import Scheme, direct
 
 SAMPLE_AT_STEP = 1e-6  # of a step: a sample that far from the end of a step is at it
 
@@ -189,8 +189,8 @@ class Controller:
     def read_from(self, scheme: Scheme, c: np.ndarray) -> None:
         """Let it read the states of a run with the model's constants c (c_size,). Raises ModelError."""
         constants: Any = scheme.constants(c)
-        function: Any = reading(scheme, scheme.layout.size, self.reads)
-        self._read = lambda z: np.asarray(function(z, constants)).ravel()
+        function = direct(scheme, f"read {self.reads}", lambda: reading(scheme, scheme.layout.size, self.reads))
+        self._read = lambda z: function(z, constants)
 
     def decides(self, t: float, z: np.ndarray) -> float:
         """The input from t [s] on; z: the scheme's part of the state. Raises ArgumentError and EndlessInput."""

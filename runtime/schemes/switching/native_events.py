@@ -130,6 +130,12 @@ class NativeEvents:
         self._text = load(TEXT, QUICK)
         call: Callable[..., int] = ctypes.CFUNCTYPE(_INT, *kinds)(self._text.get_function_address("run_rows"))
         self._run_rows = call
+        settle: Callable[..., int] = ctypes.CFUNCTYPE(ctypes.c_int, *[_AT] * 6)(
+            self._text.get_function_address("settle_at")
+        )
+        self._settle_at = settle
+        seen: Callable[..., None] = ctypes.CFUNCTYPE(None, *[_AT] * 4)(self._codes[1].addresses["seen"])
+        self._seen = seen
         n = self.sizes
         told = [5 * n["NM"], n["NV"], 2 * n["NAT"]] if n["NM"] else []
         self.record = 3 + 2 * n["NE"] + n["NOWN"] + n["NU"] + n["NI"] + sum(told)
@@ -181,6 +187,19 @@ class NativeEvents:
 
         self._engine.tiers.use(call)
         return reached
+
+    def decided(self, z: np.ndarray, shown: np.ndarray, c: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, bool] | None:
+        """What sticks or holds at a state z (n_z,) that constants `shown` show: the inputs (n_w,) with other modes than
+        u, and do rates stay as they are? None: no modes are consistent. c (c_size,): the model's constants.
+        """
+        n, w = self.sizes, np.zeros(self.work())
+        at, found = np.zeros(n["NAT"]), u.copy()
+        self._seen(at.ctypes.data, z.ctypes.data, shown.ctypes.data, w.ctypes.data)
+        rates, none = at.copy(), np.zeros(n["NM"] + 1, dtype=np.intc)
+        own = [one.ctypes.data for one in (at, found, c, none, w)]
+        if not self._settle_at(ctypes.addressof(self._model), *own):
+            return None
+        return found, bool((at == rates).all())
 
     def records(self, numbers: np.ndarray) -> list[EventRecord]:
         """Of numbers (N, record)."""
@@ -237,9 +256,9 @@ class EventLog:
         self._numbers, self.opened = np.empty((RECORDS, code.record)), np.zeros(code.opened)
         self.structure = _Log(self._numbers.ctypes.data, 0, RECORDS, 0, 0.0, self.opened.ctypes.data)
 
-    def take(self) -> list[EventRecord]:
-        """What has happened since the last look, which makes room again."""
-        found = self._code.records(self._numbers[: self.structure.n].copy())
+    def take(self, told: bool = True) -> list[EventRecord]:
+        """What has happened since the last look, which makes room again; not told: none of it."""
+        found = self._code.records(self._numbers[: self.structure.n].copy()) if told else []
         self.structure.n, self.structure.room = 0, RECORDS
         return found
 

@@ -222,10 +222,16 @@ class StepsWithStops:
     # ---- steps with events ----------------------------------------------------------------------------------
 
     def through_events(
-        self, z: np.ndarray, ready: np.ndarray, c: np.ndarray, ends: np.ndarray, kinks: list[KinkMemory]
+        self,
+        z: np.ndarray,
+        ready: np.ndarray,
+        c: np.ndarray,
+        ends: np.ndarray,
+        kinks: list[KinkMemory],
+        told: bool = True,
     ) -> Passage | None:
-        """From z (whole, flat) to these steps (N,), rising, in native code. None where one of them ends the motion, or
-        the plain reading is to decide; `accept` makes what was found true.
+        """From z (whole, flat) to these steps (N,), rising, in native code; told: with records of what happens. None
+        where one of them ends the motion; `accept` makes what was found true.
         """
         code = native_events(self.stepper)
         assert self.native and code is not None
@@ -239,8 +245,9 @@ class StepsWithStops:
             more = code.run(
                 whole, ready, constants, ends[reached:], rows[reached:], self._table.structure, log.structure
             )
-            new = log.take()
-            if whole[n + 1] != 0 or log.structure.lost or not (more or new):
+            happened = log.structure.n
+            new = log.take(told)
+            if whole[n + 1] != 0 or log.structure.lost or not (more or happened):
                 return None
             reached, records = reached + more, records + new
         kinds = np.flatnonzero(log.opened[1 : 1 + code.sizes["NE"]]).tolist()

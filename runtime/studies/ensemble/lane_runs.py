@@ -24,6 +24,8 @@ from runtime.schemes.switching.times import Breaks, switching_times
 from runtime.studies.ensemble.account import ALONE, FOUND, NAME, cause_of, judged
 from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.lane_programs import LanePrograms, programs_of
+from runtime.studies.ensemble.native_cases import NativeCases
+from runtime.studies.ensemble.reductions import finished
 from runtime.studies.ensemble.starts import Starts
 
 LEAST_LANE_JOB = 256  # cases that a thread runs at a time, at least
@@ -85,6 +87,7 @@ class LaneRuns:
     def __init__(self, spec: EnsembleSpec, width: int | None = None) -> None:
         self.spec, self.steps = spec, spec.plan.steps
         self.programs = programs_of(spec) if width is None else LanePrograms(spec, width)
+        self._native = NativeCases(self)
         self._z, self._c = self.programs.rows_of("lane").start, self.programs.rows_of("ready").start
 
     def job(self, cases: int, workers: int) -> int:
@@ -106,6 +109,7 @@ class LaneRuns:
         if "settled" in self.programs.row.sizes:
             alone |= starts.settle & ~(self.values(blocks, cases, "settled")[:, 0] > 0)
         alone |= stops.alone | self._decided(blocks, cases)
+        begun = self._native.states(blocks, cases) if self._native.possible else None
         monitor = _LaneMonitor(self._looked(blocks, cases))
         samples, done = self._first_samples(blocks, cases), 0
         for step, looking, sampled in self._stations():
@@ -122,10 +126,20 @@ class LaneRuns:
                 samples[:, :, sampled] = self._observed(blocks, cases)
             if looking:
                 monitor.look(self._looked(blocks, cases), step)
-        return self._found(blocks, samples, monitor, alone, starts.impossible)
+        found = self._found(blocks, samples, monitor, alone, starts.impossible)
+        if begun is None:
+            return found
+        for case in np.flatnonzero(found.alone & ~alone).tolist():
+            if stopped():
+                return None
+            values = self._native.values(begun, case)
+            if values is not None:
+                found.values[case], found.status[case], found.alone[case] = values, "completed", False
+                found.time[case] = self.spec.plan.times(np.array([self.steps]))[0]
+        return found
 
-    def _put(self, blocks: np.ndarray, name: str, values: np.ndarray, first: int = 0) -> None:
-        """Values (cases, ...) into a field; lanes left over repeat the last case."""
+    def put(self, blocks: np.ndarray, name: str, values: np.ndarray, first: int = 0) -> None:
+        """Values (cases, ...) into a field; lanes left over repeat the last case, and a single one is that of all."""
         width = self.programs.width
         place, rows = self.programs.rows_of(name).start + first, np.arange(len(blocks) * width)
         table = values[np.minimum(rows, len(values) - 1)].reshape(len(blocks), width, -1)
@@ -135,8 +149,8 @@ class LaneRuns:
         """The next parts that each lane knows; the step until which they suffice."""
         parts, counts, until = stops.ahead(step)
         for k, name in enumerate(stops.part):
-            self._put(blocks, f"stop_{name}", parts[:, k])
-        self._put(blocks, "stop_waiting", counts.astype(float))
+            self.put(blocks, f"stop_{name}", parts[:, k])
+        self.put(blocks, "stop_waiting", counts.astype(float))
         return until
 
     def started(self, starts: Starts, clocks: np.ndarray | None = None) -> np.ndarray:
@@ -148,12 +162,12 @@ class LaneRuns:
         blocks[:, programs.row.slice("t"), :] = self.spec.plan.t0
         blocks[:, programs.row.slice("h"), :] = np.array(self.spec.plan.grid.h)[:, None]
         for position, values in starts.varied.items():
-            self._put(blocks, "p", values, position)
-        self._put(blocks, "clock", np.full(cases, self.spec.plan.t0) if clocks is None else clocks)
+            self.put(blocks, "p", values, position)
+        self.put(blocks, "clock", np.full(cases, self.spec.plan.t0) if clocks is None else clocks)
         given = {name: getattr(starts, name) for name in ("q_i", "q_i_dot", "q_d", "close", "settle", "q", "q_dot")}
         for name, table in {**given, "asked": starts.close}.items():
             if name in programs.row.sizes:
-                self._put(blocks, name, table)
+                self.put(blocks, name, table)
         programs.begin.run(blocks, 0, 0, 1)
         return blocks
 
@@ -168,7 +182,13 @@ class LaneRuns:
         states, constants = self.values(blocks, cases, "scheme"), self.values(blocks, cases, "c")
         first = len(model.parameters) - model.signals.size
         decided = self.values(blocks, cases, "p")[:, first + modes]
+        native = self._native.code
         for k, (z, c) in enumerate(zip(states, constants, strict=True)):
+            if native is not None:
+                known = native.decided(z, scheme.constants(c), c, c[len(c) - model.signals.size :])
+                if known is not None and known[1] and not (scheme.multistep and (known[0][modes] != decided[k]).any()):
+                    decided[k] = known[0][modes]
+                    continue
             found = settled(model, state_of(scheme, z, scheme.constants(c)), c, none, none)
             if (
                 isinstance(found, NoMode)
@@ -179,7 +199,7 @@ class LaneRuns:
             else:
                 decided[k] = found.modes
         for position, values in zip(modes, decided.T, strict=True):
-            self._put(blocks, "p", values[:, None], first + int(position))
+            self.put(blocks, "p", values[:, None], first + int(position))
         self.programs.begin.run(blocks, 0, 0, 1)
         return alone
 
@@ -265,12 +285,6 @@ class _LaneMonitor:
         """Values of FIELDS (4, n) after so many steps."""
         self.wrong = np.where(self.wrong < 0, judged(now), self.wrong)
         self.good[self.wrong < 0] = step
-
-
-def finished(reduction: str, kept: np.ndarray, samples: int) -> np.ndarray:
-    """A sum over samples as a mean or root of the mean square."""
-    mean = kept / samples
-    return np.sqrt(mean) if reduction == "rms" else mean
 
 
 # Cases in which a load or a prescribed motion jumps in time: stops are data of their lanes, each at its own times.

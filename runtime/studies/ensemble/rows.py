@@ -14,7 +14,8 @@ from runtime.contract.errors import ModelError
 from runtime.running.simulate import simulate
 from runtime.solutions.solution import Solution
 from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
-from runtime.studies.ensemble.lane_runs import LaneResults, LaneRuns, finished
+from runtime.studies.ensemble.lane_runs import LaneResults, LaneRuns
+from runtime.studies.ensemble.reductions import reduced
 from runtime.studies.ensemble.starts import CaseStarts
 
 WAITING_JOBS = 3  # jobs a thread that wait, so that none is idle
@@ -89,11 +90,12 @@ def run_alone(spec: EnsembleSpec, sample: np.ndarray) -> tuple[np.ndarray, str, 
             outputs=spec.outputs,
             seen_every=0.0 if spec.reduced or spec.refinement else plan.seen_steps * plan.grid.dt_L,
             force=True,
+            error="off",  # lanes estimate none
             **given,
         )
     except (InitialStateError, ModelError):
         return np.full(spec.width, np.nan), "not_assembled", plan.t0
-    # lanes estimate no errors: a case has one status, however it was run
+    # a case has one status, however it was run
     name = "completed" if solution.status.whole and not solution.status.ok else solution.status.name
     # what acts within a step at every level errs alike at all of them, so that no other level shows it
     if spec.refinement is not None and float(solution.stats.get("unresolved_loads", 0.0)) > spec.refinement.tolerance:
@@ -127,16 +129,4 @@ def _sampled(spec: EnsembleSpec, solution: Solution) -> np.ndarray:
 def _whole(spec: EnsembleSpec, solution: Solution) -> np.ndarray:
     if not solution.status.whole:
         return np.full(len(spec.reduced), np.nan)
-    return np.array([_reduced(solution.outputs[name], how) for name, how in spec.reduced])
-
-
-def _reduced(y: np.ndarray, reduction: str) -> float:
-    """As lanes do it: sums in the order of time."""
-    if reduction in ("mean", "rms"):
-        total = np.cumsum(y if reduction == "mean" else y * y)[-1:]
-        return float(finished(reduction, total, len(y))[0])
-    if reduction == "end":
-        return float(y[-1])
-    if reduction == "min":
-        return float(y.min())
-    return float((np.abs(y) if reduction == "peak" else y).max())
+    return np.array([reduced(solution.outputs[name], how) for name, how in spec.reduced])
