@@ -17,6 +17,7 @@ from runtime.studies.ensemble import rows
 from runtime.studies.ensemble.ensemble_spec import EnsembleSpec
 from runtime.studies.ensemble.lane_programs import LanePrograms, programs_of
 from runtime.studies.ensemble.lane_runs import LaneRuns
+from runtime.studies.ensemble.native_cases import NativeCases
 from runtime.studies.ensemble.rows import run_alone
 from runtime.studies.ensemble.starts import CaseStarts, table_of
 from symgen.generate import generate
@@ -193,22 +194,36 @@ def test_a_singular_position_is_passed_as_a_run_passes_it(built_in: Load) -> Non
     assert (found["status"] == "completed").all()
 
 
+def leaving(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """The cases that come to an event and go on by native code."""
+    left, values = list[int](), NativeCases.values
+
+    def noted(self: NativeCases, starts: Any, case: int) -> np.ndarray | None:
+        found = values(self, starts, case)
+        if found is not None:
+            left.append(case)
+        return found
+
+    monkeypatch.setattr(NativeCases, "values", noted)
+    return left
+
+
 @pytest.mark.every_push("0")
 @pytest.mark.parametrize("torque", ["0", "where(t < 0.1234, 1, 0)"])
 def test_cases_without_an_event_stay_in_their_lanes(model_of: Build, monkeypatch, torque: str) -> None:
-    """A pendulum that a brake catches at an angle: only the cases that come there are run by themselves; same bits."""
+    """A pendulum that a brake catches at an angle: only the cases that come there leave, and need no run; same bits."""
     scene = Scene("caught").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0.0))
     scene.revolute("pin", "ground.origin", "rod.origin").initial({"rod.theta": -1.5})
     scene.input("brake", 0.0).measure("angle", "coordinate", "rod.theta")
     scene.torque("drive", "rod.origin", torque).torque("braking", "rod.origin", "-brake * angle_dot")
     scene.event("caught", "angle", direction="rising", action={"brake": "5"})
     model = model_of(scene.simulation(t_end=1.0, dt=1e-3, scheme="rk4").build())
-    speeds, alone = [1.0, 6.0, 2.0, 7.0, 1.5], []
-    monkeypatch.setattr(rows, "run_alone", lambda *given: alone.append(given[1].tolist()) or run_alone(*given))
+    speeds, left = [1.0, 6.0, 2.0, 7.0, 1.5], leaving(monkeypatch)
+    monkeypatch.setattr(rows, "run_alone", None)
     found = ensemble(model, initial={"rod.theta_dot": speeds}, outputs=["rod.theta"], seen_every=0.1)
     runs = [simulate(model, initial={"rod.theta_dot": speed}, seen_every=0.1) for speed in speeds]
     caught = [speed for speed, run in zip(speeds, runs, strict=True) if any(one.kind == "event" for one in run.events)]
-    assert caught == [6.0, 7.0] and alone == [[speed] for speed in caught]
+    assert caught == [6.0, 7.0] and [speeds[case] for case in left] == caught
     for case, run in enumerate(runs):
         np.testing.assert_array_equal(found["rod.theta"][case], run["rod.theta"])
 
@@ -231,7 +246,7 @@ def test_a_case_that_leaves_its_lane_takes_the_steps_of_the_others(model_of: Bui
 def test_friction_and_rigid_stops_stay_in_lanes_until_something_changes(
     model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str
 ) -> None:
-    """Blocks that are held, slide at once, are let go by a load, or strike a stop: only the last two leave their lanes.
+    """Blocks that are held, slide at once, break away by a load, or strike a stop: only the last two leave their lanes.
 
     What remembers forces begins anew where it slides at once, which is a run by itself, too.
     """
@@ -240,13 +255,14 @@ def test_friction_and_rigid_stops_stay_in_lanes_until_something_changes(
     scene.prismatic("rail", "ground.origin", "block.origin", friction={"coulomb": 3.0}, limits=limits)
     scene.force("pull", "block.origin", "more + 2*t", 0.0)
     model = model_of(scene.simulation(t_end=0.5, dt=0.01, scheme=scheme).build())
-    pulls, leave = [-1.0, 2.5, 4.0, -9.0, 9.0], list[float]()
+    pulls, leave, left = [-1.0, 2.5, 4.0, -9.0, 9.0], list[float](), leaving(monkeypatch)
     monkeypatch.setattr(rows, "run_alone", lambda *given: leave.extend(given[1].tolist()) or run_alone(*given))
     found = ensemble(model, {"more": pulls}, outputs=["block.x"], seen_every=0.1)
     runs = [simulate(model, inputs={"more": pull}, seen_every=0.1) for pull in pulls]
     assert [any(event.time > 0 for event in run.events) for run in runs] == [False, True, False, False, True]
     np.testing.assert_array_equal(np.asarray(found["block.x"]), np.array([run["block.x"] for run in runs]))
-    assert leave == ([2.5, 9.0] if scheme != "single_rate" else [2.5, 4.0, -9.0, 9.0])
+    assert [pulls[case] for case in left] == ([2.5, 9.0] if scheme != "single_rate" else [2.5])
+    assert leave == ([] if scheme != "single_rate" else [4.0, -9.0, 9.0])
 
 
 def test_many_discs_that_turn_fast_are_lost_no_sooner_than_one(model_of: Build) -> None:
