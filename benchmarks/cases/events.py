@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -38,7 +39,7 @@ def run() -> Result:
     """CPU time in one process: differences of two runs, divided by what happened in them; an ensemble over its runs."""
     lines = []
     for name, model, goal in (("an impact", ball(), 5.0), ("a change of mode", block(), 30.0)):
-        short, long = (_best(lambda t=t, m=model: m.simulate(**_asked(t), error="off")) for t in (SHORT, LONG))
+        short, long = (_best(partial(model.simulate, **_asked(t), error="off")) for t in (SHORT, LONG))
         count = len(long[1].events) - len(short[1].events)
         cost = 1e6 * (long[0] - short[0]) / max(1, count)
         lines.append(Line(name, cost, "us", goal, f"{count} more events in {LONG - SHORT:g} s more"))
