@@ -159,15 +159,15 @@ class EventCrossings:
                 found.append(EventCrossing(one.t))
                 continue
             sets = any(self._events[k].sets for k in acting)
-            beside = sets or any(k in held_kinks(scheme) for k in acting)
-            if len(acting) > 1 and (beside or not self._alike(one, acting)):
+            must_be_alone = sets or any(k in held_kinks(scheme) for k in acting)
+            if len(acting) > 1 and (must_be_alone or not self._alike(one, acting)):
                 raise NoResult(
                     f"events {', '.join(self._events[k].name for k in acting)} of model {self._model.name}",
                     f"act at one time, t = {one.t:.6g} s, and separate when these change:",
                     "move one of them a little, or let one event do both",
                 )
-            way = abs(float(values[acting[0]])) / max(one.t - t, 1e-300) if one is made[0] else 0.0
-            found.append(EventCrossing(one.t, acting[0], GRAZING * way, sets, *self._settled(own, one)))
+            mean_slope = abs(float(values[acting[0]])) / max(one.t - t, 1e-300) if one is made[0] else 0.0
+            found.append(EventCrossing(one.t, acting[0], GRAZING * mean_slope, sets, *self._settled(own, one)))
         return found
 
     def _jumps(self, own: SteppedModel, one: LocatedEvents, k: int) -> bool:

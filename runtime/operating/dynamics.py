@@ -183,12 +183,12 @@ class Dynamics:
         pose, slope = (np.asarray(part) for part in self._pose(poses.index(body))(all_q))
         A, moved = pose.ravel()[3:].reshape(3, 3).T, slope @ S
         rho = rho + shapes @ q_f - np.array([q_f @ H @ q_f / 2, 0.0, 0.0])
-        bent = shapes - np.outer([1.0, 0.0, 0.0], H @ q_f)
+        deformed = shapes - np.outer([1.0, 0.0, 0.0], H @ q_f)
         J = np.zeros((6, n))
         for k in range(n):
             dA = moved[3:, k].reshape(3, 3).T
             spin = dA @ A.T
-            J[:3, k] = moved[:3, k] + dA @ rho + A @ bent @ S[columns, k]
+            J[:3, k] = moved[:3, k] + dA @ rho + A @ deformed @ S[columns, k]
             J[3:, k] = np.array([spin[2, 1], spin[0, 2], spin[1, 0]]) + A @ turns @ S[columns, k]
         return J
 

@@ -133,13 +133,13 @@ def deflection_peaks(run: Samples) -> list[Peak]:
     found = []
     for beam in run.model.description.beams:
         try:
-            bent = deflections(run, beam.body)
+            deflection = deflections(run, beam.body)
         except ModelError:
             continue
-        size = np.hypot(bent.y, bent.z)
+        size = np.hypot(deflection.y, deflection.z)
         sample, place = np.unravel_index(int(np.nanargmax(size)), size.shape)
-        value, t = float(size[sample, place]), float(bent.t[sample])
-        found.append(Peak(f"deflection of {beam.body}", "m", value, t, _along(bent.at[place])))
+        value, t = float(size[sample, place]), float(deflection.t[sample])
+        found.append(Peak(f"deflection of {beam.body}", "m", value, t, _along(deflection.at[place])))
     return found
 
 

@@ -50,9 +50,9 @@ def missing_deflection(solution: Samples, body: str) -> tuple[float, float]:
     some = looked_at(solution)
     whole, shapes = (some.deflections(body, way=way) for way in ("equilibrium", "modes"))
     pairs = (whole.y - shapes.y, whole.z - shapes.z), (whole.y, whole.z)
-    lacking, bent = (np.hypot(*(_from_chord(w, whole.at) for w in pair)) for pair in pairs)
+    lacking, deflection = (np.hypot(*(_from_chord(w, whole.at) for w in pair)) for pair in pairs)
     worst = lacking.max(axis=1)
-    largest = float(bent.max())
+    largest = float(deflection.max())
     if not (np.isfinite(worst).all() and largest > 0.0):
         return 0.0, float(some.t[0])
     return float(worst.max()) / largest, float(some.t[int(worst.argmax())])

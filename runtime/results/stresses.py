@@ -149,11 +149,11 @@ def with_section(value: Mapping[str, float], found: SectionForces) -> BeamStress
     area, zero = value["area"], np.zeros_like(found.moment)
     pulled = np.abs(np.nan_to_num(found.normal)) / area
     moments = {"section_modulus": found.moment, "section_modulus_z": found.moment_y}
-    bent = sum((np.abs(np.nan_to_num(moments[key])) / value[key] for key in moments if key in value), zero)
+    bending = sum((np.abs(np.nan_to_num(moments[key])) / value[key] for key in moments if key in value), zero)
     twisted = np.abs(np.nan_to_num(found.torsion)) / value["torsion_modulus"] if "torsion_modulus" in value else zero
     shear = np.hypot(np.nan_to_num(found.shear), np.nan_to_num(found.shear_z))
     sheared = twisted + value["shear_factor"] * shear / area
-    squares = np.maximum((pulled + bent) ** 2 + 3 * twisted**2, pulled**2 + 3 * sheared**2)
+    squares = np.maximum((pulled + bending) ** 2 + 3 * twisted**2, pulled**2 + 3 * sheared**2)
     return BeamStresses(found.body, found.t, np.asarray(found.at), np.sqrt(squares))
 
 

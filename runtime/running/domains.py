@@ -60,11 +60,11 @@ def outside_its_domain(status: Status, solution: Solution, c: np.ndarray, step: 
     model = solution.model
     if status.name not in ENDS_BY_EXPRESSIONS or not model.scene_toml or status.cause.startswith(OF_A_CONTROLLER):
         return status
-    way = _Way(model, solution, c)
+    path = _Path(model, solution, c)
     ahead = np.linspace(0.0, STEPS_AHEAD * step, PLACES_ON_THE_WAY)
     with np.errstate(all="ignore"), warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        names = way.values(ahead)
+        names = path.values(ahead)
         found = [(item, fault) for item, tree in expressions(model.scene_toml) for fault in faults(tree, names)]
         if not found:
             return status
@@ -72,7 +72,7 @@ def outside_its_domain(status: Status, solution: Solution, c: np.ndarray, step: 
         if fault.k:  # nearer
             ahead = np.linspace(ahead[fault.k - 1], ahead[fault.k], PLACES_ON_THE_WAY)
             tree = next(tree for name, tree in expressions(model.scene_toml) if name == item)
-            closer = [one for one in faults(tree, way.values(ahead)) if one.part == fault.part]
+            closer = [one for one in faults(tree, path.values(ahead)) if one.part == fault.part]
             fault = min(closer, key=lambda one: one.k, default=None) or fault
     t = float(solution.t[-1]) + float(ahead[min(fault.k, PLACES_ON_THE_WAY - 1)])
     cause = (
@@ -87,7 +87,7 @@ def _is_seldom_read(item: str) -> bool:
     return ", action" in item or item.startswith("measure ")
 
 
-class _Way:
+class _Path:
     """The motion ahead of the last sample, by its velocity and acceleration there."""
 
     def __init__(self, model: EmittedModel, solution: Solution, c: np.ndarray) -> None:

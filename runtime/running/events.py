@@ -155,7 +155,7 @@ class EventHandler:
             if known is not None:
                 return known if len(known) else None
         observed = _ObservedState(z, scheme.constants(self.own.c), np.zeros(len(self._events)))
-        push = self._push(self._settle(found, float(z[0] + z[1] * self.own.plan.grid.dt_L), [], observed))
+        push = self._velocity_jump(self._settle(found, float(z[0] + z[1] * self.own.plan.grid.dt_L), [], observed))
         w = found[self._inputs]
         changed = not np.array_equal(w, z[self._inputs])
         if changed or push.any():
@@ -261,7 +261,7 @@ class EventHandler:
             settled = self._settle(z, t, happened, observed)
         if self._records is not None and kept is not None:
             self._records.append(LocatedEvents(t, happened, kept, z[self._inputs].copy(), settled))
-        push = self._push(settled)
+        push = self._velocity_jump(settled)
         if regular:
             self.own.note_change(t, before, observed.c, z[self._inputs], push)
         return push
@@ -315,7 +315,7 @@ class EventHandler:
                 self._tell_modes(one.t, one.z[places], one.inputs[model.element_modes])
             self.own.note_change(one.t, one.z, observed.c, one.inputs, one.push)
 
-    def _push(self, settled: Any) -> np.ndarray:
+    def _velocity_jump(self, settled: Any) -> np.ndarray:
         """(n_i,) what is added to the rates."""
         return np.zeros(len(self.own.model.q_i)) if settled is None else np.asarray(settled.push)
 
@@ -325,9 +325,9 @@ class EventHandler:
         at = state_of(scheme, observed.z, observed.c)
         inputs, first = z[self._inputs].copy(), self._declared - len(modes)
         before, own = inputs[modes].copy(), np.isin(np.arange(first, self._declared), happened)
-        come = np.zeros(len(modes))
+        rest_rate = np.zeros(len(modes))
         if (own & (before != 0)).any():
-            come = np.where(
+            rest_rate = np.where(
                 own,
                 EVENT_TIME_ROUNDING * np.abs(event_slopes(scheme, observed.z, observed.c))[first : self._declared],
                 0.0,
@@ -335,7 +335,7 @@ class EventHandler:
         c = np.concatenate([self.own.c[: len(self.own.c) - len(inputs)], inputs])
         from runtime.schemes.switching.settle import NoMode, settled
 
-        found = settled(model, at, c, own & (before == 0), come, own & (before != 0))
+        found = settled(model, at, c, own & (before == 0), rest_rate, own & (before != 0))
         if isinstance(found, NoMode):
             self.status = Status("no_mode", t, None, found.cause, found.remedy)
             return None

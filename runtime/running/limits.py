@@ -70,10 +70,10 @@ def off_a_beam(solution: Solution) -> Status | None:
         point = _places(points, joint.body_b)[joint.marker_b]
         if joint.body_b in drawing.poses:
             point = r[:, (b := drawing.poses.index(joint.body_b))] + A[:, b] @ point
-        way = np.einsum("sj,sj->s", A[:, a, :, 0], point - r[:, a])
-        off = np.flatnonzero((way < -END * length) | (way > (1 + END) * length))
+        distance = np.einsum("sj,sj->s", A[:, a, :, 0], point - r[:, a])
+        off = np.flatnonzero((distance < -END * length) | (distance > (1 + END) * length))
         if len(off):
-            cause = f"{joint.marker_b} is {way[off[0]]:.4g} m along {beam}, which is {length:.4g} m long"
+            cause = f"{joint.marker_b} is {distance[off[0]]:.4g} m along {beam}, which is {length:.4g} m long"
             advice = "Start on the beam, and end the run where it is left, by an event on the way along it"
             return Status("off_the_beam", float(solution.t[off[0]]), joint.name, cause, advice)
     return None

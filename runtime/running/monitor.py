@@ -193,9 +193,9 @@ class Monitor:
             allowed = CONSTRAINT_LIMIT * np.where(self.look.lengths, self.length, 1.0)
             if not (np.abs(observation.C) <= allowed).all():  # NaN is off too
                 return Failure("constraints")
-        return self._bent(observation.q) if positive_definite(observation.M_hat) else Failure("mass")
+        return self._beyond_linear_modes(observation.q) if positive_definite(observation.M_hat) else Failure("mass")
 
-    def _bent(self, q: np.ndarray) -> Failure | None:
+    def _beyond_linear_modes(self, q: np.ndarray) -> Failure | None:
         """Deflections against the body's length, and turns against a radian: modes are linear."""
         for name, columns, length, shapes, turns in self._bodies:
             moved = float(np.sqrt(np.square(shapes @ q[columns]).sum(axis=1).max())) / length

@@ -255,7 +255,7 @@ class DormandPrince5(ExplicitRungeKutta):
         if self.charts.split:
             to = equations.close(q, z["loop_to"], z["t_to"], self.options.closure_iterations)
         rate = equations.turning(to, v)
-        end = equations.bent(to, rate, v, a)
+        end = equations.coordinate_accelerations(to, rate, v, a)
         place, rate = quintic(tau, h, z["q_from"], z["v_from"], z["a_from"], q, rate, end)
         return place, self.velocities_at(z, equations, tau, place, rate)
 

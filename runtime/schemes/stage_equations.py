@@ -167,7 +167,7 @@ class StageEquations:
             found[k] = solved[position]
         return found
 
-    def bent(self, motion: ClosedConfiguration, rate: ca.SX, v: ca.SX, a: ca.SX) -> ca.SX:
+    def coordinate_accelerations(self, motion: ClosedConfiguration, rate: ca.SX, v: ca.SX, a: ca.SX) -> ca.SX:
         """Second rates of q_i of its rates, its velocities v and accelerations a."""
         x, w, b = self._at_turns(motion, v, a)
         rates = self.charts.rates(x, w) if self.charts.split else rate
@@ -178,7 +178,7 @@ class StageEquations:
         if not self.charts.turns:
             return self.accelerations(motion, rate)
         v = self.velocities(motion, rate)
-        return self.bent(motion, rate, v, self.accelerations(motion, v))
+        return self.coordinate_accelerations(motion, rate, v, self.accelerations(motion, v))
 
     def accelerations_from(self, end: ClosedConfiguration, motion: ClosedConfiguration, v: ca.SX, a: ca.SX) -> ca.SX:
         """Second rates of q_i of the velocities v and accelerations a of a motion, in the charts at an end."""
@@ -390,8 +390,8 @@ def turning_and_rate(equations: StageEquations, motion: ClosedConfiguration, v: 
     old, new = ca.vertcat(q_i, q_d, t), ca.vertcat(motion.q_i, motion.q_d, motion.t)
     for body in turned_bodies(equations, at):
         S_dot = ca.jtimes(body.S, ca.vertcat(q_i, q_d), rates) + ca.jtimes(body.S, t, ca.SX(1))
-        bent = ca.mtimes(ca.skew(accelerations[body.own]), body.S) + ca.mtimes(ca.skew(rates[body.own]), S_dot)
-        rate[body.positions, :] = bent[body.axes, :]
+        spin_slopes = ca.mtimes(ca.skew(accelerations[body.own]), body.S) + ca.mtimes(ca.skew(rates[body.own]), S_dot)
+        rate[body.positions, :] = spin_slopes[body.axes, :]
     W, rate = ca.substitute([W, rate], [old], [new])
     return W, rate
 

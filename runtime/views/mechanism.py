@@ -224,11 +224,11 @@ def _points(entries: list[dict[str, object]], values: dict[str, np.ndarray]) -> 
     for k, entry in enumerate(entries):
         nf = int(str(entry["modes"]))
         own = slice(mode, mode + nf)
-        bent = np.zeros((nf, nf))
+        H_own = np.zeros((nf, nf))
         if entry["stiffened"]:
-            bent, place = H[place : place + nf * nf].reshape(nf, nf), place + nf * nf
+            H_own, place = H[place : place + nf * nf].reshape(nf, nf), place + nf * nf
         axes = values["axes"][:, k].reshape(3, 3).T
-        rows.append((str(entry["name"]), values["positions"][:, k], axes, shapes[:, own], turns[:, own], bent))
+        rows.append((str(entry["name"]), values["positions"][:, k], axes, shapes[:, own], turns[:, own], H_own))
         mode += nf
     return rows
 

@@ -84,13 +84,13 @@ def _part(body: BeamBody, force: Force, kind: str, at: float) -> ca.SX:
 def _of_beam(body: BeamBody, parts: dict[str, ca.SX], table: ParameterTable) -> ca.SX:
     area = table.of(body, "area")
     pulled = ca.fabs(parts["normal_force"]) / area
-    bent, twisted = ca.SX(0), ca.SX(0)
+    bending, twisted = ca.SX(0), ca.SX(0)
     if body.lateral is not None:
-        bent += ca.fabs(parts["bending_moment"]) / table.of(body, "section_modulus")
+        bending += ca.fabs(parts["bending_moment"]) / table.of(body, "section_modulus")
     if body.lateral_z is not None:
-        bent += ca.fabs(parts["bending_moment_y"]) / table.of(body, "section_modulus_z")
+        bending += ca.fabs(parts["bending_moment_y"]) / table.of(body, "section_modulus_z")
     if body.torsion is not None:
         twisted = ca.fabs(parts["torsion_moment"]) / table.of(body, "torsion_modulus")
     shear = ca.sqrt(parts["shear_force"] ** 2 + parts["shear_force_z"] ** 2 + NO_STRESS)
     sheared = twisted + table.of(body, "shear_factor") * shear / area
-    return ca.fmax((pulled + bent) ** 2 + 3 * twisted**2, pulled**2 + 3 * sheared**2)
+    return ca.fmax((pulled + bending) ** 2 + 3 * twisted**2, pulled**2 + 3 * sheared**2)

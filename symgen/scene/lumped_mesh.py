@@ -64,10 +64,10 @@ def lumped_beam(beam: BeamBody) -> ModalBody:
     q_f: bending modes, then those of stretching, each mass-orthonormal.
     """
     mesh = _Mesh(beam)
-    w, slope, bent = mesh.bending()
+    w, slope, bending = mesh.bending()
     u, pulled = mesh.stretching()
-    values = np.concatenate([bent, pulled])
-    nf, n_w = len(values), len(bent)
+    values = np.concatenate([bending, pulled])
+    nf, n_w = len(values), len(bending)
     phi_x, phi_y = np.zeros((len(mesh.x), nf)), np.zeros((len(mesh.x), nf))
     phi_x[:, n_w:], phi_y[:, :n_w] = u, w
     slopes = np.zeros_like(phi_y)

@@ -154,7 +154,7 @@ class TreeSpace(SpatialSpace):
 
     def _common(self, a: str, b: str) -> int:
         base = self.tree.common(a.partition(".")[0], b.partition(".")[0])
-        ways = (self.tree.way(self.tree.body_frames[one.partition(".")[0]].frame) for one in (a, b))
+        ways = (self.tree.path_to(self.tree.body_frames[one.partition(".")[0]].frame) for one in (a, b))
         if base != GROUND and any(self._has_ball(way[way.index(base) + 1 :]) for way in ways):
             return GROUND
         return base
@@ -167,16 +167,16 @@ class TreeSpace(SpatialSpace):
         return any(isinstance(transform, Ball) for frame in frames for transform in self.tree.frames[frame].transforms)
 
     def _relative_to(self, base: int, reference: str) -> SpatialMarker:
-        return self._way_to(base, reference).end()
+        return self._path_to(base, reference).end()
 
     def body_marker(self, body: str, point: SpatialPoint) -> SpatialMarker:
         """Motion of a point of a body that is not a marker of the scene."""
-        return self._way_of(GROUND, body, self._deformed(body, point)).end()
+        return self._path_of(GROUND, body, self._deformed(body, point)).end()
 
-    def _way_to(self, base: int, reference: str) -> Path:
-        return self._way_of(base, reference.partition(".")[0], self._deformation(reference))
+    def _path_to(self, base: int, reference: str) -> Path:
+        return self._path_of(base, reference.partition(".")[0], self._deformation(reference))
 
-    def _way_of(self, base: int, body: str, marker: Deformation) -> Path:
+    def _path_of(self, base: int, body: str, marker: Deformation) -> Path:
         known = self.tree.body_frames[body]
         path = self._path(base, known.frame).branch()
         if marker.rigid:

@@ -31,7 +31,7 @@ class Link:
 
 @dataclass(frozen=True)
 class Ring:
-    """A closed way over the joints: the joint that closes the spanning tree to it, and the joints of the tree in it."""
+    """A closed path over joints: the joint that closes the spanning tree to it, and the joints of the tree in it."""
 
     closing: str
     along: tuple[str, ...]
@@ -111,16 +111,16 @@ def _rings(links: tuple[Link, ...], tree: Mapping[str, Link]) -> tuple[Ring, ...
         ends = frozenset((link.a, link.b))
         if len(ends) == 2 and ends not in seen:
             seen.add(ends)
-            ways = [_way_to_root(body, tree) for body in (link.a, link.b)]
-            along = [name for way, other in (ways, ways[::-1]) for name in way if name not in other]
+            paths = [_path_to_root(body, tree) for body in (link.a, link.b)]
+            along = [name for path, other in (paths, paths[::-1]) for name in path if name not in other]
             rings.append(Ring(link.joint, tuple(along)))
     return tuple(rings)
 
 
-def _way_to_root(body: str, tree: Mapping[str, Link]) -> list[str]:
-    way = []
+def _path_to_root(body: str, tree: Mapping[str, Link]) -> list[str]:
+    path = []
     while body in tree:
         link = tree[body]
-        way.append(link.joint)
+        path.append(link.joint)
         body = link.other(body)
-    return way
+    return path

@@ -13,9 +13,8 @@ import pytest
 
 from runtime.contract.tape import as_function
 from runtime.model import Model
-from symgen import Scene
+from symgen import Scene, SceneError
 from symgen.kernels.kernel import Kernel
-from symgen.schema.errors import SceneError
 from symgen.tapes.hoisting import unhoisted
 
 LENGTH, MASS, INERTIA, GRAVITY = 0.4, 0.7, 0.05, 9.81

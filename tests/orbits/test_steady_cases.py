@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import Model
-from runtime.contract.errors import ArgumentError, NoResult
+from runtime import ArgumentError, Model, NoResult
 from runtime.studies.steady_states import SteadyRun
 from symgen.scene import Scene, SceneRecord
 

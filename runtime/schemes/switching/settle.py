@@ -48,20 +48,20 @@ def settled(
     at: Mapping[str, np.ndarray],
     c: np.ndarray,
     released: np.ndarray,
-    come: np.ndarray,
+    rest_rate: np.ndarray,
     reached: np.ndarray | None = None,
 ) -> Settled | NoMode:
     """The modes at a state, and what makes at rest what has come to rest; NoMode where no modes are consistent.
 
     at: q_i, q_d, q_i_dot, q_d_dot, t; c (c_size,): constants, with the modes until now in it. released (n_m,):
-    those that are held no longer; come (n_m,): rates below which one has come to rest; reached (n_m,): stops that
+    those that are held no longer; rest_rate (n_m,): rates below which one has come to rest; reached (n_m,): stops that
     are just reached. A stop whose bounces come too close takes them all at once: it is hit again without
     restitution.
     """
     stops = Stops.of(model, c, reached)
     soon = dict[int, float]()
     while True:
-        found = _once(model, at, c, released, come, stops, soon)
+        found = _once(model, at, c, released, rest_rate, stops, soon)
         if found is None:
             return NoMode(*no_mode(model, at, c))
         if isinstance(found, NoMode):
@@ -77,7 +77,7 @@ def _once(
     at: Mapping[str, np.ndarray],
     c: np.ndarray,
     released: np.ndarray,
-    come: np.ndarray,
+    rest_rate: np.ndarray,
     stops: Stops,
     soon: Mapping[int, float],
 ) -> tuple[Settled, np.ndarray, np.ndarray] | NoMode | None:
@@ -91,7 +91,7 @@ def _once(
         return None
     push, impacts = struck
     rate = own["v_rel"] + times(own["G"], push)
-    bounds = _Bounds(stops, rate, np.maximum(come, slow), stops.touched(own, rate, slow))
+    bounds = _Bounds(stops, rate, np.maximum(rest_rate, slow), stops.touched(own, rate, slow))
     rest, rubs, modes = bounds.rest, stops.side == 0, np.ones(len(stops.side))
     modes[rubs] = np.where(rest, 0.0, np.sign(rate))[stops.row[rubs]]
     c[len(c) - model.signals.size + model.element_modes] = modes
@@ -196,9 +196,9 @@ class _Bounds:
     rest (n_e,): what friction or a stop may hold.
     """
 
-    def __init__(self, stops: Stops, rate: np.ndarray, come: np.ndarray, touched: np.ndarray) -> None:
+    def __init__(self, stops: Stops, rate: np.ndarray, rest_rate: np.ndarray, touched: np.ndarray) -> None:
         self._side, self.row, self.touched = stops.side, stops.row, touched
-        slow = np.abs(rate)[self.row] <= come
+        slow = np.abs(rate)[self.row] <= rest_rate
         self.rest = self.by_row(((self._side == 0) & slow) | touched)
 
     def by_row(self, ones: np.ndarray) -> np.ndarray:

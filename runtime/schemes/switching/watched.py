@@ -201,7 +201,7 @@ def with_events(scheme: Scheme, program: Program) -> Program:
         slopes = {"event_slopes": z["event_slopes"] * looks["event_near"]} if declared else {}
         return {**looks, **slopes, **held, "event_step": step}
 
-    def bent(z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+    def sloped(z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         observed, values = values_at(scheme, scheme.layout.pack(z), equations), z["event_values"]
         new, change, slopes = values[:declared], z["event_change"][:declared], observed["slopes"][:declared]
         dip = dips(new - change, z["event_slopes"], new, slopes, equations.h[0])
@@ -213,7 +213,7 @@ def with_events(scheme: Scheme, program: Program) -> Program:
     if not declared:
         return looking
     near = scheme.layout.slice("event_near").start
-    return Sequence((*looking.parts, Until(scheme.stage("event_slopes", bent), near, 1, usual=0)))
+    return Sequence((*looking.parts, Until(scheme.stage("event_slopes", sloped), near, 1, usual=0)))
 
 
 def next_values(scheme: Scheme, z: Fields, new: ca.SX) -> dict[str, ca.SX]:

@@ -152,7 +152,7 @@ def looked(model: EmittedModel, scheme: Scheme, length: float, p: ca.SX, z: ca.S
     if len(model.q_i) <= LARGE:
         M_hat = model.evaluate("condensed", **{**observation, "c": c[: model.c_size]})["M_hat"]
         found["pivot"] = _least_pivot(ca.SX(M_hat))
-    found["bent"] = _bent(model, p, observation["q_i"], observation["q_d"])
+    found["bent"] = _largest_deflection(model, p, observation["q_i"], observation["q_d"])
     found["growth"] = _largest(observation["q_i_dot"] * ca.DM(scheme.step_sizes)) / GROWTH_LIMIT
     return found
 
@@ -190,7 +190,7 @@ def _least_pivot(M: ca.SX) -> ca.SX:
     return least
 
 
-def _bent(model: EmittedModel, p: ca.SX, q_i: ca.SX, q_d: ca.SX) -> ca.SX:
+def _largest_deflection(model: EmittedModel, p: ca.SX, q_i: ca.SX, q_d: ca.SX) -> ca.SX:
     """The largest deflection or turn of a drawn point of a flexible body, of its limit."""
     if not model.elastic or not model.has("geometry"):
         return ca.SX(0)

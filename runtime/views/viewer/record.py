@@ -40,14 +40,14 @@ def rim_stress(forces: SectionForces, height: float, width: float) -> np.ndarray
         for values in (forces.normal, forces.shear, forces.shear_z, forces.torsion, forces.moment_y, forces.moment)
     )
     area = height * width
-    bent, aside = 6 * M / (width * height**2), 6 * M_y / (height * width**2)
+    bending, aside = 6 * M / (width * height**2), 6 * M_y / (height * width**2)
     at_y, at_z = torsion_factors(height, width)
     found = []
     for y, z in RIM:
         # torsion about x: along z where y > 0, against y where z > 0
         along_y = z * z * (1 - y * y) * (1.5 * Q / area - z * T * at_z)
         along_z = y * y * (1 - z * z) * (1.5 * Q_z / area + y * T * at_y)
-        found.append(np.sqrt((N / area - y * bent + z * aside) ** 2 + 3 * (along_y**2 + along_z**2)))
+        found.append(np.sqrt((N / area - y * bending + z * aside) ** 2 + 3 * (along_y**2 + along_z**2)))
     return np.stack(found, axis=2)
 
 

@@ -68,7 +68,7 @@ class MarkerWay:
     @staticmethod
     def to(tree: FrameTree, base: int, known: BodyFrame, marker: Deformation, path: Path) -> MarkerWay:
         """From a frame (or GROUND) to a marker of a body whose frame is known; path: to the frame of that."""
-        frames = tree.way(known.frame)
+        frames = tree.path_to(known.frame)
         frames = frames if base == GROUND else frames[frames.index(base) + 1 :]
         place = plus(known.place.r, times(known.place.R, marker.point.position))
         end = JointNode(r=place) if marker.rigid else MarkerNode(place_of(marker))

@@ -159,7 +159,7 @@ class FrameTree:
     frames: list[Frame]
     body_frames: dict[str, BodyFrame]
 
-    def way(self, frame: int) -> list[int]:
+    def path_to(self, frame: int) -> list[int]:
         """The frames from the ground to one, itself included."""
         found: list[int] = []
         while frame != GROUND:
@@ -172,7 +172,7 @@ class FrameTree:
         shared = [
             first
             for first, second in zip(
-                self.way(self.body_frames[a].frame), self.way(self.body_frames[b].frame), strict=False
+                self.path_to(self.body_frames[a].frame), self.path_to(self.body_frames[b].frame), strict=False
             )
             if first == second
         ]
