@@ -23,6 +23,7 @@ from symgen.schema.errors import SceneError, did_you_mean, show
 TURNS_OR_SLIDES = ("revolute", "continuous", "prismatic")
 JOINTS = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
 MOMENT_NOISE = 1e-18  # m^2: moments of inertia a mass that come of a radius below 1 nm are a writer's rounding
+SMALLEST_GYRATION = 1e-6  # radius [m]: moments of a smaller one are rounding, of either sign
 MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 PRODUCTS = ("ixy", "ixz", "iyz")
 
@@ -309,6 +310,10 @@ def _inertia(element: Element, item: str, name: str, assumed: list[Assumed]) -> 
         xx, xy, xz, yy, yz, zz = (_number(tensor, key, item, 0.0 if key in PRODUCTS else None) for key in MOMENTS)
         own = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
         own[abs(own) < MOMENT_NOISE * value] = 0.0
+        if 0.0 < abs(own).max() < SMALLEST_GYRATION**2 * value:
+            largest = f"{abs(own).max():.3g} kg m^2 is rounding"
+            assumed.append(Assumed(f"link '{name}'", f"no moments of inertia: {largest} (its mass is a point)"))
+            own = np.zeros((3, 3))
     return Inertia(value, tensor=own).in_frame(pose_of(element, item))
 
 

@@ -86,6 +86,10 @@ HALF = '<link name="rod"><inertial>{}</inertial>{}</link>'
 TENSOR = '<inertia ixx="0.1" iyy="0.2" izz="0.15" ixy="0" ixz="0" iyz="0"/>'
 ASSUMED = {
     "no tensor": (HALF.format('<origin xyz="0.5 0 0"/><mass value="2"/>', ""), "no moments of inertia", 2 * 0.5**2),
+    "moments that are rounding": (
+        HALF.format('<origin xyz="0.5 0 0"/><mass value="2"/><inertia ixx="0" iyy="4.1e-18" izz="-1.7e-17" ixy="0" '
+                    'ixz="0" iyz="0"/>', ""), "no moments of inertia: 1.7e-17", 2 * 0.5**2,
+    ),
     "no mass": (HALF.format(TENSOR, ""), "the mass 0", 0.15),
     "no products": (
         HALF.format('<mass value="2"/><inertia ixx="0.1" iyy="0.2" izz="0.15" iyz="0"/>', ""), "ixy, ixz = 0", 0.15
