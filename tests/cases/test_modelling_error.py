@@ -12,11 +12,12 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 import skfem
-from scipy.integrate import solve_bvp
+from scipy.integrate import solve_bvp, solve_ivp
 from scipy.linalg import eigh
+from scipy.optimize import root
 
 from runtime import Model
-from symgen.fe import FlexibleBody, Material
+from symgen.fe import FlexibleBody, LineMesh, Material, Section
 from symgen.scene import Scene
 
 pytestmark = pytest.mark.long
@@ -160,6 +161,94 @@ def in_space() -> Iterator[Row]:
         yield from at_rest(f"in space, {n} shapes", scene, {"y": -LOAD / 8 / EI, "z": -LOAD / 16 / EI})
 
 
+def follower(load: float) -> Limits:
+    """A cantilever under a force P that stays across its tip: EI phi'' = -P cos(phi), phi to the tangent of the tip.
+
+    The initial-value problem has no unknown: phi = phi' = 0 at the tip; the root turns the picture.
+    """
+
+    def slopes(_: float, y: np.ndarray) -> np.ndarray:
+        return np.array([y[1], -load / EI * np.cos(y[0]), np.cos(y[0]), np.sin(y[0])])
+
+    phi, _, x, y = solve_ivp(slopes, (0.0, L), np.zeros(4), rtol=1e-11, atol=1e-13).y[:, -1]
+    turn = np.array([[np.cos(phi), np.sin(phi)], [-np.sin(phi), np.cos(phi)]]) @ [x, y]  # in the axes of the root
+    return {"x": turn[0], "y": turn[1], "angle": -phi}
+
+
+def followers() -> Iterator[Row]:
+    """The force of a tip's own axes: a column of pieces, which modes alone do not see."""
+    for share in (0.5, 1.5):
+        limits = follower(share * EI)
+        for count in (4, 8):
+            scene = pieces(count, 0.0)
+            scene.force("along", f"piece{count - 1}.end", 0.0, share * EI, frame="body")
+            yield from at_rest(f"follower {share}, {count} pieces", scene, limits)
+
+
+PRINCETON = {
+    "length": 0.508,
+    "height": 12.377e-3,
+    "thick": 3.2024e-3,
+    "E": 71.7e9,
+    "nu": 0.31,
+}  # Dowell and Traybar 1975
+
+
+def princeton_stiffness() -> np.ndarray:
+    """GJ (of a thin rectangle, by its series), EI of bending out of the thin side and out of the high one [N m^2]."""
+    h, b, E = PRINCETON["height"], PRINCETON["thick"], PRINCETON["E"]
+    odd = np.arange(1, 40, 2)
+    J = h * b**3 / 3 * (1 - 192 / np.pi**5 * b / h * np.sum(np.tanh(odd * np.pi * h / (2 * b)) / odd**5))
+    return np.array([E / 2 / (1 + PRINCETON["nu"]) * J, E * b**3 * h / 12, E * b * h**3 / 12])
+
+
+def kirchhoff(load: np.ndarray) -> Limits:
+    """The tip of a clamped Kirchhoff rod along x under a dead force: m' = F x t, R' = R skew(D^-1 R^T m), m(L) = 0."""
+    stiff, length = princeton_stiffness(), PRINCETON["length"]
+
+    def slopes(_: float, y: np.ndarray) -> np.ndarray:
+        R, m = y[3:12].reshape(3, 3), y[12:]
+        k = (R.T @ m) / stiff
+        skew = np.array([[0, -k[2], k[1]], [k[2], 0, -k[0]], [-k[1], k[0], 0]])
+        return np.concatenate([R[:, 0], (R @ skew).ravel(), np.cross(load, R[:, 0])])
+
+    def tip(m: np.ndarray) -> np.ndarray:
+        start = np.concatenate([np.zeros(3), np.eye(3).ravel(), m])
+        found: np.ndarray = solve_ivp(slopes, (0.0, length), start, rtol=1e-10, atol=1e-13).y[:, -1]
+        return found
+
+    guess = np.cross([length, 0.0, 0.0], load)
+    end = tip(root(lambda m: tip(m)[12:], guess, tol=1e-12).x)
+    return dict(zip("xyz", end[:3], strict=True))
+
+
+def princeton(count: int, load: np.ndarray) -> Scene:
+    GJ, out, high = princeton_stiffness()
+    E, area = PRINCETON["E"], PRINCETON["height"] * PRINCETON["thick"]
+    scene, last = Scene("princeton", space="spatial"), "ground.origin"
+    sets = {key: {"modes": n} for key, n in (("lateral", 2), ("lateral_z", 2), ("torsion", 1))}
+    for k in range(count):
+        scene.beam(
+            f"piece{k}", length=PRINCETON["length"] / count, density=2800.0, area=area, youngs_modulus=E,
+            second_moment=high / E, second_moment_z=out / E, shear_modulus=E / 2.62, torsion_constant=GJ * 2.62 / E,
+            **sets,
+        )  # fmt: skip
+        scene.weld(f"weld{k}", last, f"piece{k}.start")
+        last = f"piece{k}.end"
+    for kind in "xyz":
+        scene.measure(kind, kind, of=last)
+    return scene.force("weight", last, *load.tolist())
+
+
+def princetons() -> Iterator[Row]:
+    """The Princeton beam: a weight at 45 and 75 degrees to the high side of the section."""
+    for angle in (45.0, 75.0):
+        load = 8.896 * np.array([0.0, -np.cos(np.deg2rad(angle)), -np.sin(np.deg2rad(angle))])
+        limits = kirchhoff(load)
+        for count in (4, 8):
+            yield from at_rest(f"Princeton {angle:g}, {count} pieces", princeton(count, load), limits)
+
+
 # ---- frequencies --------------------------------------------------------------------------------------------------
 
 
@@ -223,6 +312,30 @@ def bar(cells: int) -> Model:
     )  # fmt: skip
     scene = Scene("bar", space="spatial").flexible("rod", **body.fields()).weld("wall", "ground.origin", "rod.top")
     return scene.model()
+
+
+def reduced(modes: int) -> Model:
+    """A rod of 1 m by 160 elements of beams, reduced by Craig and Bampton."""
+    nodes = [(k / 160, 0.0, 0.0) for k in range(161)]
+    mesh = LineMesh(nodes, [(k, k + 1) for k in range(160)], Section.rectangle(0.02, 0.01))
+    ends = {"pin": [0], "slot": [160]}
+    body = FlexibleBody.from_mesh(mesh, Material(E=2e11, nu=0.3, rho=8000.0), modes=modes, mode_set="fixed_interface",
+                                  interface=ends)  # fmt: skip
+    scene = Scene("reduced", space="spatial").flexible("rod", **body.fields())
+    return scene.weld("wall", "ground.origin", "rod.pin").model()
+
+
+def four(model: Model) -> dict[str, float]:
+    found = model.modes(model.equilibrium()).frequencies
+    return {f"mode {k}": float(found[k]) for k in range(4)}
+
+
+def craig_bamptons() -> Iterator[Row]:
+    """Against the rod that is hardly reduced, 36 modes of each set of matrices, held at one end."""
+    limits = four(reduced(36))
+    for modes in (2, 4, 8):
+        yield from of_models(f"Craig-Bampton, {modes} modes", reduced(modes), four, limits,
+                             finer={"rod.modes": reduced(2 * modes)})  # fmt: skip
 
 
 def stretching(model: Model) -> dict[str, float]:
@@ -345,7 +458,50 @@ def spin_ups() -> Iterator[Row]:
         yield from moved(f"spin-up, {n} shapes", spin_up(n), 0.5, lambda t: limits)
 
 
-CASES = [statics, elasticas, frames, in_space, spins, lumped, meshes, crossings, cranks, spin_ups]
+def four_bar(n: int, count: int = 1) -> Scene:
+    """A crank at constant speed, a stiff rocker, a coupler of beams between them."""
+    scene = Scene("four_bar").ground(markers={"far": {"position": (0.5, 0.0)}})
+    scene.rigid("crank", mass=0.2, inertia=1e-3, markers={"tip": {"position": (0.1, 0.0)}})
+    scene.rigid("rocker", mass=0.4, inertia=1e-2, markers={"tip": {"position": (0.0, 0.4)}})
+    scene.initial({"rocker.theta": 0.0, "crank.theta": 0.0})
+    last, angle = "crank.tip", np.pi / 4
+    for k in range(count):
+        scene.beam(f"coupler{k}", length=0.4 * np.sqrt(2) / count, **BEAM, lateral={"modes": n}, stiffening=True,
+                   markers={"middle": {"at": 0.5}})  # fmt: skip
+        scene.joint("weld" if k else "revolute", f"B{k}", last, f"coupler{k}.start")
+        scene.initial({f"coupler{k}.theta": float(angle)})
+        last = f"coupler{k}.end"
+    middle = f"coupler{count // 2}.{'middle' if count % 2 else 'start'}"
+    scene.revolute("C", last, "rocker.tip").revolute("D", "ground.far", "rocker.origin")
+    scene.revolute("A", "ground.origin", "crank.origin")
+    scene.prescribed_angle("drive", "ground.origin", "crank.origin", motion="60 * t")
+    scene.measure("mx", "x", of=middle).measure("my", "y", of=middle)
+    return scene.measure("rocker", "angle", of="rocker.origin")
+
+
+def four_bars() -> Iterator[Row]:
+    fine = four_bar(3, 4).model().simulate(scheme="auto", tolerance=1e-7, t_end=0.1, samples=400)
+    limits = {name: fine[name] for name in ("mx", "my", "rocker")}
+    for n in (1, 2):
+        yield from moved(f"four-bar, {n} shapes", four_bar(n), 0.1, lambda t: limits)
+
+
+CASES = [
+    statics,
+    elasticas,
+    followers,
+    princetons,
+    four_bars,
+    craig_bamptons,
+    frames,
+    in_space,
+    spins,
+    lumped,
+    meshes,
+    crossings,
+    cranks,
+    spin_ups,
+]
 
 
 @pytest.fixture(scope="module")
