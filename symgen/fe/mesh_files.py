@@ -1,4 +1,4 @@
-"""Meshes of other programs by meshio: tetrahedra and hexahedra, linear and quadratic, with their named sets."""
+"""Meshes of other programs by meshio and mapdl-archive: tetrahedra and hexahedra, with their named sets."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from symgen.fe.ansys_archive import read_archive
 from symgen.fe.input_deck import plain_deck
 from symgen.fe.structure import AXES, FiniteElementError, Flags, Integers, NodeSet
 from symgen.fe.units import LENGTHS, known_units
@@ -169,6 +170,10 @@ def _any(block: Any) -> bool:
 
 
 def _read(file: Path) -> Any:
+    if file.suffix.lower() == ".cdb":
+        if not file.is_file():
+            raise FiniteElementError(str(file), "there is no such file", "check the path")
+        return read_archive(file)
     try:
         import meshio
     except ImportError as error:
@@ -189,7 +194,7 @@ def _read(file: Path) -> Any:
         said = " ".join((output.getvalue() if isinstance(error, SystemExit) else f"{error}").split())
         said = said.partition(" Error: ")[0]  # the rest is the place of the plain copy
         problem = f"meshio cannot read it: {_keyword(file, said)}"
-        remedy = "write tetrahedra or hexahedra as .inp (Abaqus, CalculiX), .bdf (Nastran), .msh (Gmsh), .vtu or .med"
+        remedy = "write tetrahedra or hexahedra as .inp (Abaqus, CalculiX), .bdf, .msh, .cdb (Ansys), .vtu or .med"
         raise FiniteElementError(file.name, problem, remedy) from error
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -268,13 +269,64 @@ def test_what_does_not_get_in_is_named(tmp_path: Path) -> None:
     refused("1 wedge", [("wedge", cells[:1, :6])])
     refused("has hexahedron and tetra elements", [("hexahedron", cells), ("tetra", cells[:1, :4])])
     refused("part.inp has no set 'pin'; it has 'ROOT', 'TIP'", [("hexahedron", cells)], interface={"root": "pin"})
-    refused("material.*is none", [("hexahedron", cells)], material=7850.0)
+    refused("material.*is (none|not a material)", [("hexahedron", cells)], material=7850.0)
     refused("units.*'inch' are not known", [("hexahedron", cells)], units="inch")
     with pytest.raises(FiniteElementError, match="there is no such file"):
         FlexibleBody.from_file(tmp_path / "none.inp", interface=SETS, **CHOICES)
-    written(tmp_path, "part.cdb", "/PREP7")
-    with pytest.raises(FiniteElementError, match="part.cdb: meshio cannot read it"):
-        FlexibleBody.from_file(tmp_path / "part.cdb", interface=SETS, **CHOICES)
     written(tmp_path, "odd.inp", "*HEADING", "*NODE", "1, 0, 0, 0", "*ELEMENT, TYPE=C3D99", "1, 1")
     with pytest.raises(FiniteElementError, match="meshio cannot read it.*C3D99.*line 4"):
         FlexibleBody.from_file(tmp_path / "odd.inp", interface=SETS, **CHOICES)
+
+
+# ---- archives of Ansys
+
+ANSYS = {"hexahedron": 185, "hexahedron20": 186, "tetra10": 187, "tetra": 285}
+
+
+def archive(folder: Path, kind: str, number: int, drop: int = 0) -> Path:
+    """As CDWRITE writes it: NBLOCK in fixed columns, EBLOCK with 11 numbers and 8 nodes a line, ranges by -last."""
+    points, cells, ends = mesh_of(kind)
+    lines = ["/COM,ANSYS RELEASE 19.2", "/PREP7", f"ET,        1,{number}",
+             f"NBLOCK,6,SOLID,{len(points):9d},{len(points):9d}", "(3i9,6e21.13e3)"]  # fmt: skip
+    for k, p in enumerate(points[: len(points) - drop], 1):
+        values = "".join(re.sub(r"E([+-])(\d\d)$", r"E\g<1>0\2", f"{x:20.13E}") for x in p)
+        lines.append(f"{k:9d}{0:9d}{0:9d}{values}")
+    lines += ["N,R5.3,LOC,       -1,", f"EBLOCK,19,SOLID,{len(cells):10d},{len(cells):10d}", "(19i9)"]
+    for e, cell in enumerate(cells, 1):
+        words = [1, 1, 1, 1, 0, 0, 0, 0, len(cell), 0, e, *(cell + 1).tolist()]
+        lines += ["".join(f"{word:9d}" for word in words[:19]), *["".join(f"{word:9d}" for word in words[19:])][:1]]
+    lines.append("       -1")
+    for name, nodes in ends.items():
+        words = (nodes + 1).tolist()
+        lines += [f"CMBLOCK,{name:8s},NODE,{len(words):8d}", "(8i10)"]
+        lines += ["".join(f"{w:10d}" for w in words[k : k + 8]) for k in range(0, len(words), 8)]
+    return written(folder, "part.cdb", *[line for line in lines if line], "FINISH")
+
+
+@pytest.mark.parametrize("kind", ANSYS)
+def test_archives_of_ansys(tmp_path: Path, kind: str) -> None:
+    """The body of the same mesh in Abaqus's deck, which `test_meshes` holds against scikit-fem's."""
+    pytest.importorskip("mapdl_archive")
+    meshio = pytest.importorskip("meshio")
+    points, cells, ends = mesh_of(kind)
+    meshio.write(tmp_path / "part.inp", meshio.Mesh(points, [(kind, cells)], point_sets=ends))
+    bodies = [FlexibleBody.from_file(path, interface=SETS, **CHOICES)
+              for path in (archive(tmp_path, kind, ANSYS[kind]), tmp_path / "part.inp")]  # fmt: skip
+    assert bodies[0].fields()["mass"] == pytest.approx(7850 * 0.2 * 0.02 * 0.01, rel=1e-9)
+    assert bodies[0].frequencies == pytest.approx(bodies[1].frequencies, rel=1e-9)
+
+
+def test_what_an_archive_of_ansys_lacks_is_named(tmp_path: Path) -> None:
+    pytest.importorskip("mapdl_archive")
+
+    def refused(problem: str) -> None:
+        with pytest.raises(FiniteElementError, match=problem):
+            FlexibleBody.from_file(tmp_path / "part.cdb", interface=SETS, **CHOICES)
+
+    refused("there is no such file")
+    archive(tmp_path, "hexahedron", 181)
+    refused("no tetrahedra or hexahedra: 4 elements of type 181")
+    archive(tmp_path, "hexahedron", 185, drop=1)
+    refused("element 4 has the node 20, which its NBLOCK has not")
+    written(tmp_path, "part.cdb", "/PREP7")
+    refused("part.cdb: .*(CDWRITE|no nodes)")
