@@ -56,7 +56,7 @@ def test_what_they_hold() -> None:
 
 
 def test_loads_that_make_no_shape() -> None:
-    for static, problem in ((["weight_x"], "'weight_x' does not bend"), (["lift_x"], "'lift_x' is not known.*tip")):
+    for static, problem in ((["weight_x"], "'weight_x' does not deform"), (["lift_x"], "'lift_x' is not known.*tip")):
         with pytest.raises(FiniteElementError, match=problem):
             bar(1, cells=2, static=static)
     assert bar(1, cells=2, static=["spin_x"]).nf == 2

@@ -246,7 +246,7 @@ def test_a_stop_beside_two_frictions_lets_go(model_of: Build, steps: dict[str, A
 
 
 def test_a_wrong_choice_of_modes_ends_the_run(model_of: Build, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whatever decides: a stop that would pull is named where it is decided, and behind it where that is missed."""
+    """A stop that would pull is named where it is decided (interpreted: in Python), and behind it where missed."""
     scene = Scene("thrown").gravity(0, -GRAVITY).rigid("ball", mass=1.0, inertia=0.1)
     scene.ground(markers={"up": {"position": (0, 0), "angle": np.pi / 2}})
     scene.prismatic("rail", "ground.up", "ball.origin", limits={"lower": 0.0, "restitution": 0.0})
@@ -258,8 +258,8 @@ def test_a_wrong_choice_of_modes_ends_the_run(model_of: Build, monkeypatch: pyte
         return np.zeros(len(b), dtype=int)
 
     monkeypatch.setattr("runtime.schemes.switching.settle.complementary", all_hold)
-    run = simulate(model)
+    run = simulate(model, engine="interpreted")
     assert run.status.name == "no_mode" and "rail.limits.lower" in run.status.cause and run.t[-1] < 0.26
     monkeypatch.setattr("runtime.schemes.switching.settle.broken_law", lambda *_: None)
-    run = simulate(model)
+    run = simulate(model, engine="interpreted")
     assert run.status.name == "no_mode" and "rail.limits.lower pulls" in run.status.cause
