@@ -51,7 +51,7 @@ def forces(model: Model) -> list[np.ndarray]:
     return [evaluate(model, "condensed", **state.values())["Q_hat"] for state in random_states(model, 3, rigid=0.1)]
 
 
-@pytest.mark.every_push("revolute.angle")
+@pytest.mark.long
 @pytest.mark.parametrize("coordinate", COORDINATES)
 def test_in_space_it_is_the_force_on_that_coordinate(model_of: Build, coordinate: str) -> None:
     """Q_hat rises by the value in the row of the coordinate and in no other; the power is the value times its rate."""

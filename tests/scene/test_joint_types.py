@@ -125,6 +125,7 @@ def gear(*ring: str) -> Scene:
     return builder.torque("motor", "one.origin", 1.0, reaction="ground.origin")
 
 
+@pytest.mark.long
 def test_two_screws_are_a_gear(model_of: Callable[[SceneRecord], Model]) -> None:
     """Turns go as the leads: the first shaft feels the second's inertia by the square of their ratio, and the nut's."""
     run = simulate(model_of(gear().build()), t_end=2.0, dt=2e-3, scheme="rk4")

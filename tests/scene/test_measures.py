@@ -52,6 +52,7 @@ def test_the_work_of_a_measured_power_is_the_energy(model_of: Build) -> None:
     np.testing.assert_allclose(run["power"], run.energy["power_applied"], rtol=1e-12, atol=1e-15)
 
 
+@pytest.mark.every_push("planar")
 @pytest.mark.parametrize("space", ["planar", "spatial"])
 def test_components_in_the_axes_of_a_marker(space: str, model_of: Build) -> None:
     """The tip as the hub sees it: by a rotation by hand about z, through both hinges."""
@@ -70,6 +71,7 @@ def test_components_in_the_axes_of_a_marker(space: str, model_of: Build) -> None
     assert notes["in_x"] == "x from hub.origin to rod.tip in the axes of hub.origin" and notes["at_x"] == ""
 
 
+@pytest.mark.every_push("planar")
 @pytest.mark.parametrize("space", ["planar", "spatial"])
 def test_forces_of_loads(space: str, model_of: Build) -> None:
     """A spring by its law, a coil by its own, components against the force that results have in world axes."""
@@ -168,6 +170,7 @@ def test_further_refusals() -> None:
         arm().measure("power", "expression", "hub.theta_dot").torque("brake", "hub.origin", "power_dot").model()
 
 
+@pytest.mark.long
 def test_events_and_files_know_them(model_of: Build) -> None:
     """An event at a force; a scene that is written and read again is the same."""
     scene = arm().measure("F", "force", "spring").measure("M", "expression", "F * 0.5", unit="N m")

@@ -104,6 +104,7 @@ def test_methods_show_what_they_take(kind: type, name: str) -> None:
     assert name in dir(kind)
 
 
+@pytest.mark.long
 def test_a_kept_model_runs_without_what_derives(cache: Path) -> None:
     words = [sys.executable, "-c", PROGRAM]
     seen = [subprocess.run(words, capture_output=True, text=True, check=True).stdout.split() for _ in range(2)]
@@ -132,6 +133,7 @@ print(run.q.tobytes().hex(), *(name for name in sys.modules if name in ("symgen.
 """
 
 
+@pytest.mark.long
 def test_functions_of_a_large_scene_are_derived_once_and_kept(cache: Path) -> None:
     words = [sys.executable, "-c", LONG_PROGRAM]
     first, second = (subprocess.run(words, capture_output=True, text=True, check=True).stdout.split() for _ in "ab")

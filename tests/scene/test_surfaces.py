@@ -81,6 +81,7 @@ def motor(**table: Any) -> Scene:
     )
 
 
+@pytest.mark.long
 def test_a_motor_runs_up_by_its_map(model_of: Build) -> None:
     """Torque throttle (8 - speed): the speed nears 8 rad/s, 8 (1 - exp(-throttle t / J)); bilinear, so exact."""
     speeds, throttles = np.array([-5.0, 0.0, 3.0, 20.0]), np.array([0.0, 0.4, 1.0])

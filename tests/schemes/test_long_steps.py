@@ -14,6 +14,7 @@ from symgen.scenes import generated_folder
 SAME = 1e-13  # relative: reciprocals are shared within a stage
 
 
+@pytest.mark.every_push("chain-dop853")
 @pytest.mark.parametrize("scheme", ["rk4", "dop853"])
 @pytest.mark.parametrize("name", ["slider_crank", "double_pendulum", "spatial_chain", "chain"])
 def test_one_stage_for_all_evaluations_moves_as_copies_of_it(

@@ -242,6 +242,7 @@ def test_a_case_that_leaves_its_lane_takes_the_steps_of_the_others(model_of: Bui
     assert not simulate(model, inputs={"late": 0.0043}).status.ok
 
 
+@pytest.mark.every_push("rk4")
 @pytest.mark.parametrize("scheme", ["rk4", "exponential", "single_rate"])
 def test_friction_and_rigid_stops_stay_in_lanes_until_something_changes(
     model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str

@@ -129,6 +129,7 @@ def asked(name: str, cases: int):
     }  # fmt: skip
 
 
+@pytest.mark.every_push("double_pendulum")
 @pytest.mark.parametrize("name", MODELS)
 def test_an_ensemble_by_the_kernel_has_the_bits_of_the_cpu(driver, name: str) -> None:
     model, given = asked(name, 37)

@@ -40,6 +40,7 @@ def machine(space: str) -> SceneRecord:
     return scene.simulation(t_end=2.0, dt=0.01, scheme="rk4").build()
 
 
+@pytest.mark.every_push("planar")
 @pytest.mark.parametrize("space", ["planar", "spatial"])
 def test_marks_stand_where_the_scene_has_them(model_of: Build, space: str) -> None:
     """Bars at 0.6 m, marks at -2.2 and 0.5 rad, radii 0.2 and 0.4 m of wheels 0.6 m apart; held from its stick on."""
