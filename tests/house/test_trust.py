@@ -99,6 +99,7 @@ def left_by_killed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return place
 
 
+@pytest.mark.every_push("0-new", "3-again")
 @pytest.mark.skipif(os.name == "nt", reason="processes fork on POSIX only")
 @pytest.mark.parametrize("had", [False, True], ids=["new", "again"])
 @pytest.mark.parametrize("placed", range(5))

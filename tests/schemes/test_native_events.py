@@ -52,6 +52,7 @@ def same(native: Solution, plain: Solution) -> None:
     assert _told(native) == _told(plain)
 
 
+@pytest.mark.every_push("rows_of_balls-rk4", "relay-rk4", "stacked-rk4")
 @pytest.mark.parametrize(
     "scheme",
     [

@@ -92,6 +92,7 @@ def answered(name: str):
     return *told_and_true(case, 200), case[2]
 
 
+@pytest.mark.every_push("pendulum")
 @pytest.mark.parametrize("name", CASES)
 def test_cases_are_within_the_tolerance(name) -> None:
     check(name)

@@ -206,6 +206,7 @@ class Halt(Exception):
         raise cls
 
 
+@pytest.mark.every_push("double_pendulum-sm_90")
 @pytest.mark.skipif(gpu.find_ptxas() is None, reason="ptxas is not installed: pip install nvidia-cuda-nvcc-cu12")
 @pytest.mark.parametrize("architecture", ["sm_80", "sm_90"])
 @pytest.mark.parametrize("name", MODELS)
