@@ -25,6 +25,7 @@ from benchmarks.cases import (
     others,
     rhs_chain,
     rhs_pinocchio,
+    scaling,
     sizes,
     step_slider_crank,
     tolerance,
@@ -49,6 +50,7 @@ from benchmarks.pages import (
 from benchmarks.tables import arms as arms_tables
 from benchmarks.tables import hard_steps as hard_steps_tables
 from benchmarks.tables import others as others_tables
+from benchmarks.tables import scaling as scaling_tables
 from benchmarks.tables import tolerance as tolerance_tables
 
 BENCHMARKS: dict[str, Benchmark] = {
@@ -60,6 +62,7 @@ BENCHMARKS: dict[str, Benchmark] = {
     "rhs_chain": rhs_chain.run,
     "generation": generation.run,
     "sizes": sizes.run,
+    "scaling": scaling.run,
     "gradients": gradients.run,
     "rhs_pinocchio": rhs_pinocchio.run,
     "operations": operations.run,
@@ -88,8 +91,10 @@ FIGURES: dict[str, dict[str, Callable[[Result], str]]] = {  # what pages have of
     "arms": arms_tables.FIGURES,
     "hard_steps": hard_steps_tables.FIGURES,
     "others": others_tables.FIGURES,
+    "scaling": scaling_tables.FIGURES,
     "tolerance": tolerance_tables.FIGURES,
 }
+PICTURES: dict[str, Callable[[Result, Path], None]] = {"scaling": scaling_tables.picture}  # in docs/images
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "evidence" / "benchmarks.md"
 
 
@@ -149,6 +154,8 @@ def _publish_figures(machine: dict[str, str], result: Result) -> None:
     """The tables that pages have of a benchmark, each with where it was measured."""
     by = f"Written by `python -m benchmarks --only {result.name} --publish`, on {machine['processor']}."
     written = {marker: f"{make(result)}\n{by}" for marker, make in FIGURES.get(result.name, {}).items()}
+    if result.name in PICTURES:
+        PICTURES[result.name](result, figures.DOCS / "images" / f"{result.name}.png")
     for page in figures.publish(written):
         print(f"figures of {result.name} are in {page.name}", file=sys.stderr)
 

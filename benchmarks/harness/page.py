@@ -8,7 +8,7 @@ from typing import Any
 
 from benchmarks.harness.result import Line, Result
 
-TABLES = frozenset({"others", "hard_steps", "arms", "tolerance"})  # have tables on the page of speed
+TABLES = frozenset({"others", "hard_steps", "arms", "tolerance", "scaling"})  # have tables on the page of speed
 TOLD_THERE = (
     "What is measured, and by case: [speed](speed.md). Here are goals of all cases and those that a case misses."
 )

@@ -12,7 +12,9 @@ import pytest
 
 from benchmarks import __main__ as program
 from benchmarks.__main__ import BENCHMARKS, FIGURES, PAGES, main
+from benchmarks.contenders.long_chains import FAMILIES, OURS, installed
 from benchmarks.harness import figures
+from benchmarks.harness.growth import growth
 from benchmarks.harness.result import Line, Result, Skipped
 from benchmarks.harness.smallest import smallest
 from benchmarks.pages import hard_twins
@@ -112,6 +114,18 @@ MEASURED = {
             "chain": {"dop853": (9, 1e-3, 1e-3)},
         },
     ),
+    "scaling": Result(
+        "scaling",
+        "E",
+        [],
+        {
+            "chain in a plane": {
+                "this project": {str(n): {"first": 0.5 + 0 * n, "mb": 80.0, "step": 1e-7 * n} for n in (10, 100)},
+                "other": {str(n): {"first": 1e-3 * n, "mb": 80.0, "step": 1e-8 * n**2} for n in (10, 100)},
+            },
+            "chain in space": {"this project": {"3": {"first": 1.0, "mb": 90.0, "step": 1e-6}}},
+        },
+    ),
     "others": Result(
         "others",
         "D",
@@ -144,6 +158,12 @@ ROWS = {
     ],
     "arms": ["| 10 | - | 22 steps of 6,235: 0.042 ms | - | - |"],
     "hard_steps": ["| arm | 1.00: 51 | 2.00: 30 | `exponential_adams`, 51 steps: 0.01 ms |"],
+    "scaling": [
+        "| to first step, s | this project | 0.5 | 0.5 | 0.00 |",
+        "| a step, us | this project | 1 | 10 | 1.00 |",
+        "| a step, us | other | 1 | 100 | 2.00 |",
+    ],
+    "scaling.space": ["| memory, MB | this project | 90 | - |"],
     "hard_steps.times": ["| chain | - | - | - | - | - | - | 1 | - |"],
     "others": ["| arm | `exponential` m=2, 12 | 0.0123 | 62 (2) | - |"],
     "others.programs": [
@@ -181,6 +201,7 @@ def test_an_interrupted_run_keeps_and_publishes_what_it_has(tmp_path: Path, monk
         encoding="utf-8"
     )
     assert len(json.loads((tmp_path / "out" / "results.json").read_text(encoding="utf-8"))["results"]) == len(MEASURED)
+    assert (tmp_path / "images" / "scaling.png").stat().st_size > 10_000
     marked_page(tmp_path, *markers)
     assert main([*asked, "--out", str(tmp_path / "out"), "--publish", "--kept"]) == 0
     assert page.read_text(encoding="utf-8") == seen
@@ -198,3 +219,25 @@ def test_rows_of_twins_replace_those_of_their_cases(tmp_path: Path, monkeypatch:
     assert figures.figures("hard_twins").splitlines()[2:] == [
         "| f1_smooth | 1 | a |", "| f1_rigid | 3e-09 | f1_rigid |", "| chain | 3e-09 | chain |"
     ]  # fmt: skip
+
+
+def test_growth_finds_exponents_and_where_they_change() -> None:
+    sizes = np.array([3, 10, 30, 100, 300, 1000.0])
+    rough = np.array([1.02, 0.98, 1.01, 0.99, 1.0, 1.01])
+    assert growth(sizes, 2.0 * sizes**1.3 * rough).at is None
+    assert growth(sizes, 2.0 * sizes**1.3).exponents == pytest.approx((1.3,), abs=1e-9)
+    broken = growth(sizes, np.where(sizes < 100, sizes, sizes**2 / 100))
+    assert broken.at == 100 and broken.exponents == pytest.approx((1.0, 2.0), abs=1e-9)
+    assert str(broken) == "1.00, from 100 on 2.00"
+
+
+def test_programs_step_the_same_chain() -> None:
+    """The same method: but for rounding, the same motion; Exudyn's own method to its order."""
+    found = {}
+    for name in installed("chain in a plane"):
+        run = FAMILIES["chain in a plane"][name][1](4)
+        run.advance(1999)
+        found[name] = run.angles()
+    assert np.ptp(found[OURS]) > 0.1  # it swings and bends
+    for name, angles in found.items():
+        assert np.abs(angles - found[OURS]).max() < (1e-4 if name == "Exudyn" else 1e-11), name
