@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from benchmarks.contenders.long_chains import FAMILIES, OURS, installed
+from benchmarks.contenders.long_chains import OURS, installed
 from benchmarks.harness.growth import growth
 from benchmarks.harness.result import Line, Result
 

@@ -202,7 +202,7 @@ def exudyn_redundant(links: int) -> ChainRun:
     along, place, sensors = LENGTH * np.array([np.cos(START), np.sin(START)]), np.zeros(2), []
     for _ in range(links):
         node = mbs.AddNode(items.NodeRigidBody2D(referenceCoordinates=[*(place + along / 2), START]))
-        body = mbs.AddObject(items.ObjectRigidBody2D(nodeNumber=node, physicsMass=MASS, physicsInertia=INERTIA))
+        body = mbs.AddObject(items.ObjectRigidBody2D(nodeNumber=node, mass=MASS, inertia=INERTIA))
         start, end = (
             mbs.AddMarker(items.MarkerBodyPosition(bodyNumber=body, localPosition=[x, 0, 0]))
             for x in (-LENGTH / 2, LENGTH / 2)

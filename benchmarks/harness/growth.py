@@ -19,7 +19,7 @@ class Growth:
     at: float | None = None
 
     def __str__(self) -> str:
-        parts = [f"{exponent:.2f}" for exponent in self.exponents]
+        parts = [f"{round(exponent, 2) + 0.0:.2f}" for exponent in self.exponents]  # no -0.00
         return parts[0] if self.at is None else f"{parts[0]}, from {self.at:g} on {parts[1]}"
 
 
