@@ -33,6 +33,7 @@ def run() -> Result:
     """All programs that are installed."""
     lines: list[Line] = []
     details: dict[str, Any] = {}
+    failed: list[str] = []
     for family, sizes in SIZES.items():
         details[family] = {
             name: {str(links): measured(family, name, links) for links in sizes} for name in installed(family)
@@ -41,7 +42,22 @@ def run() -> Result:
     load = (
         f" The machine's load average was {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores: CPU times grow with it."
     )
-    return Result("scaling", "How time and memory grow with a chain", lines, details, REMARK + load)
+    remark = REMARK + load + "".join(f" {text}" for text in failed)
+    return Result("scaling", "How time and memory grow with a chain", lines, details, remark)
+
+
+def _measured(family: str, program: str, sizes: tuple[int, ...], failed: list[str]) -> dict[str, dict[str, float]]:
+    """By size, until another program fails; ours may not."""
+    found: dict[str, dict[str, float]] = {}
+    for links in sizes:
+        try:
+            found[str(links)] = measured(family, program, links)
+        except RuntimeError as error:
+            if program == OURS:
+                raise
+            failed.append(f"{program} ends with an error at N = {links}: {str(error).strip().splitlines()[-1]}.")
+            break
+    return found
 
 
 def measured(family: str, program: str, links: int) -> dict[str, float]:
@@ -60,12 +76,15 @@ def _lines(family: str, sizes: tuple[int, ...], found: dict[str, Any]) -> list[L
     lines = []
     for name, by_size in found.items():
         for key, what in MEASURES.items():
-            values = [FACTORS[key] * by_size[str(links)][key] for links in sizes]
-            note = f"exponent {growth(sizes, values)}"
-            goal = GOALS.get((family, sizes[-1]), {}).get(key) if name == OURS else None
-            lines.append(Line(f"{family} of {sizes[-1]}, {name}: {what}", values[-1], UNITS[key], goal, note))
-    if "MuJoCo" in found:
-        last = str(sizes[-1])
+            known = [links for links in sizes if str(links) in by_size]
+            values = [FACTORS[key] * by_size[str(links)][key] for links in known]
+            if not known:
+                continue
+            note = f"exponent {growth(known, values)}" if len(known) > 1 else ""
+            goal = GOALS.get((family, known[-1]), {}).get(key) if name == OURS else None
+            lines.append(Line(f"{family} of {known[-1]}, {name}: {what}", values[-1], UNITS[key], goal, note))
+    last = str(sizes[-1])
+    if last in found.get("MuJoCo", {}):
         ratio = found[OURS][last]["step"] / found["MuJoCo"][last]["step"]
         goal = STEP_GOAL if (family, sizes[-1]) in GOALS and family.endswith("plane") else None
         lines.append(Line(f"{family} of {last}: a step of ours / MuJoCo's", ratio, "", goal))

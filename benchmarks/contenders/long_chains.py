@@ -73,28 +73,32 @@ def _ours(model: Model) -> ChainRun:
 
 def mujoco(links: int) -> ChainRun:
     """MuJoCo, hinges."""
-    inertia = f'diaginertia="{INERTIA} {INERTIA} {INERTIA}"'
-    body = f'<inertial pos="{LENGTH / 2} 0 0" mass="{MASS}" {inertia}/>'
-    return _mujoco(links, LENGTH, '<joint type="hinge" axis="0 0 1"/>', body, f"0 -{GRAVITY} 0", START)
+    return _mujoco(links, LENGTH, "mjJNT_HINGE", MASS, [INERTIA] * 3, [0, -GRAVITY, 0], START)
 
 
 def mujoco_in_space(links: int) -> ChainRun:
     """MuJoCo, ball joints."""
-    inertia = f'diaginertia="{" ".join(map(str, SPACE_INERTIA))}"'
-    body = f'<inertial pos="{SPACE_LENGTH / 2} 0 0" mass="{SPACE_MASS}" {inertia}/>'
-    return _mujoco(links, SPACE_LENGTH, '<joint type="ball"/>', body, f"0 0 -{GRAVITY}", None)
+    inertia = SPACE_INERTIA.tolist()
+    return _mujoco(links, SPACE_LENGTH, "mjJNT_BALL", SPACE_MASS, inertia, [0, 0, -GRAVITY], None)
 
 
-def _mujoco(links: int, length: float, joint: str, body: str, gravity: str, start: float | None) -> ChainRun:
+def _mujoco(
+    links: int, length: float, joint: str, mass: float, inertia: list[float], gravity: list[float], start: float | None
+) -> ChainRun:
+    """By its records: XML may not be nested as deeply."""
     import mujoco as program
 
-    bodies = "".join(f'<body pos="{length if k else 0} 0 0">{joint}{body}' for k in range(links))
-    text = (
-        f'<mujoco><compiler autolimits="true" balanceinertia="false"/><option timestep="{DT}" integrator="RK4" '
-        f'gravity="{gravity}"><flag contact="disable" constraint="disable"/></option>'
-        f"<worldbody>{bodies}{'</body>' * links}</worldbody></mujoco>"
-    )
-    model = program.MjModel.from_xml_string(text)
+    spec = program.MjSpec()
+    spec.option.timestep, spec.option.gravity = DT, gravity
+    spec.option.integrator = program.mjtIntegrator.mjINT_RK4
+    spec.option.disableflags = program.mjtDisableBit.mjDSBL_CONTACT | program.mjtDisableBit.mjDSBL_CONSTRAINT
+    body = spec.worldbody
+    for k in range(links):
+        body = body.add_body(
+            pos=[length if k else 0.0, 0, 0], mass=mass, ipos=[length / 2, 0, 0], inertia=inertia, explicitinertial=True
+        )
+        body.add_joint(type=getattr(program.mjtJoint, joint), axis=[0, 0, 1])
+    model = spec.compile()
     data = program.MjData(model)
     if start is None:
         data.qvel[0] = 1.0
