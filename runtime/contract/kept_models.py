@@ -80,8 +80,7 @@ class KeptModels:
             return None
         with suppress(OSError):
             os.utime(folder)  # the least recently used go first
-        emitted = {spec.name for spec in found.description.functions}
-        return replace(found, builders=KeptFunctions(folder / "functions", found.builders, emitted))
+        return with_kept_functions(found, folder)
 
     def _write(self, name: str, generate: Generate) -> bool:
         """The folder, complete at once: others see all of it or nothing. The oldest go where there are many."""
@@ -104,6 +103,15 @@ class KeptModels:
             for old in sorted(self.entries(), key=lambda one: one.stat().st_mtime)[:-MOST_KEPT]:
                 _remove(old)
         return True
+
+
+FUNCTIONS = "functions"  # folder of a kept model in which those are that its text leaves out
+
+
+def with_kept_functions(model: M, folder: Path) -> M:
+    """A model that was loaded from this folder of the cache; what it leaves out is read from there, or kept there."""
+    emitted = {spec.name for spec in model.description.functions}
+    return replace(model, builders=KeptFunctions(folder / FUNCTIONS, model.builders, emitted))
 
 
 class KeptFunctions(Mapping[str, Callable[[], ca.Function]]):
@@ -141,6 +149,14 @@ class KeptFunctions(Mapping[str, Callable[[], ca.Function]]):
     def of(self, builders: Mapping[str, Callable[[], ca.Function]]) -> KeptFunctions:
         """The same functions by other builders: of a model that this process has derived already."""
         return KeptFunctions(self._folder, builders, self._emitted)
+
+    def files(self) -> dict[str, bytes]:
+        """The functions that are kept until now, as they are kept."""
+        found: dict[str, bytes] = {}
+        for name in self._builders:
+            with suppress(OSError):
+                found[name] = read_own(self._folder / name)
+        return found
 
     def _read(self, name: str) -> ca.Function | None:
         """The function as it was kept; None where there is none that can be read."""

@@ -9,13 +9,14 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, TypeVar
 
 import casadi as ca
 
 from runtime.contract.errors import ModelError
-from runtime.contract.files import write_text
-from runtime.contract.kept_models import KeptModels, generated_aside
+from runtime.contract.files import replacing, write_text
+from runtime.contract.kept_models import FUNCTIONS, KeptFunctions, KeptModels, generated_aside, with_kept_functions
 from runtime.contract.loading import load_folder, read_manifest
 from runtime.contract.model import EmittedModel
 
@@ -29,7 +30,8 @@ def reduced(model: EmittedModel) -> tuple[Any, ...]:
         raise ModelError(f"model {model.name} was not loaded from a folder, and cannot be pickled without one")
     functions = {name: function.serialize() for name, function in model.sources.items()}
     numbers, files = dict(model.input_values), _packed(model.folder, model.digest)
-    return reloaded, (type(model), model.folder, model.digest, numbers, functions, model.driven_by, files)
+    kept = model.builders.files() if isinstance(model.builders, KeptFunctions) else {}
+    return reloaded, (type(model), model.folder, model.digest, numbers, functions, model.driven_by, files, kept)
 
 
 @lru_cache(maxsize=8)
@@ -51,17 +53,23 @@ def reloaded(
     functions: Mapping[str, str],
     driven_by: str,
     files: bytes,
+    kept: Mapping[str, bytes] = MappingProxyType({}),
 ) -> M:
-    """The model that was pickled: from its folder, if it still holds the same, else of its files. Raises ModelError."""
+    """The model that was pickled: from its folder, if it still holds the same, else of its files. Raises ModelError.
+
+    kept: functions that its files leave out, as they were kept in the cache.
+    """
     try:
         found = load_folder(folder, kind, digest)
+        if Path(folder).parent == KeptModels("models").folder.resolve():
+            found = with_kept_functions(found, Path(folder))
     except ModelError:
-        found = _unpacked(kind, files, digest)
+        found = _unpacked(kind, files, digest, kept)
     sources = {name: ca.Function.deserialize(text) for name, text in functions.items()}
     return replace(found, input_values=dict(numbers), sources=sources, driven_by=driven_by)
 
 
-def _unpacked(kind: type[M], files: bytes, digest: str) -> M:
+def _unpacked(kind: type[M], files: bytes, digest: str, kept: Mapping[str, bytes]) -> M:
     """From the cache; where that cannot be used, from a folder of this process."""
 
     def write(folder: Path) -> Path:
@@ -69,6 +77,11 @@ def _unpacked(kind: type[M], files: bytes, digest: str) -> M:
             if Path(name).name != name:
                 raise ModelError("a pickled model", f"has a file {name!r}", "pickle it again")
             write_text(folder / name, text)
+        for name, content in kept.items():
+            if not name.isidentifier():
+                raise ModelError("a pickled model", f"has a function {name!r}", "pickle it anew")
+            with replacing(folder / FUNCTIONS / name) as temporary:
+                temporary.write_bytes(content)
         return folder
 
     found = KeptModels(KIND).model(digest[:32], kind, write) or generated_aside(kind, write)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import os
+import pickle
 import subprocess
 import sys
 from pathlib import Path
@@ -155,3 +156,20 @@ def test_what_a_large_scene_was_not_asked_for_is_derived_later(cache: Path) -> N
     found = [one.evaluate("augmented", **values)["M"] for one in (model, long_scene().model(), long_scene().model())]
     masses = np.tile([1.0, 1.0, 0.1], 16)
     assert all(np.array_equal(np.asarray(M), np.diag(masses)) for M in found)
+
+
+def test_a_large_model_goes_to_other_machines_with_the_functions_that_it_has(
+    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Pickled after a run; there, where its folder and the generator are not, the same run has the same bits."""
+    model = long_scene().model()
+    settings = {"t_end": 0.01, "dt": 1e-3, "scheme": "rk4", "error": "off"}
+    run = model.simulate(**settings)
+    sent = pickle.dumps(model)
+    monkeypatch.setattr("importlib.metadata.entry_points", lambda group: ())
+    assert np.array_equal(pickle.loads(sent).simulate(**settings).q, run.q)  # from its folder
+    monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path / "there"))
+    (folder,) = cache.iterdir()
+    folder.rename(tmp_path / "gone")
+    assert np.array_equal(pickle.loads(sent).simulate(**settings).q, run.q)  # of its files
+    assert (tmp_path / "there" / "sent").is_dir()
