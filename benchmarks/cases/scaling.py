@@ -35,9 +35,7 @@ def run() -> Result:
     details: dict[str, Any] = {}
     failed: list[str] = []
     for family, sizes in SIZES.items():
-        details[family] = {
-            name: {str(links): measured(family, name, links) for links in sizes} for name in installed(family)
-        }
+        details[family] = {name: _measured(family, name, sizes, failed) for name in installed(family)}
         lines += _lines(family, sizes, details[family])
     load = (
         f" The machine's load average was {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores: CPU times grow with it."
@@ -67,7 +65,7 @@ def measured(family: str, program: str, links: int) -> dict[str, float]:
     command = [sys.executable, "-m", "benchmarks.harness.chain_probe", json.dumps([family, program, links])]
     found = subprocess.run(command, cwd=ROOT, env=alone, capture_output=True, text=True)
     if found.returncode != 0:
-        raise RuntimeError(f"{program} with {links} links of the {family} failed:\n{found.stderr}")
+        raise RuntimeError(f"{program} with {links} links of the {family} failed:\n{found.stderr}\nexit {found.returncode}")
     values: dict[str, float] = json.loads(found.stdout.splitlines()[-1])
     return values
 
