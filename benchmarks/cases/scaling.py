@@ -65,7 +65,8 @@ def measured(family: str, program: str, links: int) -> dict[str, float]:
     command = [sys.executable, "-m", "benchmarks.harness.chain_probe", json.dumps([family, program, links])]
     found = subprocess.run(command, cwd=ROOT, env=alone, capture_output=True, text=True)
     if found.returncode != 0:
-        raise RuntimeError(f"{program} with {links} links of the {family} failed:\n{found.stderr}\nexit {found.returncode}")
+        ending = f"{found.stderr}\nexit status {found.returncode}"
+        raise RuntimeError(f"{program} with {links} links of the {family} failed:\n{ending}")
     values: dict[str, float] = json.loads(found.stdout.splitlines()[-1])
     return values
 
