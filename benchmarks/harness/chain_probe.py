@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import json
 import os
-import resource
 import sys
 import tempfile
 import time
+
+from benchmarks.harness.memory import peak_memory
 
 ENOUGH, LEAST_BURSTS = 0.3, 3  # s of CPU of a burst of steps; bursts, of which the fastest counts
 
@@ -20,7 +21,7 @@ def main(family: str, program: str, links: int) -> dict[str, float]:
 
         _, make = FAMILIES[family][program]
         chain = make(links)
-        first, memory = time.process_time(), resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+        first, memory = time.process_time(), peak_memory()
         steps, seconds = 1, _burst(chain.advance, 1)
         while seconds < ENOUGH:
             steps *= 2 if seconds > ENOUGH / 8 else 4

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 import os
-import resource
 import sys
 import tempfile
 import time
 
+from benchmarks.harness.memory import peak_memory
 from benchmarks.scenes.arm import arm
 from runtime import simulate
 from symgen.generate import model_of
@@ -28,7 +28,7 @@ def main(scene: str, made_with: dict[str, int], scheme: str) -> dict[str, float]
             raise RuntimeError(str(run.status))
         return {
             "seconds": time.process_time(),
-            "mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024,
+            "mb": peak_memory(),
             "operations": sum(model.operations.values()),
         }
 
