@@ -217,5 +217,5 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
 
 
 def test_a_rate_among_places_is_told_where_it_stands() -> None:
-    with pytest.raises(SceneError, match=r"among the rates: \[initial.rates\] 'rod.x'"):
+    with pytest.raises(SceneError, match=r"a rate stands by its coordinate: .*\[initial.rates\] 'rod.x'"):
         SceneRecord.from_dict(edited(S, "initial/coordinates/rod.x_dot", 1.0))

@@ -57,7 +57,7 @@ def test_a_duffing_oscillator_answers_as_a_disturbed_run(model_of: Build) -> Non
 def test_wrong_questions_are_refused(model_of: Build) -> None:
     model = model_of(pushed("parametric", f"1 - {C}*x_dot - ({A} - 2*{Q}*cos(2*t))*x"))
     found = periodic(model, period=np.pi, steps=40, scheme="rk4")
-    with pytest.raises(ArgumentError, match="no input"):
+    with pytest.raises(ArgumentError, match="not an input"):
         found.response("push", [1.0])
     with pytest.raises(ArgumentError, match="is not here"):
         found.response("u", [1.0]).of("mass.x", 7)
