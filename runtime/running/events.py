@@ -109,11 +109,9 @@ class EventHandler:
         own = self.own
         if not self.native:
             return None
-        start = z.copy()
-        own.forget_determinants(start)
         kinks = [self._recent.get(event.name, [0.0]) for event in self._events[self._declared :]]
         known = [KinkMemory(sleeps, tuple(steps)) for sleeps, *steps in kinks]
-        found: Passage | None = own.broken.through_events(start, own.ready, own.c, np.array(ends, np.int64), known)
+        found: Passage | None = own.broken.through_events(z, own.ready, own.c, np.array(ends, np.int64), known)
         return found
 
     @property

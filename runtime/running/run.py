@@ -205,6 +205,7 @@ class Run:
         """Make the chunk with the events in it by one native call, or prepare to make finer ones where anything is
         found in it. False: it is one step, which is to be looked at closely.
         """
+        self.segment.forget_determinants(self.z)
         passage = self.event_handler.through_events(self.z, self.steps_to_sample(chunk.steps))
         if passage is not None:
             self.z = passage.z.copy()

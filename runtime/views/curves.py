@@ -94,7 +94,7 @@ def _measures(solution: Solution) -> list[Curves]:
     """Of each unit; rates of other measures, and whether a stop is closed, are left out."""
     described = solution.model.description.measures
     rates = {f"{entry.name}_dot" for entry in described}
-    stops = {event.mode for event in solution.model.mode_events if event.name.endswith((".lower", ".upper"))}
+    stops = {event.mode for event in solution.model.mode_events if event.side}
     measures = [entry for entry in described if entry.name not in rates | stops]
     groups = []
     for unit in dict.fromkeys(entry.unit for entry in measures):

@@ -85,19 +85,19 @@ def estimated(solution: Solution, convergence: str) -> Told:
 
 def modelling_lines(told: Told | None) -> list[str]:
     """What the summary of a run says of the error of the model."""
-    from runtime.views.run_page import NotEstimated
-
     if told is None:
         return []
+    from runtime.views.run_page import NotEstimated
+
     return [f"error of the model not estimated: {told.why}"] if isinstance(told, NotEstimated) else told.lines()
 
 
 def modelling_report(told: Told | None) -> dict[str, Any]:
     """The section of report.json."""
-    from runtime.views.run_page import NotEstimated
-
     if told is None:
         return {}
+    from runtime.views.run_page import NotEstimated
+
     return {"modelling_error": {"not_estimated": told.why} if isinstance(told, NotEstimated) else told.to_dict()}
 
 

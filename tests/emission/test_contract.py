@@ -30,6 +30,7 @@ READERS_OF_TEXT = {
     "runtime/contract/escapes.py",  # text for other formats
     "runtime/engine/native_text.py",  # LLVM IR
     "runtime/engine/gpu.py",  # the same
+    "runtime/schemes/switching/native_events.py",  # declarations of a header in C
     "runtime/results/impacts.py",  # columns of elements, by an ending that no name of a scene has
     "runtime/running/domains.py",  # items of the scene
     "runtime/engine/c_source.py",  # C
@@ -37,7 +38,7 @@ READERS_OF_TEXT = {
     "runtime/export/fmu.py",  # names of files, commands
     "runtime/export/fmu_texts.py",  # units, as XML says them; rates by their ending
     "runtime/contract/tape.py",  # names of functions in emitted code
-    "runtime/views/run_page.py",  # options of a run, as its statistics say them
+    "runtime/results/run_settings.py",  # options of a run, as its statistics say them
     "runtime/results/stream.py",
     "runtime/results/export.py",
     "runtime/results/solution.py",  # where modules have moved to

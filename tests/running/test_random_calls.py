@@ -91,7 +91,7 @@ def test_a_wrong_word_of_a_scene_is_found_where_it_stands() -> None:
         (lambda: Scene("s", titel="x"), "titel.*'title'"),
         (lambda: Scene("s").input("u", rate=True), "inputs.u.rate.*'rates'"),
         (lambda: Scene("s").parameter(number, 1.0), "parameters.*not text"),
-        (lambda: Scene("s").rates(number), "initial.rates.*no table"),
+        (lambda: Scene("s").rates(number), "initial.rates.*not a table"),
     ):
         with pytest.raises(SceneError, match=words):
             call()

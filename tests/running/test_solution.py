@@ -306,7 +306,7 @@ def test_a_dataset_has_columns_with_units_and_how_the_run_ended() -> None:
     assert found["rod.theta_dot"].attrs == {"units": "rad/s", "long_name": "rate of angle rod.theta"}
     assert found["energy.kinetic"].attrs == {"units": "J", "long_name": "kinetic energy"}
     assert found.attrs["status"] == "not_finite" and "smaller dt" in found.attrs["status_text"]
-    assert np.isnan(found.attrs["error"]) and "not asked for" in found.attrs["error_text"]
+    assert np.isnan(found.attrs["error"]) and "not requested" in found.attrs["error_text"]
     assert found.attrs["scheme"] == solution.scheme and found.attrs["dt"] == 0.01
 
 

@@ -164,7 +164,7 @@ def test_further_refusals() -> None:
         arm().measure("F", "force", "spring", component="z").build()
     with pytest.raises(SceneError, match="uses 'b', which is declared below it"):
         arm().measure("a", "expression", "b + 1").measure("b", "expression", "t").build()
-    with pytest.raises(SceneError, match="uses 'F', which is of the force of a load"):
+    with pytest.raises(SceneError, match="uses 'F', a force of a load"):
         arm().measure("F", "force", "spring").torque("brake", "hub.origin", "-F").build()
     with pytest.raises(SceneError, match="'power_dot'"):
         arm().measure("power", "expression", "hub.theta_dot").torque("brake", "hub.origin", "power_dot").model()
