@@ -7,7 +7,7 @@ Node tables and dof maps: `id x y z`, `node component`.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -17,8 +17,9 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import ArrayLike
 
-from runtime.contract.arguments import BY_NAME, Kind, arguments
+from runtime.contract.arguments import BY_NAME, CALLED, Kind, arguments
 from runtime.contract.errors import shown_value
+from runtime.results.meter import Meter
 from symgen.fe.frame import EquilibriumForces, LineMesh, equilibrium_forces, frame_structure, struts
 from symgen.fe.inertia import (
     InertiaIntegrals,
@@ -40,7 +41,9 @@ from symgen.fe.report import (
     check_free_body,
     effective_masses,
     flexibility_losses,
+    rigid_check,
 )
+from symgen.fe.static import FreeStatics
 from symgen.fe.stresses import (
     EquilibriumStresses,
     Gauges,
@@ -196,6 +199,7 @@ class FlexibleBody:
     """Deformation u = Phi q_f of a finite-element model (Eqs. 15-20), the shapes mass-orthonormal.
 
     structure: the model the modes are those of.  interfaces, markers: by name.  integrals: about `origin` (3,) [m].
+    statics: static solutions of the free body, by a factor that is kept.
     """
 
     structure: FEStructure
@@ -205,7 +209,7 @@ class FlexibleBody:
     origin: Array
     modes: ModeSet
     integrals: InertiaIntegrals
-    check: RigidCheck
+    statics: FreeStatics
     stiffening: StressStiffening | None = None
 
     @classmethod
@@ -397,7 +401,7 @@ class FlexibleBody:
         return cls.from_structure(body, **choices)
 
     @classmethod
-    @arguments(interface=BY_NAME, marker_positions=BY_NAME)
+    @arguments(interface=BY_NAME, marker_positions=BY_NAME, progress=CALLED)
     def from_structure(
         cls,
         body: FEStructure,
@@ -411,6 +415,7 @@ class FlexibleBody:
         marker_positions: Mapping[str, ArrayLike] | None = None,
         stiffening: bool = False,
         static: Sequence[str] = (),
+        progress: Callable[[float, float], None] | bool | None = None,
     ) -> FlexibleBody:
         """Build it from a checked FEStructure.
 
@@ -438,6 +443,9 @@ class FlexibleBody:
         static : sequence of str
             Loads whose static shapes are modes beside the others: "weight_x", "turn_x", "spin_x" and so on, or
             the name of an interface for the six loads there.
+        progress : bool or callable, optional
+            True shows how far the factorisation of the stiffness is; a function is called with (done, all), in
+            thousand million operations.
 
         Returns
         -------
@@ -447,7 +455,8 @@ class FlexibleBody:
         Raises
         ------
         FiniteElementError
-            For sets that are empty or unknown, and for modes that the structure does not have.
+            For sets that are empty or unknown, for modes that the structure does not have, and for a structure whose
+            factor does not fit into memory, before it is computed.
 
         Notes
         -----
@@ -457,36 +466,46 @@ class FlexibleBody:
         ----------
         R. R. Craig, M. C. C. Bampton, Coupling of substructures for dynamic analyses, AIAA J. 6 (1968) 1313-1319.
         """
+        if progress is True:
+            with Meter("stiffness", counted="thousand million operations") as meter:
+                return cls.from_structure(
+                    body, interface=interface, modes=modes, mode_set=mode_set, fixed=fixed, mass=mass, origin=origin,
+                    marker_positions=marker_positions, stiffening=stiffening, static=static, progress=meter,
+                )  # fmt: skip
         check_choices(mode_set, mass, fixed)
         body = lumped(body) if mass == "lumped" else body
         parts = interfaces_of(body, interface, marker_positions or {})
         for name in fixed:
             known_choice("fixed", name, tuple(parts))
-        # Rigid motions about the middle of the body are the best conditioned.
-        rigid = body.rigid(body.positions.mean(axis=0))
-        check = check_free_body(body, rigid)
+        statics = FreeStatics(body, progress or None)
+        check_free_body(statics)
         if mode_set == "free":
-            found = free_modes(body, rigid, modes)
+            found = free_modes(statics, modes)
         elif mode_set == "mixed":
-            found = mixed_modes(body, [parts[name] for name in fixed], modes)
+            found = mixed_modes(statics, [parts[name] for name in fixed], modes)
         else:
-            found = fixed_interface_modes(body, rigid, list(parts.values()), modes)
+            found = fixed_interface_modes(statics, list(parts.values()), modes)
         at = origin_of(origin, parts)
         if static:
             found = with_static_shapes(body, found, static, parts, at)
         markers = {name: marker_of(part, found.shapes, at) for name, part in parts.items()}
         bent = None
         if stiffening:
-            held = found.elastic if mode_set == "mixed" else None
+            held = found.elastic if mode_set == "mixed" else statics.supported
             bent = stress_stiffening(body, found.shapes, at, list(parts.values()), held)
         integrals = inertia_integrals(body, found.shapes, at)
         check_plausible(integrals.mass, float(np.ptp(body.positions, axis=0).max()))
-        return cls(body, parts, markers, mode_set, at, found, integrals, check, bent)
+        return cls(body, parts, markers, mode_set, at, found, integrals, statics, bent)
 
     @property
     def nf(self) -> int:
         """Number of modes."""
         return len(self.modes.eigenvalues)
+
+    @cached_property
+    def check(self) -> RigidCheck:
+        """What says that it is one free body."""
+        return rigid_check(self.statics, float(self.frequencies[0]) if self.mode_set == "free" and self.nf else None)
 
     @property
     def frequencies(self) -> Array:
@@ -529,7 +548,7 @@ class FlexibleBody:
         found = modal_fields(self.integrals, values, self.markers, self.stiffening, damping_ratio, looks)
         found |= {"struts": self.struts} if self.struts else {}
         if gauges is not None:
-            found["gauges"] = gauge_fields(self.structure, self.modes, self.origin, self.interfaces, gauges)
+            found["gauges"] = gauge_fields(self.statics, self.modes, self.origin, self.interfaces, gauges)
         return found
 
     @cached_property
@@ -538,7 +557,7 @@ class FlexibleBody:
 
         markers: their names; held: in place at both; first, second: clamped at this one only.
         """
-        return struts(self.structure, self.modes.shapes, list(self.interfaces.values()))
+        return struts(self.statics, self.modes.shapes, list(self.interfaces.values()))
 
     def surface(self, max_triangles: int = 20_000) -> dict[str, Array]:
         """Find the boundary of a solid, with shapes and stresses.
@@ -597,7 +616,7 @@ class FlexibleBody:
         FiniteElementError
             For a body that is not made from a solid mesh.
         """
-        return equilibrium_stresses(self.structure, self.modes.shapes, self.origin, self.interfaces, at)
+        return equilibrium_stresses(self.statics, self.modes.shapes, self.origin, self.interfaces, at)
 
     def section_forces(self) -> EquilibriumForces:
         """Prepare section forces of a frame by the forces of a motion, line by line.
@@ -613,7 +632,7 @@ class FlexibleBody:
         FiniteElementError
             For a body that is not made from a LineMesh.
         """
-        return equilibrium_forces(self.structure, self.modes.shapes, self.origin, self.interfaces)
+        return equilibrium_forces(self.statics, self.modes.shapes, self.origin, self.interfaces)
 
     def losses(self) -> list[FlexibilityLoss]:
         """Compare the static flexibility of the modes with that of the full model at each interface.

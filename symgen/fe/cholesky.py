@@ -17,16 +17,18 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy.sparse as sp
+from numpy.typing import NDArray
 from scipy.linalg.blas import dsyrk, dtrsm
 from scipy.linalg.lapack import dpotrf
 
-from symgen.fe.structure import Integers
 from symgen.modes.cleaning import Array
 
 SAME_PLANE = 1e-6  # of the extent: nodes so near are in one plane
 LEAF_NODES = 48  # parts of up to so many nodes are not halved again
 NOT_HALVED = -1
-Progress = Callable[[float, float], None]  # operations done, of all
+Integers = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+Progress = Callable[[float, float], None]  # thousand million operations done, of all
 
 
 class NotPositiveDefinite(ValueError):
@@ -133,7 +135,7 @@ def _parts(graph: sp.csr_matrix, places: Array) -> Iterator[tuple[Integers, list
 
 
 def _halves(
-    graph: sp.csr_matrix, places: Array, nodes: Integers, side: np.ndarray[tuple[int], np.dtype[np.int8]]
+    graph: sp.csr_matrix, places: Array, nodes: Integers, side: NDArray[np.int8]
 ) -> tuple[Integers, Integers, Integers]:
     """Two halves that do not meet, and the nodes between them."""
     along = places[nodes, int(np.ptp(places[nodes], axis=0).argmax())]
@@ -152,7 +154,7 @@ def _halves(
     return low, high[~edges[1]], high[edges[1]]
 
 
-def _touching(graph: sp.csr_matrix, nodes: Integers, others: np.ndarray[tuple[int], np.dtype[np.bool_]]) -> Array:
+def _touching(graph: sp.csr_matrix, nodes: Integers, others: Flags) -> Flags:
     """Which of the nodes have a neighbour among the others, (n,) of bool."""
     rows = graph[nodes]  # none of them is empty: a node meets itself
     return np.asarray(np.add.reduceat(np.append(others[rows.indices], False), rows.indptr[:-1]) > 0)
@@ -171,10 +173,14 @@ def _ranges(starts: Integers, places: Integers) -> Integers:
 
 @dataclass(frozen=True, eq=False)
 class Cholesky:
-    """A = L L^T of a sparse symmetric positive definite A; panels: columns of L, front by front."""
+    """A = L L^T of a sparse symmetric positive definite A; panels: columns of L, front by front.
+
+    smallest_pivot: the least of L_ii^2 / A_ii, near round-off where A is singular.
+    """
 
     plan: EliminationPlan
     panels: list[tuple[Array, Array]]
+    smallest_pivot: float
 
     def solve(self, force: Array) -> Array:
         """Solve A x = force, shape (n,) or (n, k)."""
@@ -221,8 +227,9 @@ def cholesky(matrix: sp.csr_matrix, plan: EliminationPlan, progress: Progress | 
         panels.append((top, below))
         done += front.operations
         if progress is not None:
-            progress(done, total)
-    return Cholesky(plan, panels)
+            progress(1e-9 * done, 1e-9 * total)
+    pivots = np.concatenate([np.diag(top) for top, _ in panels]) ** 2
+    return Cholesky(plan, panels, float(np.min(pivots / matrix.diagonal()[order], initial=1.0)))
 
 
 def _take_over(panel: Array, update: Array, rows: Integers, rest: Array) -> None:

@@ -29,7 +29,7 @@ import scipy.sparse as sp
 from numpy.typing import ArrayLike
 
 from runtime.contract.flexible import BodyMotion
-from symgen.fe.static import acting, inertia_relief
+from symgen.fe.static import FreeStatics, acting
 from symgen.fe.structure import (
     AXES,
     RIGID_MOTIONS,
@@ -108,18 +108,18 @@ class EquilibriumForces:
 
 
 def equilibrium_forces(
-    body: FEStructure, shapes: Array, origin: Array, interfaces: Mapping[str, Interface]
+    statics: FreeStatics, shapes: Array, origin: Array, interfaces: Mapping[str, Interface]
 ) -> EquilibriumForces:
     """For shapes (n_dof, nf) about `origin` (3,) [m]; errors: see `FlexibleBody.section_forces`."""
+    body, rigid = statics.body, statics.rigid
     beams = frame_elements(body)
     mass = beams.assembled(beams.mass, body.n_dof)  # consistent, whatever the modes were made with
-    rigid = body.rigid(body.positions.mean(axis=0))
     fields = np.concatenate([_linear_fields(body, beams, origin), _modal_fields(beams, shapes)], axis=2)
     loads = np.zeros((body.n_dof, fields.shape[2]))
     np.add.at(loads, beams.dofs, np.einsum("eab,ebk->eak", beams.mass, fields))
     forces = [np.asarray(part.average.todense()).T for part in interfaces.values()]
     loads = np.hstack([loads, *forces])
-    moved = inertia_relief(body.K, mass, rigid)(loads)
+    moved = statics.relief(mass)(loads)
     carried = rigid @ la.solve(rigid.T @ mass @ rigid, rigid.T @ loads, assume_a="pos")
     accelerations = carried[beams.dofs]
     accelerations[:, :, : fields.shape[2]] -= fields  # a unit cause is an inertia force: minus its acceleration
@@ -178,19 +178,19 @@ APART = 1e-6  # of the size of the body: interfaces that are nearer to each othe
 SAME_DISPLACEMENT = 1e-10  # of the largest stiffness: displacements that the others hold already
 
 
-def struts(body: FEStructure, shapes: Array, parts: Sequence[Interface]) -> list[dict[str, Any]]:
+def struts(statics: FreeStatics, shapes: Array, parts: Sequence[Interface]) -> list[dict[str, Any]]:
     """[{markers: two names, held, first, second: critical loads [N]}] of all pairs of interfaces.
 
     held: both are held in place; first, second: that one is clamped, the other free. Left out where the body does not
     buckle or its stresses are not known.
     """
+    body, rigid = statics.body, statics.rigid
     if body.stress is None or len(parts) < 2:
         return []
-    relief = inertia_relief(body.K, body.M, body.rigid(body.positions.mean(axis=0)))
+    relief = statics.relief()
     ends = [np.asarray(part.average.todense()) for part in parts]
     static = relief(np.vstack(ends).T)
     basis = _scaled(body, np.hstack([static, shapes]))
-    rigid = body.rigid(body.positions.mean(axis=0))
     basis = np.hstack([rigid / np.linalg.norm(rigid, axis=0), basis])
     K = basis.T @ (body.K @ basis)
     moved = [average @ basis for average in ends]

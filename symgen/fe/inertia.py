@@ -24,7 +24,7 @@ import scipy.linalg as la
 import scipy.sparse as sp
 
 from runtime.contract.records import packed
-from symgen.fe.static import Solve, held_solve
+from symgen.fe.static import Solve
 from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure, FiniteElementError, Interface
 from symgen.modes.cleaning import RELATIVE_ZERO, Array, clean, fixed, symmetric
 
@@ -224,9 +224,9 @@ class StressStiffening:
 
 
 def stress_stiffening(
-    body: FEStructure, shapes: Array, origin: Array, parts: Sequence[Interface], held: Solve | None
+    body: FEStructure, shapes: Array, origin: Array, parts: Sequence[Interface], solve: Solve
 ) -> StressStiffening:
-    """For shapes (n_dof, nf) about `origin` (3,) [m]; held: solver of the held body, None for six plain supports.
+    """For shapes (n_dof, nf) about `origin` (3,) [m]; solve: of the held body.
 
     Raises FiniteElementError where the elements that carry the stresses are not known.
     """
@@ -237,7 +237,6 @@ def stress_stiffening(
             "make it from a mesh (from_mesh), or leave stiffening out",
         )
     loads = [linear_fields(body, origin), *(np.asarray(part.average[:AXES].todense()).T for part in parts)]
-    solve = held if held is not None else _supported(body)
     stiffness = symmetric(body.stress(solve(np.hstack(loads)), shapes))
     nf = shapes.shape[1]
     inertial, forces = stiffness[: AXES + AXES**2], stiffness[AXES + AXES**2 :].reshape(len(parts), AXES, nf, nf)
@@ -263,13 +262,6 @@ def linear_fields(body: FEStructure, origin: Array) -> Array:
             for axis in range(AXES):
                 fields[body.component == AXES + axis, column] = turn[axis]
     return np.asarray(body.M @ fields)
-
-
-def _supported(body: FEStructure) -> Solve:
-    """Held at six rows that restrain the rigid motions."""
-    rigid = body.rigid(body.positions.mean(axis=0))
-    support = la.qr((rigid / np.linalg.norm(rigid, axis=0)).T, mode="r", pivoting=True)[1][:RIGID_MOTIONS]
-    return held_solve(body.K, support)
 
 
 def _dusted(values: Array) -> Array:

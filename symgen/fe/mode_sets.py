@@ -18,7 +18,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from symgen.fe.inertia import linear_fields
-from symgen.fe.static import Solve, held_solve, inertia_relief, lowest_modes, rayleigh_ritz, signed
+from symgen.fe.static import FreeStatics, Solve, held_solve, lowest_modes, rayleigh_ritz, signed
 from symgen.fe.structure import (
     AXES,
     RIGID_MOTIONS,
@@ -52,14 +52,13 @@ class ModeSet:
     held_eigenvalues: Array
 
 
-def free_modes(body: FEStructure, rigid: Array, count: int) -> ModeSet:
+def free_modes(statics: FreeStatics, count: int) -> ModeSet:
     """The `count` lowest modes of the free body, without the rigid ones: they are M-orthogonal to these."""
-    elastic = inertia_relief(body.K, body.M, rigid)
-    _enough(body, count, RIGID_MOTIONS)
-    return _modes(body, elastic, count, RIGID_MOTIONS)
+    _enough(statics.body, count, RIGID_MOTIONS)
+    return _modes(statics.body, statics.relief(), count, RIGID_MOTIONS)
 
 
-def mixed_modes(body: FEStructure, fixed: Sequence[Interface], count: int) -> ModeSet:
+def mixed_modes(statics: FreeStatics, fixed: Sequence[Interface], count: int) -> ModeSet:
     """The `count` lowest modes with the nodes of `fixed` held, the other interfaces free.
 
     An interface tells a rotation, so that holding one leaves no rigid motion.
@@ -71,12 +70,13 @@ def mixed_modes(body: FEStructure, fixed: Sequence[Interface], count: int) -> Mo
             "a mixed mode set needs an interface that is held",
             "name it, fixed=['pin'], or take mode_set='free'",
         )
+    body = statics.body
     held = held_rows(body, fixed)
     _enough(body, count, len(held))
-    return _modes(body, held_solve(body.K, held), count, len(held))
+    return _modes(body, held_solve(body, held, statics.progress), count, len(held))
 
 
-def fixed_interface_modes(body: FEStructure, rigid: Array, interfaces: Sequence[Interface], count: int) -> ModeSet:
+def fixed_interface_modes(statics: FreeStatics, interfaces: Sequence[Interface], count: int) -> ModeSet:
     """Craig-Bampton: six constraint modes per interface and `count` normal modes with all interfaces held.
 
     Each interface moves as one rigid piece. The reduced problem is made orthonormal in the mass and its six
@@ -87,16 +87,15 @@ def fixed_interface_modes(body: FEStructure, rigid: Array, interfaces: Sequence[
         raise FiniteElementError(
             "interface", "fixed-interface modes need at least one interface", "name one, or take mode_set='free'"
         )
+    body = statics.body
     check_apart(body, list(interfaces))
     held = held_rows(body, interfaces)
     _enough(body, count, len(held))
-    solve = held_solve(body.K, held)
+    solve = held_solve(body, held, statics.progress)
     normal = _modes(body, solve, count, len(held))
     basis = np.hstack([_constraint_modes(body, one, solve) for one in interfaces] + [normal.shapes])
-    value, shapes = _without_rigid(body, rigid, basis)
-    return ModeSet(
-        signed(body, shapes), value, inertia_relief(body.K, body.M, rigid), normal.shapes, normal.eigenvalues
-    )
+    value, shapes = _without_rigid(body, statics.rigid, basis)
+    return ModeSet(signed(body, shapes), value, statics.relief(), normal.shapes, normal.eigenvalues)
 
 
 def _constraint_modes(body: FEStructure, at: Interface, solve: Solve) -> Array:

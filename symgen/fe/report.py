@@ -17,13 +17,14 @@ import scipy.linalg as la
 import scipy.sparse as sp
 
 from symgen.fe.mode_sets import ModeSet
-from symgen.fe.static import factorised, lowest_modes
+from symgen.fe.static import FreeStatics, factorised, lowest_modes
 from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure, FiniteElementError, Interface
 from symgen.modes.cleaning import Array
 
 ROUND_OFF = 1e4 * np.finfo(np.float64).eps  # strain energy below this share of its terms is none
 RIGID_RESIDUAL = 1e-6  # largest share of the stiffness forces that a rigid motion may leave
 SHIFT = 1e-8  # of a typical diagonal K / M: well below elastic modes, well above round-off
+SURE_PIVOT = 1e-11  # of the diagonal: a pivot above it is not the round-off of none
 EXTRA_MODES = 3  # modes looked at beyond the six
 
 
@@ -37,19 +38,39 @@ class RigidCheck:
     lowest_elastic: float
 
 
-def check_free_body(body: FEStructure, rigid: Array) -> RigidCheck:
-    """Check that `body` has exactly the six zero modes spanned by `rigid` (n_dof, 6).
+def check_free_body(statics: FreeStatics) -> None:
+    """Check that the body has exactly the six zero modes that its node table says.
+
+    Held at six rows it has none left: that its stiffness is then positive definite by far says so. Where it is not by
+    far, the lowest modes of the free body are counted.
 
     Raises FiniteElementError: a mass that is singular, supports in the matrices (fewer than six zero modes),
     a mechanism (more), or rigid motions of the node table that strain the structure.
     """
-    _check_mass(body, rigid)
-    residual, energy = _left_by(body.K, rigid)
-    tolerance = max(ROUND_OFF, 3.0 * energy) if residual < RIGID_RESIDUAL else ROUND_OFF
-    value, shapes = _lowest_shifted(body)
-    zero = _share(body.K, shapes) <= tolerance
-    found = int(zero.sum())
-    looked_at = len(value)
+    body = statics.body
+    _check_mass(statics)
+    residual, energy = left_by(body.K, statics.rigid)
+    try:
+        sound = residual <= RIGID_RESIDUAL and statics.held[0].smallest_pivot > SURE_PIVOT
+    except FiniteElementError as error:
+        if error.item != "stiffness":
+            raise
+        sound = False
+    if not sound:
+        _count_zero_modes(statics, max(ROUND_OFF, 3.0 * energy) if residual < RIGID_RESIDUAL else ROUND_OFF)
+    if residual > RIGID_RESIDUAL:
+        raise FiniteElementError(
+            "nodes",
+            f"rigid motions built from the node table leave {residual:.2g} of the stiffness forces",
+            "the dof map or the coordinates do not belong to these matrices (order of rows, units, local axes)",
+        )
+
+
+def _count_zero_modes(statics: FreeStatics, tolerance: float) -> None:
+    """Raises FiniteElementError where they are not six."""
+    shapes = _lowest_shifted(statics.body)
+    zero = _share(statics.body.K, shapes) <= tolerance
+    found, looked_at = int(zero.sum()), shapes.shape[1]
     if found != RIGID_MOTIONS:
         raise FiniteElementError(
             "stiffness",
@@ -58,19 +79,23 @@ def check_free_body(body: FEStructure, rigid: Array) -> RigidCheck:
             "export the matrices without supports"
             if found < RIGID_MOTIONS
             else "there is a mechanism, or parts are not connected; look near node "
-            f"{_loose_node(body, rigid, shapes[:, zero])}",
+            f"{_loose_node(statics.body, statics.rigid, shapes[:, zero])}",
         )
-    if residual > RIGID_RESIDUAL:
-        raise FiniteElementError(
-            "nodes",
-            f"rigid motions built from the node table leave {residual:.2g} of the stiffness forces",
-            "the dof map or the coordinates do not belong to these matrices (order of rows, units, local axes)",
-        )
-    hertz = np.sqrt(np.abs(value)) / (2.0 * np.pi)
-    return RigidCheck(found, residual, float(hertz[zero].max()), float(hertz[~zero].min(initial=np.inf)))
 
 
-def _check_mass(body: FEStructure, rigid: Array) -> None:
+def rigid_check(statics: FreeStatics, lowest: float | None) -> RigidCheck:
+    """What the check of a body that passed it says; lowest: its lowest elastic frequency [Hz], found if None."""
+    body, rigid = statics.body, statics.rigid
+    value = la.eigh(rigid.T @ (body.K @ rigid), rigid.T @ (body.M @ rigid), eigvals_only=True)
+    if lowest is None:
+        mu, _ = lowest_modes(statics.relief(), body.M, 1)
+        lowest = float(mu[0] ** -0.5 / (2.0 * np.pi))
+    highest = float(np.sqrt(np.abs(value).max()) / (2.0 * np.pi))
+    return RigidCheck(RIGID_MOTIONS, left_by(body.K, rigid)[0], highest, lowest)
+
+
+def _check_mass(statics: FreeStatics) -> None:
+    body, rigid = statics.body, statics.rigid
     size = float(np.max(np.abs(body.M.diagonal()), initial=0.0))
     inertia = rigid.T @ (body.M @ rigid)
     scale = np.sqrt(np.maximum(np.diag(inertia), np.finfo(np.float64).tiny))
@@ -80,22 +105,26 @@ def _check_mass(body: FEStructure, rigid: Array) -> None:
             "the mass of the rigid body is singular (no mass, or all mass on one line)",
             "give every part a density; a straight beam needs the inertia of its section",
         )
+    if body.stress is not None:
+        return  # assembled here, from a positive density
     massive = np.flatnonzero(body.M.diagonal() > 0.0)
-    part = body.M[massive][:, massive] + sp.diags(1e-12 * body.M.diagonal()[massive])
-    factorised(part, "mass", "inertia is never negative or lost: check the export of the mass matrix")
+    part = sp.csr_matrix(body.M[massive][:, massive] + sp.diags(1e-12 * body.M.diagonal()[massive]))
+    remedy = "inertia is never negative or lost: check the export of the mass matrix"
+    factorised(part, body, massive, "mass", remedy)
 
 
-def _lowest_shifted(body: FEStructure) -> tuple[Array, Array]:
-    """The lowest modes of a free structure by a small negative shift: lambda ascending, shapes."""
+def _lowest_shifted(body: FEStructure) -> Array:
+    """Shapes of the lowest modes of a free structure, by a small negative shift."""
     massive = body.M.diagonal() > 0.0
     shift = SHIFT * float(np.median(body.K.diagonal()[massive] / body.M.diagonal()[massive]))
-    solve = factorised(
-        body.K + shift * body.M,
+    factor = factorised(
+        sp.csr_matrix(body.K + shift * body.M),
+        body,
+        np.arange(body.n_dof),
         "stiffness",
         "a part without mass moves freely, or the stiffness is not one of a stable structure",
     )
-    mu, shapes = lowest_modes(solve, body.M, min(RIGID_MOTIONS + EXTRA_MODES, int(massive.sum())))
-    return 1.0 / mu - shift, shapes
+    return lowest_modes(factor.solve, body.M, min(RIGID_MOTIONS + EXTRA_MODES, int(massive.sum())))[1]
 
 
 def _share(K: sp.csr_matrix, vectors: Array) -> Array:
@@ -104,7 +133,7 @@ def _share(K: sp.csr_matrix, vectors: Array) -> Array:
     return np.asarray(np.abs(energy) / np.sum(np.abs(vectors) * (abs(K) @ np.abs(vectors)), axis=0))
 
 
-def _left_by(K: sp.csr_matrix, rigid: Array) -> tuple[float, float]:
+def left_by(K: sp.csr_matrix, rigid: Array) -> tuple[float, float]:
     """Largest force and energy that the rigid motions leave, as shares of the sizes of their terms."""
     force, terms = np.abs(K @ rigid), abs(K) @ np.abs(rigid)
     return float(np.max(force.max(axis=0) / terms.max(axis=0))), float(np.max(_share(K, rigid)))

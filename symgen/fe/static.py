@@ -8,6 +8,10 @@ Lowest vibration modes through a static solver: K phi = lambda M phi as (solve M
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
 
 import numpy as np
 import scipy.linalg as la
@@ -15,66 +19,125 @@ import scipy.sparse as sp
 import scipy.sparse.linalg as spla
 
 from runtime.contract.flexible import BodyMotion, UnknownInterface, causes
+from symgen.fe.cholesky import Cholesky, NotPositiveDefinite, Progress, cholesky, elimination_plan
 from symgen.fe.structure import RIGID_MOTIONS, FEStructure, FiniteElementError, Integers
 from symgen.modes.cleaning import Array
 
 Solve = Callable[[Array], Array]  # forces (n,) or (n, k) to displacements of the same shape
 
 
-def factorised(matrix: sp.spmatrix, item: str, remedy: str) -> Solve:
-    """Solver of a symmetric positive definite sparse system. Raises FiniteElementError if it is singular."""
-    try:
-        # Diagonal pivots only: keeps the symmetric ordering, which is right for a positive definite matrix.
-        factor = spla.splu(
-            sp.csc_matrix(matrix), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
-        )
-    except RuntimeError as error:
-        raise FiniteElementError(item, "the matrix is singular", remedy) from error
-    pivots = factor.U.diagonal()
-    if not np.all(pivots > 0.0):
-        raise FiniteElementError(
-            item, f"the matrix is not positive definite ({int(np.sum(pivots <= 0.0))} pivots are not positive)", remedy
-        )
-    return lambda force: factor.solve(np.ascontiguousarray(force))
+def factorised(
+    matrix: sp.csr_matrix,
+    body: FEStructure,
+    rows: Integers,
+    item: str,
+    remedy: str,
+    progress: Progress | None = None,
+) -> Cholesky:
+    """Factor of a symmetric positive definite matrix, whose row k is the row rows[k] of the body.
 
-
-def held_solve(K: sp.csr_matrix, held: Integers) -> Solve:
-    """Displacements of the structure with the rows `held` fixed at zero, for forces on all rows."""
-    free = np.setdiff1d(np.arange(K.shape[0]), held)
-    solve = factorised(
-        K[free][:, free],
-        "stiffness",
-        "with its supports the structure still moves freely: "
-        "hold it at more interfaces, or look for parts that are not connected",
-    )
-
-    def displacements(force: Array) -> Array:
-        result = np.zeros_like(force, dtype=np.float64)
-        result[free] = solve(np.asarray(force, dtype=np.float64)[free])
-        return result
-
-    return displacements
-
-
-def inertia_relief(K: sp.csr_matrix, M: sp.csr_matrix, rigid: Array) -> Solve:
-    """Elastic displacements of a free structure (inertia relief), for forces on all rows.
-
-    rigid (n, 6) spans the rigid motions. The forces are balanced by the inertia of the rigid acceleration they
-    cause; the answer is M-orthogonal to `rigid`. Six rows that restrain `rigid` are held for the solution:
-    balanced forces have no reactions there, so that which rows are taken does not matter.
+    Raises FiniteElementError if it is not positive definite, and if its factor does not fit into memory.
     """
-    massed = M @ rigid
-    inertia = la.cho_factor(rigid.T @ massed)
-    scaled = rigid / np.linalg.norm(rigid, axis=0)
-    support = la.qr(scaled.T, mode="r", pivoting=True)[1][:RIGID_MOTIONS]
-    solve = held_solve(K, support)
+    plan = elimination_plan(matrix, body.node[rows], body.positions)
+    check_memory(f"{len(rows):,} degrees of freedom", plan.bytes_at_peak)
+    try:
+        return cholesky(matrix, plan, progress)
+    except NotPositiveDefinite as error:
+        row = rows[error.row]
+        where = f"component {body.component[row] + 1} of node {body.ids[body.node[row]]}"
+        problem = f"the matrix is not positive definite (the pivot of {where} is not positive)"
+        raise FiniteElementError(item, problem, remedy) from error
 
-    def displacements(force: Array) -> Array:
-        balanced = force - massed @ la.cho_solve(inertia, rigid.T @ force)
-        moved = solve(balanced)
-        return np.asarray(moved - rigid @ la.cho_solve(inertia, massed.T @ moved))
 
-    return displacements
+def check_memory(what: str, needed: float) -> None:
+    """Raises FiniteElementError where so many bytes are more than the machine has free."""
+    free = available_memory()
+    if needed > free:
+        raise FiniteElementError(
+            "mesh",
+            f"{what} take {needed / 1e9:.3g} GB of memory, {free / 1e9:.3g} GB are free",
+            "coarsen the mesh where no stress is asked for, or take a machine with more memory",
+        )
+
+
+def available_memory() -> float:
+    """What this process may still take [bytes]; infinite where the system does not say."""
+    limits = [float("inf")]
+    with suppress(OSError, ValueError, IndexError):
+        known = dict(line.split(":") for line in Path("/proc/meminfo").read_text().splitlines())
+        limits.append(1024.0 * float(known["MemAvailable"].split()[0]))
+    with suppress(ImportError, OSError, ValueError):
+        import resource
+
+        most = resource.getrlimit(resource.RLIMIT_AS)[0]
+        if most != resource.RLIM_INFINITY:
+            taken = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
+            limits.append(float(most - taken))
+    return min(limits)
+
+
+def held_factor(body: FEStructure, held: Integers, progress: Progress | None = None) -> tuple[Cholesky, Integers]:
+    """Factor of the stiffness with the rows `held` fixed, and the rows that are free."""
+    free = np.setdiff1d(np.arange(body.n_dof), held)
+    remedy = (
+        "with its supports the structure still moves freely: "
+        "hold it at more interfaces, or look for parts that are not connected"
+    )
+    return factorised(sp.csr_matrix(body.K[free][:, free]), body, free, "stiffness", remedy, progress), free
+
+
+def held_solve(body: FEStructure, held: Integers, progress: Progress | None = None) -> Solve:
+    """Displacements of the structure with the rows `held` fixed at zero, for forces on all rows."""
+    factor, free = held_factor(body, held, progress)
+    return lambda force: _on_rows(factor, free, force)
+
+
+def _on_rows(factor: Cholesky, free: Integers, force: Array) -> Array:
+    result = np.zeros_like(force, dtype=np.float64)
+    result[free] = factor.solve(np.asarray(force, dtype=np.float64)[free])
+    return result
+
+
+@dataclass(frozen=True, eq=False)
+class FreeStatics:
+    """Static solutions of a free body, all by one factorisation, which is made at the first and kept."""
+
+    body: FEStructure
+    progress: Progress | None = None
+
+    @cached_property
+    def rigid(self) -> Array:
+        """Its rigid motions (n_dof, 6) about the middle, where they are best conditioned."""
+        return self.body.rigid(self.body.positions.mean(axis=0))
+
+    @cached_property
+    def held(self) -> tuple[Cholesky, Integers]:
+        """Factor of the stiffness held at six rows that restrain `rigid`, and the other rows.
+
+        Balanced forces have no reactions there, so that which rows are taken does not matter.
+        """
+        scaled = self.rigid / np.linalg.norm(self.rigid, axis=0)
+        support = la.qr(scaled.T, mode="r", pivoting=True)[1][:RIGID_MOTIONS]
+        return held_factor(self.body, support, self.progress)
+
+    def supported(self, force: Array) -> Array:
+        """Displacements with these six rows at zero, for forces on all rows."""
+        return _on_rows(*self.held, force)
+
+    def relief(self, M: sp.csr_matrix | None = None) -> Solve:
+        """Elastic displacements of the free body (inertia relief), for forces on all rows.
+
+        The forces are balanced by the inertia of the rigid acceleration they cause; the answer is M-orthogonal to
+        `rigid`. M: the mass, that of the body where it is left out.
+        """
+        rigid, massed = self.rigid, (self.body.M if M is None else M) @ self.rigid
+        inertia = la.cho_factor(rigid.T @ massed)
+
+        def displacements(force: Array) -> Array:
+            moved = self.supported(force - massed @ la.cho_solve(inertia, rigid.T @ force))
+            return np.asarray(moved - rigid @ la.cho_solve(inertia, massed.T @ moved))
+
+        return displacements
 
 
 def acting(motion: BodyMotion, nf: int, interfaces: Mapping[str, Array], size: float) -> Array:

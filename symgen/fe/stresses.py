@@ -28,7 +28,7 @@ from runtime.contract.flexible import BodyMotion
 from symgen.fe.inertia import dusted
 from symgen.fe.mode_sets import ModeSet
 from symgen.fe.recovery import RecoveredPlaces, StressRecovery
-from symgen.fe.static import acting, inertia_relief
+from symgen.fe.static import FreeStatics, acting
 from symgen.fe.structure import (
     AXES,
     RIGID_MOTIONS,
@@ -111,7 +111,7 @@ class EquilibriumStresses:
 
 
 def equilibrium_stresses(
-    body: FEStructure,
+    statics: FreeStatics,
     shapes: Array,
     origin: Array,
     interfaces: Mapping[str, Interface],
@@ -122,8 +122,8 @@ def equilibrium_stresses(
 
     items: names of the places in messages.
     """
-    stress = solid_stress(body)
-    solve = inertia_relief(body.K, body.M, body.rigid(body.positions.mean(axis=0)))
+    body = statics.body
+    stress, solve = solid_stress(body), statics.relief()
     linear = (body.positions - origin)[:, :, None]  # (nodes, i, 1)
     fields = [_along_axes(body, linear), _along_axes(body, body.nodal(shapes, 0))]
     loads = [body.M @ np.hstack(fields), *(np.asarray(part.average.todense()).T for part in interfaces.values())]
@@ -194,16 +194,17 @@ MOST_GAUGES = 200
 
 
 def gauge_fields(
-    body: FEStructure, modes: ModeSet, origin: Array, interfaces: Mapping[str, Interface], gauges: Gauges
+    statics: FreeStatics, modes: ModeSet, origin: Array, interfaces: Mapping[str, Interface], gauges: Gauges
 ) -> dict[str, dict[str, Any]]:
     """What a scene holds of each gauge, about `origin` (3,) [m]. Raises FiniteElementError."""
+    body = statics.body
     if not gauges and solid_stress(body):
         return {}
     if len(gauges) > MOST_GAUGES:
         raise FiniteElementError("gauges", f"{len(gauges)} are named", f"name at most {MOST_GAUGES}")
     places = {name: _place(body, origin, name, given) for name, given in gauges.items()}
     items = [f"gauges['{name}']" for name in places]
-    recovered = equilibrium_stresses(body, modes.shapes, origin, interfaces, list(places.values()), items)
+    recovered = equilibrium_stresses(statics, modes.shapes, origin, interfaces, list(places.values()), items)
     modal = modal_stresses(body, modes.shapes, origin)
     shapes, own_errors = modal.at(recovered.points), modal.error_rows(recovered.points)
     causes = np.stack([recovered.tensors[:, i, j] for i, j in VOIGT])  # (6, k, gauges)
