@@ -25,10 +25,11 @@ import scipy.sparse as sp
 from numpy.typing import ArrayLike
 
 from runtime.contract.flexible import BodyMotion
+from symgen.fe.cholesky import elimination_plan
 from symgen.fe.inertia import dusted
 from symgen.fe.mode_sets import ModeSet
 from symgen.fe.recovery import RecoveredPlaces, StressRecovery
-from symgen.fe.static import FreeStatics, acting
+from symgen.fe.static import FreeStatics, acting, check_memory
 from symgen.fe.structure import (
     AXES,
     RIGID_MOTIONS,
@@ -457,6 +458,8 @@ def surface_data(positions: Array, nodal: Array, triangles: Integers, origin: Ar
     }
 
 
+BYTES_AN_ENTRY = 60  # of the stiffness, while it is assembled
+
 # Quadrature of this degree integrates the mass of each element exactly (per direction for hexahedra).
 DEGREE = {"P1": 2, "P2": 4, "Q1": 3, "Q2": 5}
 
@@ -508,6 +511,7 @@ def _checked_basis(mesh: Any, order: int) -> tuple[Any, Any]:
             "give a scikit-fem MeshTet or MeshHex and order 1 or 2, or a LineMesh",
         )
     name, element = found[0]
+    _check_size(skfem, mesh, element())
     with np.errstate(divide="ignore", invalid="ignore"):  # flat cells are refused below
         basis = skfem.Basis(mesh, element(), intorder=DEGREE[name])
     volume = np.asarray(basis.mapping.detDF(basis.X))
@@ -519,6 +523,19 @@ def _checked_basis(mesh: Any, order: int) -> tuple[Any, Any]:
             "repair the mesh",
         )
     return skfem, basis
+
+
+def _check_size(skfem: Any, mesh: Any, element: Any) -> None:
+    """Raises FiniteElementError where the matrices and the factor of the stiffness do not fit into memory."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        light = skfem.Basis(mesh, element, intorder=1, disable_doflocs=False)
+    cells = np.asarray(light.element_dofs)
+    n, places = int(light.N), np.asarray(light.doflocs, dtype=np.float64).T
+    entries = (np.ones(cells.size, dtype=np.int32), (cells.ravel(), np.tile(np.arange(cells.shape[1]), len(cells))))
+    meets = sp.csr_matrix(entries, shape=(n, cells.shape[1]))
+    graph = sp.csr_matrix(meets @ meets.T)
+    factor = AXES**2 * elimination_plan(graph, np.arange(n), places).bytes_at_peak
+    check_memory(f"{AXES * n:,} degrees of freedom", factor + AXES**2 * graph.nnz * BYTES_AN_ENTRY)
 
 
 def _gradient_products(skfem: Any, basis: Any) -> list[list[sp.csr_matrix]]:
