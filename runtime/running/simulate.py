@@ -150,7 +150,7 @@ def simulate(
     Miao, Zhu, Shi and Chen (2008), part I; each scheme names its own, see `runtime.schemes`.
     """
     if progress is True:
-        from runtime.results.meter import Meter
+        from runtime.contract.meter import Meter
 
         with Meter(model.name) as meter:
             return simulate(

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, TextIO
 
 from runtime.contract.errors import NoResult, SymgenError, clipped, printable
-from runtime.results.meter import Meter
+from runtime.contract.meter import Meter
 
 OK, FAILED, WRONG_INPUT, FAULT, INTERRUPTED = 0, 1, 2, 3, 130
 EXIT_CODES = {

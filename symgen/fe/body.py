@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 
 from runtime.contract.arguments import BY_NAME, CALLED, Kind, arguments
 from runtime.contract.errors import shown_value
-from runtime.results.meter import Meter
+from runtime.contract.meter import Meter
 from symgen.fe.frame import EquilibriumForces, LineMesh, equilibrium_forces, frame_structure, struts
 from symgen.fe.inertia import (
     InertiaIntegrals,

@@ -119,7 +119,7 @@ def test_what_does_not_fit_is_named() -> None:
     forces = crank(2).section_forces()
     still = np.zeros((1, 3))
     pin = MarkerForce("pin", np.ones(3), np.zeros((1, 6)))
-    for modes, acting, problem in ((1, [], "frame has 1 modes, not 2"), (2, [pin], "marker 'pin'.*no interface")):
+    for modes, acting, problem in ((1, [], "frame has 1 modes, not 2"), (2, [pin], "marker 'pin'.*not an interface")):
         with pytest.raises(FiniteElementError, match=problem):
             forces.of(BodyMotion("frame", np.zeros(1), *np.zeros((3, 1, modes)), still, still, still, acting))
     with pytest.raises(FiniteElementError, match="which.*'bending' is not known"):

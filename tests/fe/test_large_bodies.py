@@ -1,4 +1,4 @@
-"""One factorisation of a body's stiffness: right values, progress, Ctrl-C, and too large said before memory is spent."""
+"""One factorisation of a body's stiffness: right values, progress, Ctrl-C; too large is said before memory is spent."""
 
 import subprocess
 import sys

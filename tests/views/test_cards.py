@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from runtime import Model, Status, simulate
-from runtime.results.meter import Meter, progress_text
+from runtime.contract.meter import Meter, progress_text
 from runtime.studies.advice.advise import advise
 from symgen.scenes import SCENES
 from tests.running.test_solution import rod_model, rod_solution

@@ -11,8 +11,8 @@ from typing import Any
 
 from runtime.contract.arguments import BY_NAME, CALLED, NAMES, arguments
 from runtime.contract.errors import ArgumentError, ModelError
+from runtime.contract.meter import Meter
 from runtime.contract.model import EmittedModel
-from runtime.results.meter import Meter
 from runtime.running.interrupts import Interrupts
 from runtime.running.planning import make_plan
 from runtime.running.problem import seen_every_of, span_of, whole_number
