@@ -151,7 +151,7 @@ def test_what_has_no_derivative_is_refused_by_name(model_of: Build) -> None:
     up = {"when": "x_dot", "direction": "rising", "action": {"push": "-40"}}
     with pytest.raises(NoResult, match="event event1 happens 50 times within one step"):
         refused(up, {"when": "x_dot", "direction": "falling", "action": {"push": "40"}})
-    with pytest.raises(ArgumentError, match="events event0 of model thrown: end the run at a time that moves"):
+    with pytest.raises(ArgumentError, match="event0 of model thrown: end the run at a time that depends on"):
         refused({"when": "x - 0.1", "terminal": True})
     with pytest.raises(NoResult, match="events event0, event1 of model thrown: act at one time"):
         refused({"when": "x - 0.1", **act}, {"when": "2 * x - 0.2", **act})

@@ -18,7 +18,15 @@ from symgen.cli.table import COMMANDS
 from symgen.scene import SceneError
 
 # control flow within one file or two: caught there, never seen by a user
-INTERNAL = {"BranchLost", "CannotCut", "EndlessInput", "NoInertia", "TooLarge", "UnknownInterface"}
+INTERNAL = {
+    "BranchLost",
+    "CannotCut",
+    "EndlessInput",
+    "NoInertia",
+    "NotPositiveDefinite",
+    "TooLarge",
+    "UnknownInterface",
+}
 
 
 def exceptions() -> set[type]:
